@@ -17,7 +17,7 @@ PEDANTIC = ["-Wcast-align=strict", "-Wcast-qual", "-Wdouble-promotion", "-Wfloat
             "-Wmissing-prototypes", "-Wnull-dereference", "-Wredundant-decls", "-Wsign-conversion",
             "-Wstrict-prototypes", "-Wswitch-enum", "-Wundef", "-Wvla", "-Wwrite-strings"]  # fmt: skip
 #: Programs of unit/ that run with the library of the invented specification.
-UNITS = ("packets", "fields", "client", "device", "tables", "checksum", "doubles", "garbage")
+UNITS = ("packets", "fields", "client", "device", "tables", "checksum", "doubles", "garbage", "stream")
 SANITIZE = ["-g1", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"]
 #: How the library of unit programs is built, which other programs that run under the sanitizers link with.
 SANITIZED = ["-std=c99", "-O1", *SANITIZE]

@@ -123,9 +123,13 @@ def test_names_of_the_core_are_taken() -> None:
     """language.yaml knows all of them, so that no name of a specification becomes one."""
     found, constants = set(), set()
     headers = [p.name for p in (ROOT / "runtime/c/src/mip").glob("*.h")]
-    for header in ("constants.h", *headers):
+    for header in ("constants.h", "connect.h", *headers, "../../ports/mip/line.h", "../../ports/open.h"):
         text = (folder("real") / "src/mip" / header).read_text("utf-8")
         text = re.sub(r"/\*.*?\*/|#include[^\n]*", "", text, flags=re.S)
+        if header == "connect.h":  # also names commands of the specification
+            found |= set(re.findall(r"\bmip_(rate|device_(?:connect|profile|stream))\b", text))
+            continue
+        header = Path(header).name
         found |= set(re.findall(r"\bmip_(\w+)", text)) - {"ack_code"}
         constants |= set(re.findall(r"^(?: *#define| {3}) MIP_(\w+)", text, re.M)) - {header.upper().replace(".", "_")}
     assert set(names.LANGUAGE["runtime"]) == found and set(names.LANGUAGE["constants"]) == constants
@@ -643,11 +647,14 @@ def test_a_small_program_stays_small(tmp_path: Path) -> None:
 def test_readme_shows_programs_that_run(tmp_path: Path) -> None:
     blocks = re.findall(r"```c\n(.*?)```", (folder("real") / "README.md").read_text("utf-8"), re.S)
     example = (folder("real") / "quickstart.c").read_text("utf-8").partition("*/\n")[2].rstrip()
-    assert blocks[0].rstrip() == example and len(blocks) == 8
+    first, blocks = blocks[0].rstrip(), blocks[1:]  # the first one runs in test_c_ports
+    assert (folder("real") / "examples/stream.c").read_text("utf-8").partition("*/\n")[2].rstrip() == first
+    assert blocks[0].rstrip() == example and len(blocks) == 10
     outside = (
         "uint32_t milliseconds(void);\nvoid transmit(struct mip_packet packet);\n"
         "size_t ring_end(void);\nsize_t receive(uint8_t *bytes, size_t size);\n"
-        "void handle(const struct mip_packet *packet);\n"
+        "void handle(const struct mip_packet *packet);\nvoid places(const size_t *offsets, size_t count);\n"
+        "void sentence(uint64_t offset, const uint8_t *bytes, size_t size);\n"
         "void plot(int receiver, double latitude, double longitude);\n"
         "void show(const float accel[3], uint32_t arrived);\nvoid report(const char *outcome, const char *reason);\n"
     )

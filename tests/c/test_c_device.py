@@ -247,60 +247,11 @@ def ran(program: Path, *arguments: str) -> tuple[int, str, str]:
 
 
 def test_the_examples_are_these() -> None:
-    assert {p.name for p in EXAMPLES.iterdir()} == {"posix.c", "bare_metal.c", "cplusplus.cpp", "arduino"}
+    assert {p.name for p in EXAMPLES.iterdir()} == {"stream.c", "bare_metal.c", "cplusplus.cpp", "arduino"}
     style = f"--style=file:{folder('real') / '.clang-format'}"
     run(need("clang-format"), style, "--dry-run", "-Werror", EXAMPLES / "cplusplus.cpp")
     headers = set(re.findall(r"#include <(.*)>", (EXAMPLES / "bare_metal.c").read_text("utf-8")))
     assert headers == set()  # nothing of the C library
-
-
-def test_posix(tmp_path: Path) -> None:
-    """At a pseudo-terminal. What it prints is in tests/readme/test_simulate.py; here, what goes wrong."""
-    program = example(tmp_path, "posix.c")
-    assert ran(program)[0] == 2
-    path = f"{tmp_path}/terminal"
-    code, _, error = ran(program, path)
-    assert code == 1 and error.startswith(f"{path}: ")
-    with simulated("--pty", path, "--speed", "10"):
-        code, out, error = ran(program, path)
-        assert (code, error) == (0, "") and out.count(" g\n") == 50
-    with simulated("--pty", path, "--fault", "refuse@3") as place:
-        assert place == path
-        assert ran(program, path)[::2] == (1, "base rate: refused, bad_checksum (code 2)\n")
-    with simulated("--pty", path, "--duration", "2"):  # it goes while data come
-        code, out, error = ran(program, path)
-        assert code == 1 and error == "the port is gone\n" and " g\n" in out
-
-
-#: The port of the example, at a line whose other end goes: it then gives no bytes, as if the device were silent.
-HANG_UP = """
-#define main example
-#include "posix.c"
-#undef main
-#include <sys/socket.h>
-int main(void) {
-    (void)example;
-    int line[2];
-    uint8_t bytes[8];
-    size_t count = 0;
-    if (socketpair(AF_UNIX, SOCK_STREAM, 0, line) != 0 || !port_read(line, bytes, 8, &count) || count != 0) {
-        return 1;
-    }
-    if (write(line[1], "abc", 3) != 3 || close(line[1]) != 0 || !port_read(line, bytes, 8, &count) || count != 3) {
-        return 2;
-    }
-    count = 0;
-    return port_read(line, bytes, 8, &count) || count != 0 ? 3 : 0;
-}
-"""
-
-
-def test_posix_after_a_hang_up(tmp_path: Path) -> None:
-    (tmp_path / "hang_up.c").write_text(HANG_UP)
-    library = archive("real", "cc", *SANITIZED)
-    flags = ["-std=gnu99", f"-I{EXAMPLES}", *SANITIZE]
-    program = compiled(tmp_path / "hang_up", "real", "cc", tmp_path / "hang_up.c", *flags, library=library)
-    assert ran(program)[0] == 0
 
 
 def test_bare_metal(tmp_path: Path) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import html
 import re
 import shutil
 import subprocess
@@ -244,6 +245,12 @@ def test_doxygen_has_nothing_to_complain_of(spec: str, tmp_path: Path) -> None:
     shutil.copytree(SPECS[spec][1] / "c", folder)
     done = subprocess.run([need("doxygen")], cwd=folder, capture_output=True, text=True)
     assert (done.returncode, done.stdout + done.stderr) == (0, "")
+    groups = (folder / "html/modules.html").read_text("utf-8")  # the main page is the README
+    for x in model(spec).families:
+        if x.fields:
+            numbers = ", ".join(f"0x{s.number:02X}" for s in x.sets)
+            assert html.escape(f"{x.title} ({numbers})") in groups
+    assert "Packets in a stream" in (folder / "html/index.html").read_text("utf-8")
     page = (folder / "html/core_8h.html").read_text("utf-8")
     assert all(name in page for name in ("mip_parser_flush", "mip_get_16", "MIP_ERROR_TRUNCATED"))
     header = folder / "src/mip/core.h"  # it would complain

@@ -14,7 +14,7 @@ from pathlib import Path
 
 import pytest
 import yaml
-from support import ROOT, heavy, need
+from support import ROOT, heavy, model, need
 from test_c import HERE, both, folder, run, sources
 
 PACKAGES = HERE / "packages"
@@ -175,7 +175,7 @@ def test_cmake_installed(kind: str, project: Path, tmp_path: Path) -> None:
     library = moved / "lib"
     series = VERSION.rpartition(".")[0]
     names = {"static": {"libmip.a"}, "shared": {"libmip.so", f"libmip.so.{series}", f"libmip.so.{VERSION}"}}
-    assert {p.name for p in library.glob("libmip*")} == names[kind]
+    assert {p.name for p in library.glob("libmip*")} == names[kind] | {"libmip_ports.a"}
     if kind == "shared":
         assert exported(library / "libmip.so") == marked() > {"mip_parser_next"}
 
@@ -252,6 +252,51 @@ def test_meson_installed(project: Path, tmp_path: Path) -> None:
     meson("compile", "-C", tmp_path / "user")
     quickstart(tmp_path / "user/main", LD_LIBRARY_PATH=f"{moved}/lib")
     assert exported(moved / "lib/libmip.so") == marked() > {"mip_parser_next"}
+
+
+# --------------------------------------------------------------------------- Conan and vcpkg
+
+
+#: What asks for both targets, of the package that a manager has made.
+USER = "find_package(mip REQUIRED)\ntarget_link_libraries(main mip::mip mip::ports)"
+
+
+@heavy(PACKAGES_OF_C)
+def test_conan(project: Path, tmp_path: Path) -> None:
+    """The recipe makes a package, and a project finds it by what Conan writes for CMake."""
+    create = shown("Conan and vcpkg", "sh")[0].strip()
+    path = f"{Path(need('conan')).parent}{os.pathsep}{os.environ['PATH']}"  # also of cmake and ninja
+    home = {"CONAN_HOME": str(tmp_path / "home"), "PATH": path}
+    run("conan", "profile", "detect", **home)
+    run("sh", "-c", f"cd {project} && {create} -c tools.cmake.cmaketoolchain:generator=Ninja", **home)
+    shutil.rmtree(project / "mip")
+    install = ("install", f"--requires=mip/{VERSION}", "-g", "CMakeDeps", "--output-folder", tmp_path / "found")
+    run("conan", *install, **home)
+    options = (f"-DCMAKE_PREFIX_PATH={tmp_path}/found", "-DCMAKE_BUILD_TYPE=Release")
+    cmake(user(project, USER), tmp_path / "user", *options)
+    quickstart(tmp_path / "user/main")
+
+
+def test_the_port_of_vcpkg(project: Path, tmp_path: Path) -> None:
+    """vcpkg is in no registry: its functions, as far as the port uses them, are in tests/c/packages."""
+    port, prefix = project / "mip/vcpkg", tmp_path / "packages"
+    manifest = json.loads((port / "vcpkg.json").read_text("utf-8"))
+    assert manifest["name"] == "mip" and manifest["version"] == VERSION and manifest["license"] == "MIT"
+    assert {d["name"] for d in manifest["dependencies"]} == {"vcpkg-cmake", "vcpkg-cmake-config"}
+    folders = (f"-DCURRENT_PORT_DIR={port}", f"-DCURRENT_PACKAGES_DIR={prefix}", f"-DBUILD={tmp_path}/build")
+    run(need("cmake"), *folders, f"-DNINJA={need('ninja')}", "-P", PACKAGES / "vcpkg/functions.cmake")
+    shutil.rmtree(project / "mip")
+    assert {"share/mip/copyright", "include/mip/line.h", "lib/libmip_ports.a"} <= {*installed(prefix)}
+    cmake(user(project, USER), tmp_path / "user", f"-DCMAKE_PREFIX_PATH={prefix}")
+    quickstart(tmp_path / "user/main")
+
+
+def test_manifests_have_the_home_page() -> None:
+    of = model("real").protocol
+    assert of.url
+    for name in ("library.json", "library.properties", "idf_component.yml", "conanfile.py", "vcpkg/vcpkg.json"):
+        assert of.url in (folder("real") / name).read_text("utf-8")
+        assert "example.com" not in (folder("invented") / name).read_text("utf-8")  # it has none
 
 
 # --------------------------------------------------------------------------- boards

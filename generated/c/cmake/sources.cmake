@@ -7,6 +7,7 @@ set(MIP_SOURCES
   ${MIP_FOLDER}/src/mip/base.c
   ${MIP_FOLDER}/src/mip/client.c
   ${MIP_FOLDER}/src/mip/codec.c
+  ${MIP_FOLDER}/src/mip/connect.c
   ${MIP_FOLDER}/src/mip/core.c
   ${MIP_FOLDER}/src/mip/device.c
   ${MIP_FOLDER}/src/mip/displacement_data.c
@@ -33,6 +34,7 @@ set(MIP_SOURCES
   ${MIP_FOLDER}/src/mip/rtk.c
   ${MIP_FOLDER}/src/mip/sensor.c
   ${MIP_FOLDER}/src/mip/shared.c
+  ${MIP_FOLDER}/src/mip/stream.c
   ${MIP_FOLDER}/src/mip/system.c
   ${MIP_FOLDER}/src/mip/system_data.c
   ${MIP_FOLDER}/src/mip/value.c

@@ -46,7 +46,7 @@ from .fields import (
     Set,
 )
 from .parameters import DEVICE, REST, Case, Group, Parameter, Shape, Shown, Union, Variant, groups
-from .protocol import OWN_PACKAGE, Chapter, Clock, Conversion, Protocol, Usage, Word
+from .protocol import OWN_PACKAGE, Chapter, Clock, Conversion, Protocol, Session, Usage, Word
 from .specification import Model
 from .types import (
     SCALARS,
@@ -117,6 +117,7 @@ __all__ = [
     "Reply",
     "Role",
     "Scalar",
+    "Session",
     "Set",
     "Shape",
     "Shown",

@@ -64,6 +64,26 @@ class Clock:
 
 
 @dataclass(frozen=True, slots=True)
+class Session:
+    """What a program sends to get to know a device and to start its data: full names of commands."""
+
+    baud: int  # of a new device
+    ping: str
+    idle: str
+    resume: str
+    identify: str
+    model_numbers: tuple[str, ...]  # paths in its response: "device_info.model_number"
+    base_rate: str
+    format: str
+    stream: str
+    position: Position | None = field(default=None, compare=False)
+
+    @property
+    def commands(self) -> tuple[str, ...]:
+        return (self.ping, self.idle, self.resume, self.identify, self.base_rate, self.format, self.stream)
+
+
+@dataclass(frozen=True, slots=True)
 class Usage:
     """The word that names use for a thing, and those that they do not use."""
 
@@ -91,4 +111,6 @@ class Protocol:
     notes: tuple[Chapter, ...] = ()
     vocabulary: tuple[Usage, ...] = ()
     clocks: tuple[Clock, ...] = ()  # preferred clocks come first
+    session: Session | None = None
+    url: Prose = ""  # where packages are from
     leap_seconds: Detail[tuple[tuple[str, int], ...]] = ()  # day -> seconds that clocks with an epoch are ahead of UTC

@@ -16,6 +16,20 @@ COMMAND_DESCRIPTORS = range(0x01, 0x80)
 DATA_DESCRIPTORS = range(0x01, 0xD0)
 
 
+#: What each command of a session takes: the types of its parameters, and what that means.
+SESSION = {
+    "ping": ((), "no parameters"),
+    "idle": ((), "no parameters"),
+    "resume": ((), "no parameters"),
+    "identify": ((), "no parameters"),
+    "base_rate": (("u8",), "a descriptor set"),
+    "format": (("u8", "u8", "[u8 u16]"), "a descriptor set, a count, and that many descriptors with decimations"),
+    "stream": (("u8", "bool"), "a descriptor set, and whether its data is sent"),
+}
+
+#: What the response of such a command has.
+ANSWERS = {"identify": "the texts of `model_numbers`", "base_rate": "one parameter in Hz"}
+
 #: What the parameters of a timestamp are in.
 TIME_UNITS = {"week", "s", "ms", "us", "ns"}
 
@@ -33,6 +47,7 @@ def check_definitions(model: m.Model, problems: Problems) -> None:
         bitfields,
         replies,
         clocks,
+        session,
         fields_of,
     ):
         check(model, problems)
@@ -202,6 +217,50 @@ def clocks(model: m.Model, problems: Problems) -> None:
                 units = ", ".join(sorted(TIME_UNITS))
                 problems.add(clock.position, f"'{name}' is no timestamp: none of its parameters is in {units}")
             seen.setdefault(name, clock.name)
+
+
+def session(model: m.Model, problems: Problems) -> None:
+    """The commands that start a device are those that programs know how to fill."""
+    found = model.protocol.session
+    if found is None:
+        return
+    for role, (types, words) in SESSION.items():
+        name = getattr(found, role)
+        f = model.field(name)
+        if f is None or f.role != m.COMMAND:
+            names = {x.full_name for x in model.fields if x.role == m.COMMAND}
+            problems.add(found.position, f"`{role}`: no command '{name}'{nearest(name, names)}")
+        elif tuple(_type(p) for p in f.calls[0].required) != types:
+            problems.add(found.position, f"`{role}`: '{name}' must take {words}")
+        elif role in ANSWERS and not _answers(role, model.responses(f), found):
+            problems.add(found.position, f"`{role}`: '{name}' must have one response, with {ANSWERS[role]}")
+
+
+def _answers(role: str, responses: tuple[m.Field, ...], session: m.Session) -> bool:
+    """Does a command of a session have the response that programs read?"""
+    if len(responses) != 1:
+        return False
+    (response,) = responses
+    if role == "base_rate":
+        return sum(p.units == ("Hz",) for p in response.parameters) == 1
+    texts = [_inside(response, path) for path in session.model_numbers]
+    return all(p is not None and p.kind == "text" for p in texts)
+
+
+def _type(p: m.Parameter) -> str:
+    """The type of a parameter, or of the members of those structures that it counts."""
+    if p.kind == "array" and p.item.struct:
+        return f"[{' '.join(_type(q) for q in p.item.struct.parameters)}]"
+    return p.scalar.name if p.kind in ("scalar", "counter") else p.kind
+
+
+def _inside(f: m.Field, path: str) -> m.Parameter | None:
+    """The parameter at a path: "device_info.model_number"."""
+    parameters, found = f.parameters, None
+    for name in path.split("."):
+        found = next((p for p in parameters if p.name == name), None)
+        parameters = found.struct.parameters if found and found.struct else ()
+    return found
 
 
 def _all_names(model: m.Model) -> Iterator[tuple[str, m.Position | None]]:

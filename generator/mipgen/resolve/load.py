@@ -164,6 +164,8 @@ def _protocol(root: Node, types: Types, functions: tuple[m.Function, ...], probl
         ),
         vocabulary=_vocabulary(root.get("vocabulary")),
         clocks=_clocks(root.get("clocks")),
+        session=_session(root.get("session")),
+        url=root.scalar("url", ""),
         leap_seconds=tuple(sorted(root["leap_seconds"].plain().items())) if "leap_seconds" in root else (),
     )
 
@@ -191,6 +193,16 @@ def _clocks(node: Node | None) -> tuple[m.Clock, ...]:
         )
         for name, n in node.items()
     ) if node else ()  # fmt: skip
+
+
+def _session(node: Node | None) -> m.Session | None:
+    if node is None:
+        return None
+    return m.Session(
+        **{name: node[name].value for name in node.keys if name != "model_numbers"},
+        model_numbers=tuple(node["model_numbers"].plain()),
+        position=node.position,
+    )
 
 
 def _vocabulary(node: Node | None) -> tuple[m.Usage, ...]:

@@ -10,6 +10,12 @@ install(TARGETS mip_protocol EXPORT mipTargets
   RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR}
   INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(DIRECTORY ${MIP_FOLDER}/src/mip DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
+if(TARGET mip_ports)
+  install(TARGETS mip_ports EXPORT mipTargets
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+    INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+  install(FILES ${MIP_FOLDER}/ports/mip/line.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/mip)
+endif()
 install(EXPORT mipTargets NAMESPACE mip:: DESTINATION ${package})
 
 configure_package_config_file(${MIP_FOLDER}/cmake/mipConfig.cmake.in mipConfig.cmake INSTALL_DESTINATION ${package})

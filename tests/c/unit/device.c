@@ -379,8 +379,8 @@ static void busy(void) {
 
 static void outcome_names(void) {
     static const char *const names[] = {"not sent", "acknowledged", "sent", "refused", "timed out",
-                                        "missing response", "undecodable", "closed", "busy"};
-    for (int i = 0; i < 9; i++) {
+                                        "missing response", "undecodable", "closed", "busy", "no such rate"};
+    for (int i = 0; i < 10; i++) {
         CHECK(strcmp(mip_outcome_name((enum mip_outcome)i), names[i]) == 0);
     }
     const struct mip_result nothing = {MIP_NOT_SENT, 0, MIP_OK};
@@ -565,6 +565,52 @@ static void parser_time_out(uint32_t start) {
     CHECK(is(mip_call_tools_ping(&device), MIP_ACKNOWLEDGED, 0, MIP_OK) && seen.count == 1);
 }
 
+/* What an observer was told, with what handlers were called in between: "(a)" is a packet with an acceleration. */
+static char told[100];
+static uint32_t gap;
+
+static void tell(void *user, const struct mip_device *of, bool begins) {
+    CHECK(user == &gap && of == &device && of->packet != NULL && of->heard == line.clock);
+    CHECK(!mip_device_poll(&device) && mip_call_tools_ping(&device).outcome == MIP_BUSY);
+    strcat(told, begins && of->parser.skipped != gap ? "~(" : begins ? "("
+                                                                     : ")");
+    gap = of->parser.skipped;
+}
+
+static void tell_accel(void *user, const struct mip_field *field, uint32_t arrived) {
+    (void)user;
+    (void)field;
+    (void)arrived;
+    strcat(told, "a");
+}
+
+/* Each packet begins and ends once, whatever is in it: also answers, no field, and a field that is cut. */
+static void observers(void) {
+    static const struct mip_handler accels[] = {{&mip_measurements_accel_codec, MIP_ANY_SET, tell_accel, NULL}};
+    static const struct mip_observer observer = {tell, &gap};
+    static const uint8_t cut[] = {0x75, 0x65, 0x80, 0x02, 0x05, 0x01, 0x62, 0xC8};
+    struct mip_packet packet;
+    fresh(accels, 1);
+    told[0] = '\0';
+    gap = 0;
+    device.observer = &observer;
+    COMES(10, 0x80, TIME ACCEL ACCEL);
+    COMES(10, 0x80, "");
+    bytes_come(&line, 10, "$GPGGA", 6);
+    COMES(10, 0x80, TIME);
+    COMES(10, 0x01, PONG);
+    CHECK(mip_packet_check(cut, sizeof(cut), &packet) == MIP_OK);
+    bytes_come(&line, 10, cut, sizeof(cut));
+    CHECK(mip_call_tools_ping(&device).outcome == MIP_ACKNOWLEDGED);
+    poll_for(1000);
+    CHECK(strcmp(told, "(aa)()~()()()") == 0);
+
+    device.observer = NULL;
+    COMES(10, 0x80, ACCEL);
+    poll_for(1000);
+    CHECK(strcmp(told, "(aa)()~()()()a") == 0);
+}
+
 static void dawdle(void *user, const struct mip_field *field, uint32_t arrived) {
     (void)field;
     (void)arrived;
@@ -608,6 +654,7 @@ int main(void) {
     nothing_is_lost();
     parser_time_out(5000);
     parser_time_out(UINT32_MAX - 100);
+    observers();
     backlog();
     return 0;
 }

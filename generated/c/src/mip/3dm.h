@@ -18,6 +18,9 @@
 extern "C" {
 #endif
 
+/** @addtogroup mip_3dm 3DM (0x0C)
+ * @{ */
+
 /** Descriptor set of these fields. */
 #define MIP_3DM_SET 0x0C
 
@@ -9180,6 +9183,8 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_gx3_respons
     struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_diagnostic_gx3_response_codec, value, builder);
 }
+
+/** @} */
 
 #ifdef __cplusplus
 }

@@ -16,6 +16,9 @@
 extern "C" {
 #endif
 
+/** @addtogroup mip_3dm 3DM (0x0C)
+ * @{ */
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_poll_imu_data_command;
 /** How it is answered. */
@@ -4309,6 +4312,8 @@ static inline struct mip_result mip_call_3dm_device_status_with(
     struct mip_device *device, const struct mip_3dm_device_status *command) {
     return mip_device_call(device, &mip_3dm_device_status_command, command, NULL, NULL);
 }
+
+/** @} */
 
 #ifdef __cplusplus
 }

@@ -19,6 +19,9 @@
 extern "C" {
 #endif
 
+/** @addtogroup mip_aiding Aiding commands (0x13)
+ * @{ */
+
 /** Descriptor set of these fields. */
 #define MIP_AIDING_SET 0x13
 
@@ -1609,6 +1612,8 @@ static inline struct mip_aiding_pressure *mip_aiding_pressure_make(
     command->valid_flags = valid_flags;
     return command;
 }
+
+/** @} */
 
 #ifdef __cplusplus
 }

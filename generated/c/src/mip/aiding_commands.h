@@ -16,6 +16,9 @@
 extern "C" {
 #endif
 
+/** @addtogroup mip_aiding Aiding commands (0x13)
+ * @{ */
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_aiding_frame_config_command;
 /** How it is answered. */
@@ -610,6 +613,8 @@ static inline struct mip_result mip_call_aiding_pressure_with(
     struct mip_device *device, const struct mip_aiding_pressure *command) {
     return mip_device_call(device, &mip_aiding_pressure_command, command, NULL, NULL);
 }
+
+/** @} */
 
 #ifdef __cplusplus
 }

@@ -19,6 +19,9 @@
 extern "C" {
 #endif
 
+/** @addtogroup mip_base Base (0x01)
+ * @{ */
+
 /** Descriptor set of these fields. */
 #define MIP_BASE_SET 0x01
 
@@ -1231,6 +1234,8 @@ MIP_CHECKED static inline mip_error
 mip_base_soft_reset_encode(const struct mip_base_soft_reset *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_soft_reset_codec, value, builder);
 }
+
+/** @} */
 
 #ifdef __cplusplus
 }

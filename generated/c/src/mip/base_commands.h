@@ -16,6 +16,9 @@
 extern "C" {
 #endif
 
+/** @addtogroup mip_base Base (0x01)
+ * @{ */
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_base_ping_command;
 /** How it is answered. */
@@ -463,6 +466,8 @@ static inline mip_error mip_send_base_soft_reset(struct mip_client *client,
 static inline struct mip_result mip_call_base_soft_reset(struct mip_device *device) {
     return mip_device_send(device, &mip_base_soft_reset_exchange, NULL, 0, NULL, NULL);
 }
+
+/** @} */
 
 #ifdef __cplusplus
 }

@@ -17,8 +17,13 @@
 extern "C" {
 #endif
 
+/** @addtogroup mip_displacement Displacement commands (0x11)
+ * @{ */
+
 /** Descriptor set of these fields. */
 #define MIP_DISPLACEMENT_SET 0x11
+
+/** @} */
 
 #ifdef __cplusplus
 }

@@ -17,6 +17,9 @@
 extern "C" {
 #endif
 
+/** @addtogroup mip_displacement_data Displacement data (0x90)
+ * @{ */
+
 /** Descriptor set of these fields. */
 #define MIP_DISPLACEMENT_DATA_SET 0x90
 
@@ -145,6 +148,8 @@ MIP_CHECKED static inline mip_error mip_displacement_data_displacement_encode_in
     mip_put_float(data, &value->displacement);
     return MIP_OK;
 }
+
+/** @} */
 
 #ifdef __cplusplus
 }

@@ -18,6 +18,9 @@
 extern "C" {
 #endif
 
+/** @addtogroup mip_filter Filter commands (0x0D)
+ * @{ */
+
 /** Descriptor set of these fields. */
 #define MIP_FILTER_SET 0x0D
 
@@ -8962,6 +8965,8 @@ MIP_CHECKED static inline mip_error mip_filter_gnss_antenna_calibration_response
     mip_put_float(data + 1, &value->max_offset);
     return MIP_OK;
 }
+
+/** @} */
 
 #ifdef __cplusplus
 }

@@ -16,6 +16,9 @@
 extern "C" {
 #endif
 
+/** @addtogroup mip_filter Filter commands (0x0D)
+ * @{ */
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_reset_command;
 /** How it is answered. */
@@ -4304,6 +4307,8 @@ static inline struct mip_result mip_call_filter_gnss_antenna_calibration_with(
     return mip_device_call(device, &mip_filter_gnss_antenna_calibration_command, command,
                            &mip_filter_gnss_antenna_calibration_response_codec, response);
 }
+
+/** @} */
 
 #ifdef __cplusplus
 }

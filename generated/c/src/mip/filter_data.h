@@ -18,6 +18,9 @@
 extern "C" {
 #endif
 
+/** @addtogroup mip_filter_data Filter data (0x82)
+ * @{ */
+
 /** Descriptor set of these fields. */
 #define MIP_FILTER_DATA_SET 0x82
 
@@ -4929,6 +4932,8 @@ MIP_CHECKED static inline mip_error mip_filter_data_aiding_frame_error_uncertain
     }
     return MIP_OK;
 }
+
+/** @} */
 
 #ifdef __cplusplus
 }

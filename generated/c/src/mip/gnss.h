@@ -18,6 +18,9 @@
 extern "C" {
 #endif
 
+/** @addtogroup mip_gnss GNSS commands (0x0E)
+ * @{ */
+
 /** Descriptor set of these fields. */
 #define MIP_GNSS_SET 0x0E
 
@@ -1027,6 +1030,8 @@ MIP_CHECKED static inline mip_error mip_gnss_spartn_config_response_encode_inlin
     memcpy(data + 46, value->next_key, 32);
     return MIP_OK;
 }
+
+/** @} */
 
 #ifdef __cplusplus
 }

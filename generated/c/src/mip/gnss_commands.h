@@ -16,6 +16,9 @@
 extern "C" {
 #endif
 
+/** @addtogroup mip_gnss GNSS commands (0x0E)
+ * @{ */
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_gnss_receiver_info_command;
 /** How it is answered. */
@@ -404,6 +407,8 @@ static inline struct mip_result mip_call_gnss_spartn_config_with(
     return mip_device_call(device, &mip_gnss_spartn_config_command, command,
                            &mip_gnss_spartn_config_response_codec, response);
 }
+
+/** @} */
 
 #ifdef __cplusplus
 }

@@ -20,6 +20,9 @@
 extern "C" {
 #endif
 
+/** @addtogroup mip_gnss_data GNSS data (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
+ * @{ */
+
 /**
  * Descriptor set: GNSS data. Measurements and status of the GNSS receiver of 4-series and 5-series
  * devices.
@@ -4684,6 +4687,8 @@ MIP_CHECKED static inline mip_error mip_gnss_data_beidou_iono_correction_encode_
     mip_put_16(data + 146, value->valid_flags);
     return MIP_OK;
 }
+
+/** @} */
 
 #ifdef __cplusplus
 }

@@ -22,6 +22,8 @@ const char *mip_outcome_name(enum mip_outcome outcome) {
         return "closed";
     case MIP_BUSY:
         return "busy";
+    case MIP_NO_SUCH_RATE:
+        return "no such rate";
     }
     return "unknown";
 }

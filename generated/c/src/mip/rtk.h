@@ -20,6 +20,9 @@
 extern "C" {
 #endif
 
+/** @addtogroup mip_rtk RTK commands (0x0F)
+ * @{ */
+
 /** Descriptor set of these fields. */
 #define MIP_RTK_SET 0x0F
 
@@ -1282,6 +1285,8 @@ MIP_CHECKED static inline mip_error mip_rtk_modem_hard_reset_encode(
     const struct mip_rtk_modem_hard_reset *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_modem_hard_reset_codec, value, builder);
 }
+
+/** @} */
 
 #ifdef __cplusplus
 }

@@ -16,6 +16,9 @@
 extern "C" {
 #endif
 
+/** @addtogroup mip_rtk RTK commands (0x0F)
+ * @{ */
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_rtk_get_status_flags_command;
 /** How it is answered. */
@@ -390,6 +393,8 @@ static inline mip_error mip_send_rtk_modem_hard_reset(struct mip_client *client,
 static inline struct mip_result mip_call_rtk_modem_hard_reset(struct mip_device *device) {
     return mip_device_send(device, &mip_rtk_modem_hard_reset_exchange, NULL, 0, NULL, NULL);
 }
+
+/** @} */
 
 #ifdef __cplusplus
 }

@@ -19,6 +19,9 @@
 extern "C" {
 #endif
 
+/** @addtogroup mip_sensor Sensor data (0x80)
+ * @{ */
+
 /** Descriptor set of these fields. */
 #define MIP_SENSOR_SET 0x80
 
@@ -1798,6 +1801,8 @@ MIP_CHECKED static inline mip_error mip_sensor_odometer_encode_inline(
     mip_put_16(data + 8, value->valid_flags);
     return MIP_OK;
 }
+
+/** @} */
 
 #ifdef __cplusplus
 }

@@ -19,6 +19,9 @@
 extern "C" {
 #endif
 
+/** @addtogroup mip_shared Shared data (0xFF)
+ * @{ */
+
 /** Descriptor set of these fields. */
 #define MIP_SHARED_SET 0xFF
 
@@ -677,6 +680,8 @@ MIP_CHECKED static inline mip_error mip_shared_external_time_delta_encode_inline
     mip_put_16(data + 8, value->valid_flags);
     return MIP_OK;
 }
+
+/** @} */
 
 #ifdef __cplusplus
 }

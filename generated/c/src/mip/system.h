@@ -18,6 +18,9 @@
 extern "C" {
 #endif
 
+/** @addtogroup mip_system System (0x7F)
+ * @{ */
+
 /** Descriptor set of these fields. */
 #define MIP_SYSTEM_SET 0x7F
 
@@ -415,6 +418,8 @@ MIP_CHECKED static inline mip_error mip_system_comm_mode_response_encode_inline(
     mip_put_8(data, value->mode);
     return MIP_OK;
 }
+
+/** @} */
 
 #ifdef __cplusplus
 }

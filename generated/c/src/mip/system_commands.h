@@ -16,6 +16,9 @@
 extern "C" {
 #endif
 
+/** @addtogroup mip_system System (0x7F)
+ * @{ */
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_system_interface_control_command;
 /** How it is answered. */
@@ -197,6 +200,8 @@ static inline struct mip_result mip_call_system_comm_mode_with(
     return mip_device_call(device, &mip_system_comm_mode_command, command,
                            &mip_system_comm_mode_response_codec, response);
 }
+
+/** @} */
 
 #ifdef __cplusplus
 }

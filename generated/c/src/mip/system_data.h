@@ -18,6 +18,9 @@
 extern "C" {
 #endif
 
+/** @addtogroup mip_system_data System data (0xA0)
+ * @{ */
+
 /** Descriptor set of these fields. */
 #define MIP_SYSTEM_DATA_SET 0xA0
 
@@ -319,6 +322,8 @@ MIP_CHECKED static inline mip_error mip_system_data_gpio_analog_value_encode_inl
     mip_put_float(data + 1, &value->value);
     return MIP_OK;
 }
+
+/** @} */
 
 #ifdef __cplusplus
 }

@@ -19,7 +19,7 @@ from .identifiers import identifiers
 from .names import GRAMMAR
 
 #: Programs for several kinds of systems. Arduino's IDE wants each in a folder of its name.
-EXAMPLES = ("posix.c", "bare_metal.c", "cplusplus.cpp", "arduino/arduino.ino")
+EXAMPLES = ("stream.c", "bare_metal.c", "cplusplus.cpp", "arduino/arduino.ino")
 
 
 def files(model: m.Model) -> Iterator[File]:
@@ -36,6 +36,9 @@ def files(model: m.Model) -> Iterator[File]:
     shown = {name: model.program(f"{name}.c").rstrip() for name in ("device", "client", "present", "receivers")}
     shown |= {"vendor_sdk": model.program("vendor_sdk.md").rstrip(), "bench": model.program("bench_c.md").rstrip()}
     shown["bench_peer"] = model.program("bench_c_peer.md").rstrip()
+    session = calls.session(model)
+    shown["first"] = model.program("stream.c").partition("*/\n")[2].rstrip() if session else ""
+    shown["ping"] = session.ping if session else ""
     shown["quickstart"] = quickstart.partition("*/\n")[2].rstrip()
     yield File("README.md", "README.md.j2", shown)
 
@@ -51,6 +54,9 @@ def code(model: m.Model) -> Iterator[File]:
         yield File(f"src/mip/{name}.h", f"{name}.h.j2")
     for name in ("names", "profiles", "protocol", "reflection", "registry"):
         yield File(f"src/mip/{name}.c", f"{name}.c.j2")
+    if session := calls.session(model):
+        for end in ("h", "c"):
+            yield File(f"src/mip/connect.{end}", f"connect.{end}.j2", {"session": session})
     for x in model.families:
         name = names.module(x.name)
         yield File(f"src/mip/{name}.h", "family.h.j2", {"family": x})
@@ -86,8 +92,8 @@ def packages(model: m.Model, made: list[File]) -> Iterator[File]:
         ),
     }
     yield File("cmake/sources.cmake", "sources.cmake.j2", facts)
-    manifests = ("meson.build", "library.json", "library.properties", "idf_component.yml", "Doxyfile")
-    for path in (*manifests, "cmake/mip.pc.in", "zephyr/Kconfig"):
+    manifests = ("meson.build", "library.json", "library.properties", "idf_component.yml", "conanfile.py", "Doxyfile")
+    for path in (*manifests, "vcpkg/vcpkg.json", "cmake/mip.pc.in", "zephyr/Kconfig"):
         yield File(path, f"{path.rpartition('/')[2]}.j2", facts)
 
 

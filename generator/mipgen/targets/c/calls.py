@@ -10,7 +10,7 @@ from mipgen.lower.calls import replies
 from mipgen.lower.memory import members
 
 from .members import Constructor, argument, constructors, takes_enum
-from .names import argument_name, constant, field_name, macro, member, short, type_name
+from .names import argument_name, constant, field_name, macro, member, module, short, type_name
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,6 +90,66 @@ def sends(f: m.Field, model: m.Model) -> list[Send]:
         return [Send(_name("send", f), responses[0], [f"{what} {where}"])]
     plain = Send(_name("send", f), None, [what])
     return [plain, *(Send(_name("send_for", r), r, [f"{what} The answer is this response."]) for r in responses)]
+
+
+# --------------------------------------------------------------------------- the first minutes
+
+
+@dataclass(frozen=True, slots=True)
+class Session:
+    """What mip_device_connect and mip_device_stream call: names of functions, structures and members."""
+
+    headers: tuple[str, ...]
+    bauds: tuple[int, ...]
+    ping: str
+    idle: str
+    resume: str
+    identify: str
+    identity: str  # the structure of its response
+    model_numbers: tuple[str, ...]
+    base_rate: str
+    base_rates: str
+    rate: str
+    format: str
+    item: str  # the structure of a field and its decimation
+    descriptor: str
+    decimation: str
+    capacity: int
+    stream: str
+
+
+def session(model: m.Model) -> Session | None:
+    """None if the specification, or the part of it, does not have all of these commands."""
+    given = model.protocol.session
+    found = [model.field(name) for name in given.commands] if given else []
+    if given is None or not all(found):
+        return None
+    commands = [f for f in found if f is not None]
+    ping, idle, resume, identify, base_rate, message_format, stream = (next(iter(calls(f, model))) for f in commands)
+    assert identify.response and base_rate.response
+    array = next(p for p in message_format.field.calls[0].required if p.kind == "array")
+    assert array.item.struct
+    descriptor, decimation = array.item.struct.parameters
+    known = {rate for d in model.devices for port in d.ports for rate in port.baud_rates}
+    return Session(
+        headers=tuple(sorted({f"{module(f.family)}_commands" for f in commands})),
+        bauds=(given.baud, *sorted(known - {given.baud}, reverse=True)),
+        ping=ping.name,
+        idle=idle.name,
+        resume=resume.name,
+        identify=identify.name,
+        identity=field_name(identify.response),
+        model_numbers=tuple(".".join(map(member, path.split("."))) for path in given.model_numbers),
+        base_rate=base_rate.name,
+        base_rates=field_name(base_rate.response),
+        rate=next(member(p.name) for p in base_rate.response.parameters if p.units == ("Hz",)),
+        format=message_format.name,
+        item=type_name(array.item.struct),
+        descriptor=member(descriptor.name),
+        decimation=member(decimation.name),
+        capacity=array.capacity,
+        stream=stream.name,
+    )
 
 
 # --------------------------------------------------------------------------- calls

@@ -20,6 +20,7 @@ void mip_device_init(struct mip_device *device, const struct mip_port *port,
     device->missed = 0;
     device->owed = false;
     device->packet = NULL;
+    device->observer = NULL;
     mip_client_init(&device->client);
     mip_parser_init(&device->parser);
 }
@@ -34,11 +35,21 @@ static bool is_for(const struct mip_handler *handler, const struct mip_field *fi
             (handler->type != NULL && mip_field_is(field, handler->type)));
 }
 
+/** Tells the observer, if there is one. */
+static void tell(const struct mip_device *device, bool begins) {
+    const struct mip_observer *observer = device->observer;
+    if (observer != NULL) {
+        observer->packet(observer->user, device, begins);
+    }
+}
+
 /** Gives the answers in a packet to the client, and the other fields to the handlers. */
 static void handle(struct mip_device *device, const struct mip_packet *packet) {
     struct mip_walk walk = mip_walk_packet(packet);
     struct mip_request *answered;
     struct mip_field field;
+    device->packet = packet;
+    tell(device, true);
     while (mip_client_next(&device->client, &walk, &answered, &field)) {
         const struct mip_handler *h = device->handlers;
         size_t left = answered == NULL ? device->handler_count : 0;
@@ -47,11 +58,11 @@ static void handle(struct mip_device *device, const struct mip_packet *packet) {
             left--;
         }
         if (left > 0 && h->handle != NULL) {
-            device->packet = packet;
             h->handle(h->user, &field, device->heard);
-            device->packet = NULL;
         }
     }
+    tell(device, false);
+    device->packet = NULL;
 }
 
 /** Reads once, into these bytes, and updates the time; `*came`: was there anything? False if the

@@ -69,6 +69,22 @@ struct mip_handler {
     void *user;
 };
 
+struct mip_device;
+
+/** Is told of packets, for programs that handle all fields of a packet together. */
+struct mip_observer {
+    /**
+     * Is called before the fields of a packet are handled, and after that: `begins` tells which.
+     * `device->packet` is the packet, and `device->heard` the time when its last bytes had been
+     * read. If `device->parser.skipped` has changed since the packet before, there was a gap: bytes
+     * that are not part of a packet, such as an NMEA sentence or a damaged packet. What handlers
+     * must not do, it must not do either.
+     */
+    void (*packet)(void *user, const struct mip_device *device, bool begins);
+    /** Is passed to it. */
+    void *user;
+};
+
 /** A device and the state of its stream. Several can be used at the same time. */
 struct mip_device {
     /** How it is reached. */
@@ -88,8 +104,11 @@ struct mip_device {
     bool owed;
     /** The packet whose field a handler is called with: there, mip_walk_packet finds the fields
      * that belong together, such as a time stamp and the values of that time. NULL outside
-     * handlers. */
+     * handlers and observers. */
     const struct mip_packet *packet;
+    /** Is told where packets begin and end; NULL, unless the program sets it. It stays where it is,
+     * and may be constant. */
+    const struct mip_observer *observer;
     /** Its `timeout` is how long the device may take to answer. */
     struct mip_client client;
     /** It holds the bytes of an incomplete packet. */
@@ -116,7 +135,10 @@ enum mip_outcome {
     /** The port was gone before the answer came. */
     MIP_CLOSED,
     /** It was not sent, because it was called from a handler of the same device. */
-    MIP_BUSY
+    MIP_BUSY,
+    /** Nothing was sent to change the stream: the device does not have a rate. See
+     * mip_device_stream. */
+    MIP_NO_SUCH_RATE
 };
 
 /** The outcome of a command, and the reason. */
@@ -132,6 +154,33 @@ struct mip_result {
 /** Has the command been carried out, as far as is known? */
 static inline bool mip_succeeded(struct mip_result result) {
     return result.outcome == MIP_ACKNOWLEDGED || result.outcome == MIP_SENT;
+}
+
+/**
+ * How often a command is sent, and after which outcomes it is sent again.
+ *
+ *     struct mip_retry retry = MIP_RETRY;
+ *     do {
+ *         result = mip_call_...(&device, ...);
+ *     } while (mip_again(&retry, result));
+ */
+struct mip_retry {
+    /** How often it is still sent, at most. */
+    unsigned attempts;
+    /** A bit for each outcome after which it is sent again: 1u << MIP_TIMED_OUT. */
+    unsigned outcomes;
+};
+
+/** Three times, after outcomes that noise on the line can cause. A command that was not answered
+ * may have been carried out. */
+#define MIP_RETRY {3, 1u << MIP_TIMED_OUT | 1u << MIP_MISSING_RESPONSE | 1u << MIP_UNDECODABLE}
+
+/** Is the command to be sent again? Counts the attempts. */
+static inline bool mip_again(struct mip_retry *retry, struct mip_result result) {
+    if (retry->attempts > 0) {
+        retry->attempts--;
+    }
+    return retry->attempts > 0 && (retry->outcomes >> result.outcome & 1u) != 0;
 }
 
 /** The outcome in words: "timed out". */

@@ -25,6 +25,7 @@ set(MIP_SOURCES
   ${MIP_FOLDER}/src/mip/reflection.c
   ${MIP_FOLDER}/src/mip/registry.c
   ${MIP_FOLDER}/src/mip/shared.c
+  ${MIP_FOLDER}/src/mip/stream.c
   ${MIP_FOLDER}/src/mip/tools.c
   ${MIP_FOLDER}/src/mip/value.c
 )

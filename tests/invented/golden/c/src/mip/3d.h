@@ -16,6 +16,9 @@
 extern "C" {
 #endif
 
+/** @addtogroup mip_3d Awkward names (0x0C)
+ * @{ */
+
 /** Descriptor set of these fields. */
 #define MIP_3D_SET 0x0C
 
@@ -117,6 +120,8 @@ static inline struct mip_3d_default *mip_3d_default_make(struct mip_3d_default *
     command->present_ = present_;
     return command;
 }
+
+/** @} */
 
 #ifdef __cplusplus
 }

@@ -16,6 +16,9 @@
 extern "C" {
 #endif
 
+/** @addtogroup mip_3d Awkward names (0x0C)
+ * @{ */
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3d_default_command;
 /** How it is answered. */
@@ -57,6 +60,8 @@ static inline struct mip_result mip_call_3d_default_with(struct mip_device *devi
                                                          const struct mip_3d_default *command) {
     return mip_device_call(device, &mip_3d_default_command, command, NULL, NULL);
 }
+
+/** @} */
 
 #ifdef __cplusplus
 }

@@ -18,6 +18,9 @@
 extern "C" {
 #endif
 
+/** @addtogroup mip_measurements Measurements (0x80, 0x81, 0x92)
+ * @{ */
+
 /** Descriptor set: Measurements. Data of every type; `tools` has what they are set up with. */
 #define MIP_MEASUREMENTS_SET 0x80
 /** Descriptor set: More measurements. A second sensor with some fields of the first. */
@@ -837,6 +840,8 @@ MIP_CHECKED static inline mip_error mip_measurements_breeze_encode_inline(
     }
     return MIP_OK;
 }
+
+/** @} */
 
 #ifdef __cplusplus
 }

@@ -21,6 +21,7 @@
 #include "mip/reflect.h"
 #include "mip/registry.h"
 #include "mip/shared.h"
+#include "mip/stream.h"
 #include "mip/tools.h"
 #include "mip/tools_commands.h"
 #include "mip/types.h"

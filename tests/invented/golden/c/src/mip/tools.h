@@ -18,6 +18,9 @@
 extern "C" {
 #endif
 
+/** @addtogroup mip_tools Tools (0x01)
+ * @{ */
+
 /** Descriptor set of these fields. */
 #define MIP_TOOLS_SET 0x01
 
@@ -1901,6 +1904,8 @@ static inline struct mip_tools_poll *mip_tools_poll_make(struct mip_tools_poll *
              count * sizeof(descriptors[0]));
     return command;
 }
+
+/** @} */
 
 #ifdef __cplusplus
 }

@@ -16,6 +16,9 @@
 extern "C" {
 #endif
 
+/** @addtogroup mip_tools Tools (0x01)
+ * @{ */
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_tools_ping_command;
 /** How it is answered. */
@@ -877,6 +880,8 @@ static inline struct mip_result mip_call_tools_poll_with(struct mip_device *devi
                                                          const struct mip_tools_poll *command) {
     return mip_device_call(device, &mip_tools_poll_command, command, NULL, NULL);
 }
+
+/** @} */
 
 #ifdef __cplusplus
 }

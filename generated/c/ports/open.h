@@ -1,0 +1,10 @@
+/* What line.c asks of the system: posix.c or windows.c. Each opens a line, or sets its error. */
+#ifndef MIP_OPEN_H
+#define MIP_OPEN_H
+
+#include "mip/line.h"
+
+void mip_line_open_serial(struct mip_line *line, const char *name, uint32_t baud);
+void mip_line_open_tcp(struct mip_line *line, const char *host, const char *number);
+
+#endif

@@ -1,0 +1,85 @@
+/**
+ * @file
+ * The first minutes with a device: finds its baud rate, asks what it is, and starts its data at
+ * rates in Hz.
+ *
+ *     struct mip_device device;
+ *     struct mip_base_get_device_info_response identity;
+ *     mip_device_init(&device, &port, handlers, count);
+ *     result = mip_device_connect(&device, set_baud, &identity);
+ *
+ * Optional: what a program does not call is not linked.
+ */
+#ifndef MIP_CONNECT_H
+#define MIP_CONNECT_H
+
+#include "mip/3dm_commands.h"
+#include "mip/base_commands.h"
+
+#if MIP_VERSION_NUMBER != 100
+#error "mip/connect.h and mip/constants.h are not of one version"
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#include "mip/profile.h"
+
+/**
+ * Finds a device: tries each baud rate until anything answers a ping, or sends data; then sets the
+ * device to idle, and asks what it is. Commands that are not answered are repeated.
+ *
+ * `set_baud` changes the rate of the port; it returns false if the port cannot have the rate. It
+ * gets the `user` of the port. NULL: the port has no rate, or has the right one. The rates are
+ * 115200, 3000000, 921600, 460800, 230400, 57600, 38400, 19200, 9600, 4800.
+ * A rate at which no device answers takes about a third of a second.
+ *
+ * The result is that of the last command. If it is MIP_TIMED_OUT, no device was found, and the port
+ * has the rate that was tried last.
+ */
+MIP_API struct mip_result mip_device_connect(struct mip_device *device,
+                                             bool (*set_baud)(void *user, uint32_t baud),
+                                             struct mip_base_get_device_info_response *identity);
+
+/** The profile of a device that has said what it is; NULL if it is not known, for example of a
+ * newer device. Links the profiles of all devices. */
+static inline const struct mip_profile *
+mip_device_profile(const struct mip_base_get_device_info_response *identity) {
+    uint16_t number = mip_model_number(identity->device_info.model_number,
+                                       sizeof(identity->device_info.model_number));
+    number = number != 0 ? number
+                         : mip_model_number(identity->device_info.serial_number,
+                                            sizeof(identity->device_info.serial_number));
+    return mip_profile_by_model(number);
+}
+
+/** A field of a stream, and how often it is sent. */
+struct mip_rate {
+    /** Which field of the set: MIP_..._DESCRIPTOR. */
+    uint8_t descriptor;
+    /** In Hz; 0: as often as the device can. */
+    float wanted;
+    /** The rate of the device that is nearest to it, in Hz; mip_device_stream sets it. 0: sent as
+     * the data arrives. */
+    float nearest;
+};
+
+/**
+ * Starts the data of a set: asks the base rate of the set, writes which fields are sent and how
+ * often, in this order, switches the stream on, and ends the idle state. Fields that all sets
+ * share, such as time stamps, come first.
+ *
+ * A device divides its base rate by whole numbers. If it does not have a wanted rate, nothing is
+ * changed, and the outcome is MIP_NO_SUCH_RATE: the rates that it does not have are those that
+ * differ from their `nearest`. At most 83 fields fit; with more, the error is
+ * MIP_ERROR_COUNT. Commands that are not answered are repeated.
+ */
+MIP_API struct mip_result mip_device_stream(struct mip_device *device, uint8_t descriptor_set,
+                                            struct mip_rate *rates, uint8_t count);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,210 @@
+"""The first minutes with a device: mip/connect.h, the ports of a computer, and the README's first program."""
+
+from __future__ import annotations
+
+import fcntl
+import os
+import pty
+import re
+import socket
+import subprocess
+import sys
+import threading
+from pathlib import Path
+
+import pytest
+from c_build import HERE, SANITIZE, SANITIZED, WARNINGS, archive, compiled, folder, include, run
+from mipgen.targets.c import calls
+from support import PATIENCE, PYTHONPATH, heavy, model, need, simulated
+
+PORTS = folder("real") / "ports"
+SOURCES = sorted(PORTS.glob("*.c"))
+EXAMPLE = folder("real") / "examples/stream.c"
+#: A line of the example.
+LINE = re.compile(r" *\d+\.\d{3} s: +-?0\.0\d{3} +-?0\.0\d{3} +-(?:0\.9|1\.0)\d{3} g")
+
+
+def built(tmp_path: Path, source: Path) -> Path:
+    flags = ["-std=c99", *SANITIZE, f"-I{PORTS}"]
+    out = tmp_path / source.stem
+    return compiled(out, "real", "cc", source, *flags, also=SOURCES, library=archive("real", "cc", *SANITIZED))
+
+
+@pytest.fixture(scope="module")
+def stream(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return built(tmp_path_factory.mktemp("stream"), EXAMPLE)
+
+
+def ran(program: Path, *arguments: str) -> tuple[int, list[str], str]:
+    done = subprocess.run([program, *arguments], capture_output=True, text=True, timeout=PATIENCE)
+    return done.returncode, done.stdout.splitlines(), done.stderr
+
+
+# --------------------------------------------------------------------------- connect and stream
+
+
+def test_connect_and_stream_at_a_port_that_does_as_one_likes(tmp_path: Path) -> None:
+    library = archive("real", "cc", *SANITIZED)
+    run(compiled(tmp_path / "connect", "real", "cc", HERE / "unit/connect.c", "-std=c99", *SANITIZE, library=library))
+
+
+def test_the_rates_are_those_of_all_devices() -> None:
+    """The same as in Python, in the same order."""
+    script = "from mip_protocol.baud import rates; print(*rates())"
+    environment = {**os.environ, "PYTHONPATH": PYTHONPATH}
+    session = calls.session(model("real"))
+    assert session is not None
+    done = subprocess.run([sys.executable, "-c", script], env=environment, capture_output=True, text=True, check=True)
+    assert tuple(map(int, done.stdout.split())) == session.bauds
+
+
+def test_a_part_without_these_commands_has_no_such_files() -> None:
+    """The small specification has none of them."""
+    assert calls.session(model("invented")) is None
+    assert not (folder("invented") / "src/mip/connect.h").exists()
+    assert (folder("real") / "src/mip/connect.h").exists()
+
+
+# --------------------------------------------------------------------------- ports
+
+
+@pytest.mark.parametrize(
+    "compiler",
+    [
+        "cc",
+        pytest.param("g++", marks=heavy("g++")),
+        pytest.param("clang", marks=heavy("clang")),
+        pytest.param("x86_64-w64-mingw32-gcc", marks=heavy("gcc-mingw-w64-x86-64")),
+    ],
+)
+def test_ports_compile(compiler: str, tmp_path: Path) -> None:
+    """All of them everywhere: the files of other systems are empty."""
+    language = ["-std=c++11", "-x", "c++"] if compiler == "g++" else ["-std=c99"]
+    for source in SOURCES:
+        run(need(compiler), *language, *WARNINGS, include("real"), f"-I{PORTS}", "-c", source, "-o", tmp_path / "o")
+
+
+@heavy("gcc-mingw-w64-x86-64")
+def test_the_example_for_windows(tmp_path: Path) -> None:
+    compiler = need("x86_64-w64-mingw32-gcc")
+    library = archive("real", "x86_64-w64-mingw32-gcc", "-std=c99", "-O1")
+    flags = ["-std=c99", *WARNINGS, "-D__USE_MINGW_ANSI_STDIO=1", include("real"), f"-I{PORTS}"]
+    run(compiler, *flags, EXAMPLE, *SOURCES, library, "-lws2_32", "-o", tmp_path / "stream.exe")
+
+
+def good(result: tuple[int, list[str], str], most: int = 1000) -> None:
+    code, (name, *lines), error = result
+    assert (code, error) == (0, "") and name.startswith("3DM-CV7-GNSS/INS")
+    assert 50 < len(lines) < most and all(LINE.fullmatch(line) for line in lines), lines[:3]
+
+
+def test_serial(stream: Path, tmp_path: Path) -> None:
+    """At a pseudo-terminal, until the device is gone."""
+    path = f"{tmp_path}/terminal"
+    assert ran(stream, path) == (1, [], f"{path}: No such file or directory\n")
+    with simulated("--pty", path, "--duration", "2"):
+        good(ran(stream, path), most=310)
+
+
+def test_tcp(stream: Path) -> None:
+    with simulated("--tcp", "0", "--duration", "2") as place:
+        good(ran(stream, place), most=310)
+    code, _, error = ran(stream, place)
+    assert code == 1 and error == f"{place}: Connection refused\n"
+    assert ran(stream, "no.such.host.invalid:1")[0] == 1
+    assert ran(stream, "h" * 300 + ":1")[2].endswith(": the name of the host is too long\n")
+
+
+def test_faults(stream: Path, tmp_path: Path) -> None:
+    """Lost answers are repeated; what the device refuses is told; damage costs nothing but itself."""
+    path = f"{tmp_path}/terminal"
+    for fault in ("lose_answer@1", "lose_answer@2", "lose_answer@5", "nmea=0.2,noise=0.05"):
+        with simulated("--pty", path, "--duration", "2", "--fault", fault):
+            good(ran(stream, path))
+    with simulated("--pty", path, "--fault", "refuse@4"):
+        code, _, error = ran(stream, path)
+        assert code == 1 and error.startswith("stream: refused ")
+    with simulated("--pty", path, "--fault", "lose_answer=1"):
+        assert ran(stream, path)[::2] == (1, "connect: timed out \n")
+
+
+def test_the_baud_rate_is_found(stream: Path, tmp_path: Path) -> None:
+    path = f"{tmp_path}/terminal"
+    change = (
+        "import sys\nfrom mip_protocol import base, open_port\n"
+        "with open_port(sys.argv[1]) as device:\n"
+        "    device.request(base.SetIdle())\n"
+        "    print(device.change_baud(base.CommSpeed.write(0x11, 460800)))\n"
+    )
+    environment = {**os.environ, "PYTHONPATH": PYTHONPATH}
+    with simulated("--port", f"UART 1=pty:{path}", "--strict-baud", "--duration", "8"):
+        changed = subprocess.run(
+            [sys.executable, "-c", change, path], env=environment, capture_output=True, text=True, check=True
+        )
+        assert changed.stdout == "460800\n"
+        good(ran(stream, path), most=1200)
+
+
+def test_a_port_has_one_user(stream: Path) -> None:
+    first, second = pty.openpty()
+    try:
+        fcntl.flock(second, fcntl.LOCK_EX)
+        name = os.ttyname(second)
+        assert ran(stream, name) == (1, [], f"{name}: the port is in use by another program\n")
+    finally:
+        os.close(first)
+        os.close(second)
+
+
+#: What only a program sees: a rate that the system does not have, an address of IPv6, a port that is gone.
+LINES = """
+#include "check.h"
+#include "mip/line.h"
+int main(int argc, char **argv) {
+    struct mip_line line;
+    uint8_t byte;
+    size_t count = 0;
+    CHECK(argc == 4 && !mip_line_open(&line, argv[1], 12345));
+    CHECK(strcmp(line.error, "the port does not have this baud rate") == 0);
+    mip_line_close(&line); /* that is not open */
+    CHECK(mip_line_open(&line, argv[1], 115200) && line.error == NULL);
+    CHECK(mip_line_set_baud(&line, 9600) && !mip_line_set_baud(&line, 12345));
+    CHECK(line.port.write(line.port.user, (const uint8_t *)"x", 1));
+    const uint32_t before = line.port.now(line.port.user);
+    CHECK(line.port.read(line.port.user, &byte, 1, &count) && count == 0);
+    CHECK(line.port.now(line.port.user) - before < 5000);
+    mip_line_close(&line);
+    mip_line_close(&line);
+    CHECK(mip_line_open(&line, argv[2], 115200) && !mip_line_set_baud(&line, 9600));
+    mip_line_close(&line);
+    CHECK(mip_line_open(&line, argv[3], 115200)); /* it is closed at once by the other end */
+    while (line.port.read(line.port.user, &byte, 1, &count)) {
+    }
+    CHECK(count == 0);
+    mip_line_close(&line);
+    return 0;
+}
+"""
+
+
+def test_lines(tmp_path: Path) -> None:
+    (tmp_path / "lines.c").write_text(LINES)
+    program = built(tmp_path, tmp_path / "lines.c")
+    first, second = pty.openpty()
+    with (
+        socket.create_server(("::1", 0), family=socket.AF_INET6) as six,
+        socket.create_server(("127.0.0.1", 0)) as four,
+    ):
+
+        def hang_up() -> None:
+            four.accept()[0].close()
+
+        thread = threading.Thread(target=hang_up)
+        thread.start()
+        places = (f"[::1]:{six.getsockname()[1]}", f"localhost:{four.getsockname()[1]}")
+        try:
+            assert ran(program, os.ttyname(second), *places) == (0, [], "")
+        finally:
+            thread.join(PATIENCE)
+            os.close(first)
+            os.close(second)
