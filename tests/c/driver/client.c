@@ -69,7 +69,8 @@ static const char *add(struct session *s, struct mip_builder *builder, const str
     if (error != MIP_OK) {
         return mip_error_name(error);
     }
-    mip_client_wait(&s->client, &c->request, builder, entry->command->exchange, builder->length - start, s->now);
+    mip_client_wait(&s->client, &c->request, entry->command->exchange, builder->buffer + start, builder->length - start,
+                    s->now);
     *end = c;
     const struct mip_response *asked = c->request.asked;
     /* What has several layouts is decoded when it has come. */
