@@ -8,10 +8,11 @@ void mip_client_init(struct mip_client *client) {
     client->timeout = MIP_DEFAULT_TIMEOUT;
 }
 
-/** Does the data of a command fulfil a condition? */
-static bool holds(const uint8_t *condition, const uint8_t *data, size_t size) {
+/** Does a command fulfil a condition? */
+static bool holds(const uint8_t *condition, const uint8_t *field) {
     for (; condition != NULL && *condition != MIP_WHEN_END; condition += 3) {
-        const uint8_t byte = *condition < size ? data[*condition] : 0;
+        const size_t at = *condition + 2U; /* behind its length and descriptor */
+        const uint8_t byte = at < field[0] ? field[at] : 0;
         if (byte < condition[1] || byte > condition[2]) {
             return false;
         }
@@ -19,9 +20,9 @@ static bool holds(const uint8_t *condition, const uint8_t *data, size_t size) {
     return true;
 }
 
-void mip_client_wait(struct mip_client *client, struct mip_request *request,
-                     const struct mip_exchange *exchange, const uint8_t *data, size_t size,
+void mip_client_wait(struct mip_client *client, struct mip_request *request, const uint8_t *field,
                      uint32_t now) {
+    const struct mip_exchange *exchange = request->exchange;
     const struct mip_response *r = exchange->responses;
     size_t left = exchange->response_count;
     uint32_t timeout = exchange->timeout > client->timeout ? exchange->timeout : client->timeout;
@@ -29,9 +30,8 @@ void mip_client_wait(struct mip_client *client, struct mip_request *request,
     if (timeout > MIP_MAX_TIMEOUT) { /* or it would seem to be over */
         timeout = MIP_MAX_TIMEOUT;
     }
-    request->exchange = exchange;
     request->deadline = now + timeout;
-    for (; left > 0 && !holds(r->asked, data, size); left--) {
+    for (; left > 0 && !holds(r->asked, field); left--) {
         r++;
     }
     if (left > 0 && r->descriptor == 0) {
@@ -60,13 +60,13 @@ mip_error mip_command_encode(const struct mip_command *command, const void *valu
 mip_error mip_client_add(struct mip_client *client, struct mip_request *request,
                          struct mip_builder *packet, const struct mip_command *command,
                          const void *value, uint32_t now) {
-    const size_t start = packet->length + 2;
+    const size_t start = packet->length;
     const mip_error error = mip_command_encode(command, value, packet);
     mip_client_cancel(client, request); /* it could still wait for an earlier answer */
     memset(request, 0, sizeof(*request));
+    request->exchange = command->exchange;
     if (error == MIP_OK) {
-        mip_client_wait(client, request, command->exchange, packet->buffer + start,
-                        packet->length - start, now);
+        mip_client_wait(client, request, packet->buffer + start, now);
     } else {
         request->state = MIP_REQUEST_CANCELLED;
     }
@@ -128,16 +128,15 @@ static uint8_t respond(struct mip_request *request, const struct mip_field *fiel
 
 /** What an acknowledge of its command, and the field behind that, are for a request: a state. */
 static uint8_t judge(struct mip_request *request, uint8_t code, const struct mip_field *behind) {
-    const struct mip_exchange *exchange = request->exchange;
-    size_t left = exchange->response_count;
+    const struct mip_response *r = request->exchange->responses;
     if (code != 0) {
         return MIP_REQUEST_REFUSED;
     }
-    while (left > 0) {
-        left--;
-        if (exchange->responses[left].descriptor == behind->descriptor) {
+    for (size_t left = request->exchange->response_count; left > 0; left--) {
+        if (r->descriptor == behind->descriptor) {
             return request->asked != NULL ? respond(request, behind) : MIP_REQUEST_WAITING;
         }
+        r++;
     }
     return request->asked != NULL ? MIP_REQUEST_MISSING_RESPONSE : MIP_REQUEST_ACKNOWLEDGED;
 }
@@ -175,12 +174,13 @@ bool mip_client_next(struct mip_client *client, struct mip_walk *walk,
             r->exchange->descriptor_set != field->descriptor_set) {
             continue;
         }
-        const uint8_t now = judge(r, field->data[1], &behind);
-        if (now != MIP_REQUEST_WAITING && (now != MIP_REQUEST_MISSING_RESPONSE || found == NULL)) {
-            found = at;
-            state = now;
+        const uint8_t judged = judge(r, field->data[1], &behind);
+        if (judged == MIP_REQUEST_WAITING || (judged == MIP_REQUEST_MISSING_RESPONSE && found)) {
+            continue;
         }
-        if (now != MIP_REQUEST_WAITING && now != MIP_REQUEST_MISSING_RESPONSE) {
+        found = at;
+        state = judged;
+        if (state != MIP_REQUEST_MISSING_RESPONSE) {
             break;
         }
     }
@@ -191,8 +191,7 @@ bool mip_client_next(struct mip_client *client, struct mip_walk *walk,
     leave(found, state);
     r->code = field->data[1];
     if (r->asked != NULL && state != MIP_REQUEST_REFUSED && state != MIP_REQUEST_MISSING_RESPONSE) {
-        *walk = ahead; /* after the response */
-        *field = behind;
+        mip_walk_next(walk, field); /* its response */
     }
     *answered = r;
     return true;

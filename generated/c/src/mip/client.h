@@ -145,12 +145,11 @@ MIP_CHECKED MIP_API mip_error mip_client_add(struct mip_client *client, struct m
                                              const struct mip_command *command, const void *value,
                                              uint32_t now);
 
-/** The same for a command whose field the caller has written, of which these are the data. The
- * request must be zero but for its `codec` and `response`, which may be set before or afterwards.
- */
+/** The same for a command whose field the caller has written: `field` begins with its length. The
+ * request must be zero but for `exchange`, `codec` and `response`; the last two may be set before
+ * or afterwards. */
 MIP_API void mip_client_wait(struct mip_client *client, struct mip_request *request,
-                             const struct mip_exchange *exchange, const uint8_t *data, size_t size,
-                             uint32_t now);
+                             const uint8_t *field, uint32_t now);
 
 /**
  * Sets where the response is stored. Call it right after mip_client_add. False, and nothing is

@@ -12,13 +12,12 @@
 
 void mip_device_init(struct mip_device *device, const struct mip_port *port,
                      const struct mip_handler *handlers, size_t handler_count) {
-    memset(device, 0, sizeof(*device));
+    memset(device, 0, sizeof(*device)); /* so its parser, too, is at the beginning of a stream */
     device->port = *port;
     device->handlers = handlers;
     device->handler_count = handlers != NULL ? handler_count : 0;
     device->silence = MIP_DEFAULT_SILENCE;
-    mip_client_init(&device->client);
-    mip_parser_init(&device->parser);
+    device->client.timeout = MIP_DEFAULT_TIMEOUT;
 }
 
 const struct mip_codec mip_any_field = {0, 0, 0, 0, 0, 0, false, NULL, NULL};
@@ -36,19 +35,18 @@ static void handle(struct mip_device *device, const struct mip_packet *packet) {
     struct mip_walk walk = mip_walk_packet(packet);
     struct mip_request *answered;
     struct mip_field field;
+    device->packet = packet;
     while (mip_client_next(&device->client, &walk, &answered, &field)) {
         const struct mip_handler *h = device->handlers;
         size_t left = answered == NULL ? device->handler_count : 0;
-        while (left > 0 && !is_for(h, &field)) {
+        for (; left > 0 && !is_for(h, &field); left--) {
             h++;
-            left--;
         }
         if (left > 0 && h->handle != NULL) {
-            device->packet = packet;
             h->handle(h->user, &field, device->heard);
-            device->packet = NULL;
         }
     }
+    device->packet = NULL;
 }
 
 /** What a read has shown: is the port there, has anything come? */
@@ -92,6 +90,9 @@ bool mip_device_poll(struct mip_device *device) {
 
 /* ------------------------------------------------------------------------------------- commands */
 
+/** The place of a command's data in its packet. */
+#define DATA (MIP_HEADER_SIZE + 2)
+
 /** Reads and handles what has arrived; not for ever, because more may be arriving. */
 static void catch_up(struct mip_device *device, uint8_t *bytes, uint32_t start) {
     struct mip_packet packet;
@@ -126,19 +127,18 @@ static bool begin(struct mip_device *device, struct mip_request *request, uint8_
 }
 
 /** Sends a command, whose data are at their place in the packet, and waits for its answer. */
-static void carry_out(struct mip_device *device, struct mip_request *request,
-                      const struct mip_exchange *exchange, uint8_t *bytes, size_t size) {
+static void carry_out(struct mip_device *device, struct mip_request *request, uint8_t *bytes,
+                      size_t size) {
     const struct mip_port *port = &device->port;
-    uint8_t *data = bytes + MIP_HEADER_SIZE + 2;
+    const size_t end = DATA + size;
     bytes[0] = MIP_SYNC_1;
     bytes[1] = MIP_SYNC_2;
-    bytes[2] = exchange->descriptor_set;
-    bytes[3] = (uint8_t)(size + 2);
-    bytes[4] = bytes[3];
-    bytes[5] = exchange->descriptor;
-    mip_put_16(data + size, mip_checksum(bytes, MIP_HEADER_SIZE + 2 + size));
-    if (port->write(port->user, bytes, MIP_HEADER_SIZE + 2 + size + MIP_CHECKSUM_SIZE)) {
-        mip_client_wait(&device->client, request, exchange, data, size, port->now(port->user));
+    bytes[2] = request->exchange->descriptor_set;
+    bytes[3] = bytes[4] = (uint8_t)(size + 2);
+    bytes[5] = request->exchange->descriptor;
+    mip_put_16(bytes + end, mip_checksum(bytes, end));
+    if (port->write(port->user, bytes, end + MIP_CHECKSUM_SIZE)) {
+        mip_client_wait(&device->client, request, bytes + MIP_HEADER_SIZE, port->now(port->user));
         while (request->state == MIP_REQUEST_WAITING) {
             if ((update(device, bytes) & OPEN) == 0) {       /* the packet is gone */
                 mip_client_cancel(&device->client, request); /* unless the last bytes answered it */
@@ -166,15 +166,15 @@ struct mip_result mip_device_call(struct mip_device *device, const struct mip_co
                                   void *response) {
     uint8_t bytes[MIP_MAX_PACKET];
     struct mip_request request = {0};
+    request.exchange = command->exchange;
     request.codec = codec;
     request.response = response;
     if (begin(device, &request, bytes)) {
-        const struct mip_exchange *exchange = command->exchange;
         struct mip_builder builder;
-        mip_builder_start(&builder, bytes, sizeof(bytes), exchange->descriptor_set);
+        mip_builder_start(&builder, bytes, sizeof(bytes), command->exchange->descriptor_set);
         request.error = (uint8_t)mip_command_encode(command, value, &builder);
         if (request.error == MIP_OK) {
-            carry_out(device, &request, exchange, bytes, builder.length - MIP_HEADER_SIZE - 2);
+            carry_out(device, &request, bytes, builder.length - DATA);
         }
     }
     return result_of(&request);
@@ -185,16 +185,18 @@ struct mip_result mip_device_send(struct mip_device *device, const struct mip_ex
                                   void *response) {
     uint8_t bytes[MIP_MAX_PACKET];
     struct mip_request request = {0};
+    request.exchange = exchange;
     request.codec = codec;
     request.response = response;
-    if (!begin(device, &request, bytes)) {
-    } else if (size > MIP_MAX_FIELD_DATA) {
-        request.error = MIP_ERROR_COUNT;
-    } else {
-        if (size > 0) {
-            memcpy(bytes + MIP_HEADER_SIZE + 2, data, size);
+    if (begin(device, &request, bytes)) {
+        if (size > MIP_MAX_FIELD_DATA) {
+            request.error = MIP_ERROR_COUNT;
+        } else {
+            if (size > 0) {
+                memcpy(bytes + DATA, data, size);
+            }
+            carry_out(device, &request, bytes, size);
         }
-        carry_out(device, &request, exchange, bytes, size);
     }
     return result_of(&request);
 }

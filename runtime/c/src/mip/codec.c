@@ -128,7 +128,7 @@ bool mip_codec_matches(const struct mip_codec *codec, const struct mip_field *fi
 }
 
 /** Is it this field? MIP_OK, or why it is another one. */
-static mip_error check(const struct mip_codec *codec, const struct mip_field *field) {
+static mip_error check(const struct mip_field *field, const struct mip_codec *codec) {
     return field->descriptor != codec->descriptor             ? MIP_ERROR_DESCRIPTOR
            : !mip_codec_belongs(codec, field->descriptor_set) ? MIP_ERROR_SET
            : !mip_codec_matches(codec, field)                 ? MIP_ERROR_LAYOUT
@@ -137,14 +137,14 @@ static mip_error check(const struct mip_codec *codec, const struct mip_field *fi
 }
 
 bool mip_field_is(const struct mip_field *field, const struct mip_codec *codec) {
-    const mip_error error = check(codec, field);
+    const mip_error error = check(field, codec);
     return error == MIP_OK || error == MIP_ERROR_TRUNCATED;
 }
 
 MIP_APART mip_error decode(const struct mip_codec *codec, void *value,
                            const struct mip_field *field, size_t *trailing) {
-    mip_error error = check(codec, field);
     size_t left = field->size;
+    mip_error error = check(field, codec);
     memset(value, 0, codec->size); /* gaps between members, too */
     if (error == MIP_OK && codec->interpreter != NULL) {
         error = codec->interpreter->read(codec, value, field, &left);

@@ -39,18 +39,6 @@ MIP_QUICK bool is_packet(const uint8_t *bytes, size_t size, struct mip_packet *p
     return sound(bytes, size - MIP_CHECKSUM_SIZE);
 }
 
-/** The first byte, and those up to the next that may start a packet. */
-static size_t garbage(const uint8_t *bytes, size_t size) {
-    const uint8_t *sync = (const uint8_t *)memchr(bytes + 1, MIP_SYNC_1, size - 1);
-    return sync == NULL ? size : (size_t)(sync - bytes);
-}
-
-/** Removes bytes from the front of the buffer. */
-static void drop(struct mip_parser *parser, size_t size) {
-    parser->length = (uint16_t)(parser->length - size);
-    memmove(parser->buffer, parser->buffer + size, parser->length);
-}
-
 /** Moves bytes of the caller to the end of the buffer. */
 static void take(struct mip_parser *parser, const uint8_t **data, size_t *size, size_t count) {
     memcpy(parser->buffer + parser->length, *data, count);
@@ -62,6 +50,12 @@ static void take(struct mip_parser *parser, const uint8_t **data, size_t *size, 
 #ifndef __OPTIMIZE_SIZE__
 /** The payload of a packet of which the checksum takes a block at once. */
 #define SHORTEST 12
+
+/** The first byte, and those up to the next that may start a packet. */
+static size_t garbage(const uint8_t *bytes, size_t size) {
+    const uint8_t *sync = (const uint8_t *)memchr(bytes + 1, MIP_SYNC_1, size - 1);
+    return sync == NULL ? size : (size_t)(sync - bytes);
+}
 
 /** Looks for a packet in the caller's bytes; the buffer, which is empty, gets the beginning of one
  * that their end cuts. */
@@ -91,42 +85,50 @@ MIP_APART bool scan(struct mip_parser *parser, const uint8_t **data, size_t *siz
 }
 #endif
 
+/** The same as candidate() for a place in the buffer, and 0 if the packet is there and not valid.
+ */
+static size_t examine(const struct mip_parser *parser, size_t at, struct mip_packet *packet) {
+    const uint8_t *bytes = parser->buffer + at;
+    const size_t size = parser->length - at;
+    const size_t goal = candidate(bytes, size);
+    return goal == 0 || goal > size || is_packet(bytes, goal, packet) ? goal : 0;
+}
+
 /** Looks for a packet in the buffer, with as many of the caller's bytes as it needs. */
 static bool search(struct mip_parser *parser, const uint8_t **data, size_t *size,
                    struct mip_packet *packet) {
 #ifndef __OPTIMIZE_SIZE__
     const size_t given = *size;
 #endif
-    if (parser->done > 0) { /* the packet of the last call */
-        drop(parser, parser->done);
-        parser->done = 0;
-    }
     for (;;) {
-        const size_t length = parser->length;
+        const size_t left = (size_t)parser->length - parser->done;
 #ifndef __OPTIMIZE_SIZE__
-        if (length <= given - *size) { /* all of them are in the caller's bytes, too */
-            if (length > 0) {
-                *data -= length;
-                *size += length;
-                parser->length = 0;
+        if (left <= given - *size) { /* all of them are in the caller's bytes, too */
+            if (left > 0) {
+                *data -= left;
+                *size += left;
             }
+            parser->length = 0;
+            parser->done = 0;
             return scan(parser, data, size, packet);
         }
 #endif
-        const size_t goal = candidate(parser->buffer, length);
-        if (goal > length) {
+        const size_t goal = examine(parser, parser->done, packet);
+        if (goal == 0) {
+            parser->done++;
+            parser->skipped++;
+        } else if (goal <= left) {
+            parser->done = (uint16_t)(parser->done + goal);
+            return true;
+        } else {
+            const size_t missing = goal - left;
+            memmove(parser->buffer, parser->buffer + parser->done, left);
+            parser->length = (uint16_t)left;
+            parser->done = 0;
             if (*size == 0) {
                 return false;
             }
-            const size_t missing = goal - length;
             take(parser, data, size, *size < missing ? *size : missing);
-        } else if (goal > 0 && is_packet(parser->buffer, goal, packet)) {
-            parser->done = (uint16_t)goal;
-            return true;
-        } else {
-            const size_t count = garbage(parser->buffer, length);
-            parser->skipped += (uint32_t)count;
-            drop(parser, count);
         }
     }
 }
@@ -207,9 +209,8 @@ bool mip_parser_look_behind(struct mip_parser *parser, struct mip_packet *packet
         return true;
     }
     for (size_t at = 1; at < parser->length; at++) {
-        const size_t left = parser->length - at;
-        const size_t goal = candidate(parser->buffer + at, left);
-        if (goal > 0 && goal <= left && is_packet(parser->buffer + at, goal, packet)) {
+        const size_t goal = examine(parser, at, packet);
+        if (goal > 0 && goal <= parser->length - at) {
             parser->skipped += (uint32_t)at;
             parser->done = (uint16_t)(at + goal);
             return true;
