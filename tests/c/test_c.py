@@ -33,6 +33,8 @@ def written(path: Path, of: m.Model, checks: list[str], before: str = "") -> Pat
     A compiler takes much longer for one long function than for many.
     """
     headers = [*(names.module(x.name) for x in of.families), "protocol", "registry", "reflect", "names", "profiles"]
+    headers += [f"{names.module(x.name)}_inline" for x in of.families if any(map(direct.direct, x.fields))]
+    headers.append("protocol_inline")
     includes = "".join(f'#include "mip/{name}.h"\n' for name in headers)
     parts = ["\n    ".join(checks[at : at + 20]) for at in range(0, len(checks), 20)]
     functions = "".join(f"static void checks_{i}(void) {{\n    {part}\n}}\n" for i, part in enumerate(parts))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any
 
 from mipgen import model as m
@@ -51,13 +51,21 @@ def code(model: m.Model) -> Iterator[File]:
         yield File(f"src/mip/{name}.h", f"{name}.h.j2")
     for name in ("names", "profiles", "protocol", "reflection", "registry"):
         yield File(f"src/mip/{name}.c", f"{name}.c.j2")
+    yield from inline("protocol", [model.protocol.acknowledge])
     for x in model.families:
         name = names.module(x.name)
         yield File(f"src/mip/{name}.h", "family.h.j2", {"family": x})
+        yield from inline(name, in_order(x))
         if calls.commands(x):
             yield File(f"src/mip/{name}_commands.h", "commands.h.j2", {"family": x})
         if x.fields:
             yield File(f"src/mip/{name}.c", "family.c.j2", {"family": x})
+
+
+def inline(header: str, fields: Iterable[m.Field]) -> Iterator[File]:
+    """Straight code of the fields of a header, apart from it: few programs need it, and it takes long to compile."""
+    if plain := [f for f in fields if direct.direct(f)]:
+        yield File(f"src/mip/{header}_inline.h", "inline.h.j2", {"header": header, "fields": plain})
 
 
 def everything(made: list[File]) -> list[str]:
