@@ -145,7 +145,9 @@ MIP_APART mip_error decode(const struct mip_codec *codec, void *value,
                            const struct mip_field *field, size_t *trailing) {
     size_t left = field->size;
     mip_error error = check(field, codec);
-    memset(value, 0, codec->size); /* gaps between members, too */
+    if (error != MIP_OK || codec->size != codec->numbers) { /* gaps between members, too */
+        memset(value, 0, codec->size);
+    }
     if (error == MIP_OK && codec->interpreter != NULL) {
         error = codec->interpreter->read(codec, value, field, &left);
     } else if (error == MIP_OK) {
