@@ -165,7 +165,8 @@ struct mip_result mip_device_call(struct mip_device *device, const struct mip_co
                                   const void *value, const struct mip_codec *codec,
                                   void *response) {
     uint8_t bytes[MIP_MAX_PACKET];
-    struct mip_request request = {0};
+    struct mip_request request;
+    memset(&request, 0, sizeof(request));
     request.exchange = command->exchange;
     request.codec = codec;
     request.response = response;
@@ -184,7 +185,8 @@ struct mip_result mip_device_send(struct mip_device *device, const struct mip_ex
                                   const uint8_t *data, size_t size, const struct mip_codec *codec,
                                   void *response) {
     uint8_t bytes[MIP_MAX_PACKET];
-    struct mip_request request = {0};
+    struct mip_request request;
+    memset(&request, 0, sizeof(request));
     request.exchange = exchange;
     request.codec = codec;
     request.response = response;
