@@ -25,8 +25,14 @@ int main(void) {
         struct mip_field field;
         while (mip_walk_next(&walk, &field)) {
             struct mip_sensor_scaled_accel accel;
-            if (mip_sensor_scaled_accel_decode(&accel, &field) == MIP_OK) {
-                printf("%.4f g along x\n", (double)accel.scaled_accel[0]);
+            switch (mip_field_key(&field)) {
+            case MIP_SENSOR_SCALED_ACCEL:
+                if (mip_sensor_scaled_accel_decode(&accel, &field) == MIP_OK) {
+                    printf("%.4f g along x\n", (double)accel.scaled_accel[0]);
+                }
+                break;
+            default: /* others */
+                break;
             }
         }
     }

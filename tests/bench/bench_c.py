@@ -10,6 +10,7 @@ import platform
 import re
 import shutil
 import subprocess
+from collections.abc import Iterable
 from pathlib import Path
 
 import streams
@@ -172,7 +173,7 @@ def sizes() -> list[Row]:
     paths = sorted((SOURCES / "mip").glob("*.h"))
     headers = "".join(p.read_text("utf-8") for p in paths)
     codecs = sorted(set(re.findall(r"extern (?:MIP_API )?const struct mip_codec (\w+);", headers)))
-    fixed = sorted(set(re.findall(r"(\w+)_decode_inline\(struct", headers)))
+    fixed = sorted(set(re.findall(r"(\w+)_decode_inline\(\s*struct", headers)))
     functions = [f"{side}_{name}" for name in fixed for side in "de"]
     includes = "".join(f'#include "mip/{p.name}"\n' for p in paths)
     core = linked("core", [f"mip_{name}" for name in CORE])
@@ -203,22 +204,29 @@ def table(heads: list[str], rows: list[Row]) -> str:
     return "".join(f"| {' | '.join(line)} |\n" for line in lines)
 
 
-def report(columns: int = 6) -> str:
-    """As Markdown. The last two columns depend on the machine: the README goes without them."""
+def report(readme: bool = False) -> str:
+    """As Markdown. The README goes without the code by hand, which is no library that anyone uses, and without times,
+    which depend on the machine: bench_c_peer.py compares."""
     BUILD.mkdir(parents=True, exist_ok=True)
     heads = ["Speed", "Ratio", "Instructions for each byte", "By hand", "MB/s", "By hand"]
     machine = platform.machine().replace("_", "-")
-    out = f"{version('cc')}, `-O2`, on {machine}. *By hand* is straightforward C that reads and writes byte by byte;\n"
-    out += "the ratio is how many times as fast this library is. The log has packets of 44 bytes on average.\n\n"
-    out += table(heads[:columns], [row[:columns] for row in speed()])
+    out = f"{version('cc')}, `-O2`, on {machine}; a log with packets of 44 bytes on average (`make bench`).\n"
+    out += "" if readme else "By hand is plain C, byte by byte; the ratio is how many times as fast this library is.\n"
+    out += "\n" + table(*chosen(heads, speed(), (0, 2) if readme else range(6)))
     if shutil.which("valgrind") is None:
         out += "\nInstructions are counted by valgrind, which is missing (Debian: apt-get install valgrind).\n"
     small = sizes()
     if not small:
         return out + "\nSizes need arm-none-eabi-gcc, which is missing (Debian: apt-get install gcc-arm-none-eabi).\n"
-    out += f"\n{version('arm-none-eabi-gcc')}, `-Os`, for a Cortex-M4, without the C library. "
-    out += "By hand, the layouts of fixed\nsize have two functions each.\n\n"
-    return out + table(["Size", "Ratio", "Code and constants", "By hand"], small)
+    out += f"\n{version('arm-none-eabi-gcc')}, `-Os`, for a Cortex-M4, without the C library.\n\n"
+    heads = ["Size", "Ratio", "Code and constants", "By hand"]
+    return out + table(*chosen(heads, small, (0, 2) if readme else range(4)))
+
+
+def chosen(heads: list[str], rows: list[Row], columns: Iterable[int]) -> tuple[list[str], list[Row]]:
+    """Some columns of a table."""
+    kept = list(columns)
+    return [heads[i] for i in kept], [[row[i] for i in kept] for row in rows]
 
 
 def write_readme() -> None:
@@ -226,5 +234,5 @@ def write_readme() -> None:
     if missing:
         needs = " and ".join(missing)
         raise SystemExit(f"bench: the README needs {needs} (Debian: apt-get install valgrind gcc-arm-none-eabi)")
-    README.write_text(report(columns=4), "utf-8")
+    README.write_text(report(readme=True), "utf-8")
     print(f"{README.relative_to(ROOT)} is written; now: make generate golden")

@@ -1,10 +1,10 @@
 /* speed FILE FUNCTION ROUNDS: runs one of the functions below over the bytes of a file, and prints
  * the fewest nanoseconds of processor time that a round took and what it found. Each is a function
  * of its own, so that valgrind can count the instructions of one. */
-#include "mip/filter_data.h"
+#include "mip/filter_data_inline.h"
 #include "mip/registry.h"
-#include "mip/sensor.h"
-#include "mip/shared.h"
+#include "mip/sensor_inline.h"
+#include "mip/shared_inline.h"
 #include "plain.h"
 #include "rounds.h"
 

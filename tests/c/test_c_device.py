@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+import pytest
 from c_build import HERE, SANITIZE, SANITIZED, WARNINGS, archive, compiled, folder, include, run
 from mipgen import cli
 from mipgen import model as m
@@ -170,6 +171,31 @@ def test_the_compiler_sees_a_wrong_response(tmp_path: Path) -> None:
         )
         command = [need("cc"), *WARNINGS, include("invented"), "-fsyntax-only", str(program)]
         assert (subprocess.run(command, capture_output=True).returncode == 0) == good
+
+
+#: Entries of a table of handlers, and whether they compile.
+ENTRIES = {
+    "&mip_measurements_accel_codec, MIP_ANY_SET, on, NULL": True,
+    "MIP_ANY_FIELD, MIP_MEASUREMENTS_SET, on, NULL": True,
+    "MIP_MEASUREMENTS_ACCEL_DESCRIPTOR, MIP_ANY_SET, on, NULL": False,
+    "MIP_MEASUREMENTS_ACCEL(MIP_MEASUREMENTS_SET), MIP_ANY_SET, on, NULL": False,
+    "MIP_MEASUREMENTS_SET, &mip_measurements_accel_codec, on, NULL": False,
+    "1, MIP_MEASUREMENTS_SET, on, NULL": False,
+}
+
+
+@pytest.mark.parametrize("entry", ENTRIES)
+def test_the_compiler_sees_a_number_in_place_of_a_type(entry: str, tmp_path: Path) -> None:
+    """A handler names a type by its codec: a descriptor, a key, or set and type swapped, do not compile."""
+    program = tmp_path / "entry.c"
+    program.write_text(
+        '#include "mip/device.h"\n#include "mip/measurements.h"\n'
+        "extern void on(void *user, const struct mip_field *field, uint32_t arrived);\n"
+        "extern const struct mip_handler handlers[];\n"
+        f"const struct mip_handler handlers[] = {{{{{entry}}}}};\n"
+    )
+    command = [need("cc"), "-Wall", "-Werror", include("invented"), "-fsyntax-only", str(program)]
+    assert (subprocess.run(command, capture_output=True).returncode == 0) == ENTRIES[entry]
 
 
 #: A command whose parameters are called as the arguments of generated functions.

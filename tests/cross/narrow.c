@@ -1,7 +1,7 @@
 /* Doubles of the wire on a machine whose doubles have four bytes: by the table and by the direct decoder. */
 #include "check.h"
 
-#include "mip/measurements.h"
+#include "mip/measurements_inline.h"
 
 /* A flag, a signed number, two floats, two doubles: 1.5, and 0.1 as a double of eight bytes has it. */
 static const char DATA[] = "01fffffffe3fc00000c0100000"

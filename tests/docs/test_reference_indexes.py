@@ -175,7 +175,8 @@ def test_symbols_of_c(spec: str) -> None:
     manual, source = manual_of(spec), SPECS[spec][1] / "c/src/mip"
     modules = [re.sub(r"\W", "_", x.name) for x in manual.model.families]
     headers = ["types.h", "protocol.h", "names.h", *(f"{name}.h" for name in modules)]
-    headers += [f"{name}_commands.h" for name in modules if (source / f"{name}_commands.h").exists()]
+    further = [f"{name}_{end}.h" for name in (*modules, "protocol") for end in ("commands", "inline")]
+    headers += [name for name in further if (source / name).exists()]
     declared = {
         next(filter(None, found))
         for name in headers

@@ -3,7 +3,7 @@
  * An interrupt puts each byte that comes into a ring; the main loop takes them out. */
 #include "mip/3dm_commands.h"
 #include "mip/base_commands.h"
-#include "mip/sensor.h"
+#include "mip/sensor_inline.h"
 
 /* ------------------------------------------------------------------------ what the board offers */
 

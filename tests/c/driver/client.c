@@ -64,12 +64,13 @@ static const char *add(struct session *s, struct mip_builder *builder, const str
     }
     struct command *c = (struct command *)arena_take(s->arena, sizeof(struct command));
     /* A driver sends any function, also one that the client refuses. */
-    const size_t start = builder->length + 2;
+    const size_t start = builder->length;
     const mip_error error = mip_encode(entry->codec, values, builder);
     if (error != MIP_OK) {
         return mip_error_name(error);
     }
-    mip_client_wait(&s->client, &c->request, builder, entry->command->exchange, builder->length - start, s->now);
+    c->request.exchange = entry->command->exchange;
+    mip_client_wait(&s->client, &c->request, builder->buffer + start, s->now);
     *end = c;
     const struct mip_response *asked = c->request.asked;
     /* What has several layouts is decoded when it has come. */

@@ -2,7 +2,7 @@
 #include "check.h"
 
 #include "mip/3d.h"
-#include "mip/measurements.h"
+#include "mip/measurements_inline.h"
 #include "mip/shared.h"
 #include "mip/tools_commands.h"
 

@@ -149,7 +149,15 @@ static void parser(void) {
     CHECK(!mip_parser_next(&p, &data, &size, &packet));
 }
 
-/* A packet is copied only if the end of the caller's bytes cuts it; noise does not change that. */
+/* Is every packet copied? */
+#ifdef __OPTIMIZE_SIZE__
+#define COPIED true
+#else
+#define COPIED false
+#endif
+
+/* A packet is copied only if the end of the caller's bytes cuts it, or if the library is to be small; noise does not
+ * change that. What has been consumed, and what the parser still holds, tells its place in any case. */
 static void in_place(void) {
     static const uint8_t stream[] = "\x75\x65\x01\xFF\x75\x65\x01\x02\x02\x01\xE0\xC6"
                                     "\x75\x65\x01\x02\x02\x01\xE0\xC6";
@@ -175,8 +183,9 @@ static void in_place(void) {
             while (mip_parser_next(&p, &data, &size, &packet)) {
                 const bool is_cut = 4 + 8 * found < cut && cut < 12 + 8 * found;
                 CHECK(is_packet(packet, PING, 8));
-                CHECK((packet.bytes == stream + 4 + 8 * found) != is_cut);
-                CHECK((packet.bytes == p.buffer) == is_cut);
+                CHECK((packet.bytes == stream + 4 + 8 * found) != (COPIED || is_cut));
+                CHECK((packet.bytes == p.buffer) == (COPIED || is_cut));
+                CHECK(data == stream + 12 + 8 * found && p.length == p.done);
                 found++;
             }
             data = stream + cut;

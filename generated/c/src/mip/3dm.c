@@ -18,10 +18,18 @@ const struct mip_codec mip_3dm_poll_imu_data_codec = {
     0x0C, 0x01,  MIP_COMMAND,           0,           sizeof(struct mip_3dm_poll_imu_data),
     0,    false, program_poll_imu_data, &mip_program};
 
-static const uint8_t silent_poll_imu_data[] = {MIP_WHEN_SET(0), MIP_WHEN_END};
+static const uint8_t asked_poll_imu_data_1[] = {MIP_WHEN_SET(0), MIP_WHEN_END};
+static const struct mip_response responses_poll_imu_data[] = {
+    {asked_poll_imu_data_1, NULL, 0, false},
+};
 
-const struct mip_exchange mip_3dm_poll_imu_data_exchange = {
-    0x0C, 0x01, 0, false, silent_poll_imu_data, NULL};
+const struct mip_exchange mip_3dm_poll_imu_data_exchange = {0x0C,
+                                                            0x01,
+                                                            0,
+                                                            false,
+                                                            sizeof(responses_poll_imu_data) /
+                                                                sizeof(responses_poll_imu_data[0]),
+                                                            responses_poll_imu_data};
 
 const struct mip_command mip_3dm_poll_imu_data_command = {&mip_3dm_poll_imu_data_codec,
                                                           &mip_3dm_poll_imu_data_exchange};
@@ -47,10 +55,18 @@ const struct mip_codec mip_3dm_poll_gnss_data_codec = {0x0C,
                                                        program_poll_gnss_data,
                                                        &mip_program};
 
-static const uint8_t silent_poll_gnss_data[] = {MIP_WHEN_SET(0), MIP_WHEN_END};
+static const uint8_t asked_poll_gnss_data_1[] = {MIP_WHEN_SET(0), MIP_WHEN_END};
+static const struct mip_response responses_poll_gnss_data[] = {
+    {asked_poll_gnss_data_1, NULL, 0, false},
+};
 
 const struct mip_exchange mip_3dm_poll_gnss_data_exchange = {
-    0x0C, 0x02, 0, false, silent_poll_gnss_data, NULL};
+    0x0C,
+    0x02,
+    0,
+    false,
+    sizeof(responses_poll_gnss_data) / sizeof(responses_poll_gnss_data[0]),
+    responses_poll_gnss_data};
 
 const struct mip_command mip_3dm_poll_gnss_data_command = {&mip_3dm_poll_gnss_data_codec,
                                                            &mip_3dm_poll_gnss_data_exchange};
@@ -76,10 +92,18 @@ const struct mip_codec mip_3dm_poll_filter_data_codec = {0x0C,
                                                          program_poll_filter_data,
                                                          &mip_program};
 
-static const uint8_t silent_poll_filter_data[] = {MIP_WHEN_SET(0), MIP_WHEN_END};
+static const uint8_t asked_poll_filter_data_1[] = {MIP_WHEN_SET(0), MIP_WHEN_END};
+static const struct mip_response responses_poll_filter_data[] = {
+    {asked_poll_filter_data_1, NULL, 0, false},
+};
 
 const struct mip_exchange mip_3dm_poll_filter_data_exchange = {
-    0x0C, 0x03, 0, false, silent_poll_filter_data, NULL};
+    0x0C,
+    0x03,
+    0,
+    false,
+    sizeof(responses_poll_filter_data) / sizeof(responses_poll_filter_data[0]),
+    responses_poll_filter_data};
 
 const struct mip_command mip_3dm_poll_filter_data_command = {&mip_3dm_poll_filter_data_codec,
                                                              &mip_3dm_poll_filter_data_exchange};
@@ -105,10 +129,18 @@ const struct mip_codec mip_3dm_poll_nmea_data_codec = {0x0C,
                                                        program_poll_nmea_data,
                                                        &mip_program};
 
-static const uint8_t silent_poll_nmea_data[] = {MIP_WHEN_SET(0), MIP_WHEN_END};
+static const uint8_t asked_poll_nmea_data_1[] = {MIP_WHEN_SET(0), MIP_WHEN_END};
+static const struct mip_response responses_poll_nmea_data[] = {
+    {asked_poll_nmea_data_1, NULL, 0, false},
+};
 
 const struct mip_exchange mip_3dm_poll_nmea_data_exchange = {
-    0x0C, 0x04, 0, false, silent_poll_nmea_data, NULL};
+    0x0C,
+    0x04,
+    0,
+    false,
+    sizeof(responses_poll_nmea_data) / sizeof(responses_poll_nmea_data[0]),
+    responses_poll_nmea_data};
 
 const struct mip_command mip_3dm_poll_nmea_data_command = {&mip_3dm_poll_nmea_data_codec,
                                                            &mip_3dm_poll_nmea_data_exchange};
@@ -128,12 +160,16 @@ const struct mip_codec mip_3dm_get_imu_base_rate_codec = {0x0C,
                                                           NULL};
 
 static const struct mip_response responses_get_imu_base_rate[] = {
-    {NULL, NULL, 0x83},
-    {NULL, NULL, 0},
+    {NULL, NULL, 0x83, false},
 };
 
 const struct mip_exchange mip_3dm_get_imu_base_rate_exchange = {
-    0x0C, 0x06, 0, false, NULL, responses_get_imu_base_rate};
+    0x0C,
+    0x06,
+    0,
+    false,
+    sizeof(responses_get_imu_base_rate) / sizeof(responses_get_imu_base_rate[0]),
+    responses_get_imu_base_rate};
 
 const struct mip_command mip_3dm_get_imu_base_rate_command = {&mip_3dm_get_imu_base_rate_codec,
                                                               &mip_3dm_get_imu_base_rate_exchange};
@@ -170,12 +206,16 @@ const struct mip_codec mip_3dm_get_gnss_base_rate_codec = {
     NULL};
 
 static const struct mip_response responses_get_gnss_base_rate[] = {
-    {NULL, NULL, 0x84},
-    {NULL, NULL, 0},
+    {NULL, NULL, 0x84, false},
 };
 
 const struct mip_exchange mip_3dm_get_gnss_base_rate_exchange = {
-    0x0C, 0x07, 0, false, NULL, responses_get_gnss_base_rate};
+    0x0C,
+    0x07,
+    0,
+    false,
+    sizeof(responses_get_gnss_base_rate) / sizeof(responses_get_gnss_base_rate[0]),
+    responses_get_gnss_base_rate};
 
 const struct mip_command mip_3dm_get_gnss_base_rate_command = {
     &mip_3dm_get_gnss_base_rate_codec, &mip_3dm_get_gnss_base_rate_exchange};
@@ -224,12 +264,16 @@ const struct mip_codec mip_3dm_imu_message_format_codec = {
 static const uint8_t asked_imu_message_format_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                      MIP_WHEN_END};
 static const struct mip_response responses_imu_message_format[] = {
-    {asked_imu_message_format_1, NULL, 0x80},
-    {NULL, NULL, 0},
+    {asked_imu_message_format_1, NULL, 0x80, false},
 };
 
 const struct mip_exchange mip_3dm_imu_message_format_exchange = {
-    0x0C, 0x08, 0, true, NULL, responses_imu_message_format};
+    0x0C,
+    0x08,
+    0,
+    true,
+    sizeof(responses_imu_message_format) / sizeof(responses_imu_message_format[0]),
+    responses_imu_message_format};
 
 const struct mip_command mip_3dm_imu_message_format_command = {
     &mip_3dm_imu_message_format_codec, &mip_3dm_imu_message_format_exchange};
@@ -285,12 +329,16 @@ const struct mip_codec mip_3dm_gnss_message_format_codec = {
 static const uint8_t asked_gnss_message_format_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                       MIP_WHEN_END};
 static const struct mip_response responses_gnss_message_format[] = {
-    {asked_gnss_message_format_1, NULL, 0x81},
-    {NULL, NULL, 0},
+    {asked_gnss_message_format_1, NULL, 0x81, false},
 };
 
 const struct mip_exchange mip_3dm_gnss_message_format_exchange = {
-    0x0C, 0x09, 0, true, NULL, responses_gnss_message_format};
+    0x0C,
+    0x09,
+    0,
+    true,
+    sizeof(responses_gnss_message_format) / sizeof(responses_gnss_message_format[0]),
+    responses_gnss_message_format};
 
 const struct mip_command mip_3dm_gnss_message_format_command = {
     &mip_3dm_gnss_message_format_codec, &mip_3dm_gnss_message_format_exchange};
@@ -346,12 +394,16 @@ const struct mip_codec mip_3dm_filter_message_format_codec = {
 static const uint8_t asked_filter_message_format_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                         MIP_WHEN_END};
 static const struct mip_response responses_filter_message_format[] = {
-    {asked_filter_message_format_1, NULL, 0x82},
-    {NULL, NULL, 0},
+    {asked_filter_message_format_1, NULL, 0x82, false},
 };
 
 const struct mip_exchange mip_3dm_filter_message_format_exchange = {
-    0x0C, 0x0A, 0, true, NULL, responses_filter_message_format};
+    0x0C,
+    0x0A,
+    0,
+    true,
+    sizeof(responses_filter_message_format) / sizeof(responses_filter_message_format[0]),
+    responses_filter_message_format};
 
 const struct mip_command mip_3dm_filter_message_format_command = {
     &mip_3dm_filter_message_format_codec, &mip_3dm_filter_message_format_exchange};
@@ -395,12 +447,16 @@ const struct mip_codec mip_3dm_get_filter_base_rate_codec = {
     NULL};
 
 static const struct mip_response responses_get_filter_base_rate[] = {
-    {NULL, NULL, 0x8A},
-    {NULL, NULL, 0},
+    {NULL, NULL, 0x8A, false},
 };
 
 const struct mip_exchange mip_3dm_get_filter_base_rate_exchange = {
-    0x0C, 0x0B, 0, false, NULL, responses_get_filter_base_rate};
+    0x0C,
+    0x0B,
+    0,
+    false,
+    sizeof(responses_get_filter_base_rate) / sizeof(responses_get_filter_base_rate[0]),
+    responses_get_filter_base_rate};
 
 const struct mip_command mip_3dm_get_filter_base_rate_command = {
     &mip_3dm_get_filter_base_rate_codec, &mip_3dm_get_filter_base_rate_exchange};
@@ -449,12 +505,16 @@ const struct mip_codec mip_3dm_nmea_message_format_codec = {
 static const uint8_t asked_nmea_message_format_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                       MIP_WHEN_END};
 static const struct mip_response responses_nmea_message_format[] = {
-    {asked_nmea_message_format_1, NULL, 0x8C},
-    {NULL, NULL, 0},
+    {asked_nmea_message_format_1, NULL, 0x8C, false},
 };
 
 const struct mip_exchange mip_3dm_nmea_message_format_exchange = {
-    0x0C, 0x0C, 0, true, NULL, responses_nmea_message_format};
+    0x0C,
+    0x0C,
+    0,
+    true,
+    sizeof(responses_nmea_message_format) / sizeof(responses_nmea_message_format[0]),
+    responses_nmea_message_format};
 
 const struct mip_command mip_3dm_nmea_message_format_command = {
     &mip_3dm_nmea_message_format_codec, &mip_3dm_nmea_message_format_exchange};
@@ -494,10 +554,18 @@ const struct mip_codec mip_3dm_poll_data_codec = {
     0x0C, 0x0D,  MIP_COMMAND,       0,           sizeof(struct mip_3dm_poll_data),
     0,    false, program_poll_data, &mip_program};
 
-static const uint8_t silent_poll_data[] = {MIP_WHEN_SET(1), MIP_WHEN_END};
+static const uint8_t asked_poll_data_1[] = {MIP_WHEN_SET(1), MIP_WHEN_END};
+static const struct mip_response responses_poll_data[] = {
+    {asked_poll_data_1, NULL, 0, false},
+};
 
-const struct mip_exchange mip_3dm_poll_data_exchange = {0x0C, 0x0D, 0, false, silent_poll_data,
-                                                        NULL};
+const struct mip_exchange mip_3dm_poll_data_exchange = {0x0C,
+                                                        0x0D,
+                                                        0,
+                                                        false,
+                                                        sizeof(responses_poll_data) /
+                                                            sizeof(responses_poll_data[0]),
+                                                        responses_poll_data};
 
 const struct mip_command mip_3dm_poll_data_command = {&mip_3dm_poll_data_codec,
                                                       &mip_3dm_poll_data_exchange};
@@ -518,12 +586,16 @@ const struct mip_codec mip_3dm_get_base_rate_codec = {0x0C,
                                                       NULL};
 
 static const struct mip_response responses_get_base_rate[] = {
-    {NULL, NULL, 0x8E},
-    {NULL, NULL, 0},
+    {NULL, NULL, 0x8E, false},
 };
 
-const struct mip_exchange mip_3dm_get_base_rate_exchange = {0x0C,  0x0E, 0,
-                                                            false, NULL, responses_get_base_rate};
+const struct mip_exchange mip_3dm_get_base_rate_exchange = {0x0C,
+                                                            0x0E,
+                                                            0,
+                                                            false,
+                                                            sizeof(responses_get_base_rate) /
+                                                                sizeof(responses_get_base_rate[0]),
+                                                            responses_get_base_rate};
 
 const struct mip_command mip_3dm_get_base_rate_command = {&mip_3dm_get_base_rate_codec,
                                                           &mip_3dm_get_base_rate_exchange};
@@ -573,12 +645,16 @@ const struct mip_codec mip_3dm_message_format_codec = {0x0C,
 static const uint8_t asked_message_format_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                  MIP_WHEN_END};
 static const struct mip_response responses_message_format[] = {
-    {asked_message_format_1, NULL, 0x8F},
-    {NULL, NULL, 0},
+    {asked_message_format_1, NULL, 0x8F, false},
 };
 
-const struct mip_exchange mip_3dm_message_format_exchange = {0x0C, 0x0F, 0,
-                                                             true, NULL, responses_message_format};
+const struct mip_exchange mip_3dm_message_format_exchange = {
+    0x0C,
+    0x0F,
+    0,
+    true,
+    sizeof(responses_message_format) / sizeof(responses_message_format[0]),
+    responses_message_format};
 
 const struct mip_command mip_3dm_message_format_command = {&mip_3dm_message_format_codec,
                                                            &mip_3dm_message_format_exchange};
@@ -622,7 +698,7 @@ const struct mip_codec mip_3dm_factory_streaming_codec = {
     program_factory_streaming,
     NULL};
 
-const struct mip_exchange mip_3dm_factory_streaming_exchange = {0x0C, 0x10, 0, false, NULL, NULL};
+const struct mip_exchange mip_3dm_factory_streaming_exchange = {0x0C, 0x10, 0, false, 0, NULL};
 
 const struct mip_command mip_3dm_factory_streaming_command = {&mip_3dm_factory_streaming_codec,
                                                               &mip_3dm_factory_streaming_exchange};
@@ -650,12 +726,16 @@ const struct mip_codec mip_3dm_data_stream_control_codec = {
 static const uint8_t asked_data_stream_control_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                       MIP_WHEN_END};
 static const struct mip_response responses_data_stream_control[] = {
-    {asked_data_stream_control_1, NULL, 0x85},
-    {NULL, NULL, 0},
+    {asked_data_stream_control_1, NULL, 0x85, false},
 };
 
 const struct mip_exchange mip_3dm_data_stream_control_exchange = {
-    0x0C, 0x11, 0, true, NULL, responses_data_stream_control};
+    0x0C,
+    0x11,
+    0,
+    true,
+    sizeof(responses_data_stream_control) / sizeof(responses_data_stream_control[0]),
+    responses_data_stream_control};
 
 const struct mip_command mip_3dm_data_stream_control_command = {
     &mip_3dm_data_stream_control_codec, &mip_3dm_data_stream_control_exchange};
@@ -693,8 +773,7 @@ const struct mip_codec mip_3dm_raw_rtcm_2_3_message_codec = {
     program_raw_rtcm_2_3_message,
     &mip_program};
 
-const struct mip_exchange mip_3dm_raw_rtcm_2_3_message_exchange = {0x0C,  0x20, 0,
-                                                                   false, NULL, NULL};
+const struct mip_exchange mip_3dm_raw_rtcm_2_3_message_exchange = {0x0C, 0x20, 0, false, 0, NULL};
 
 const struct mip_command mip_3dm_raw_rtcm_2_3_message_command = {
     &mip_3dm_raw_rtcm_2_3_message_codec, &mip_3dm_raw_rtcm_2_3_message_exchange};
@@ -729,12 +808,16 @@ const struct mip_codec mip_3dm_constellation_settings_codec = {
 static const uint8_t asked_constellation_settings_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                          MIP_WHEN_END};
 static const struct mip_response responses_constellation_settings[] = {
-    {asked_constellation_settings_1, NULL, 0xA0},
-    {NULL, NULL, 0},
+    {asked_constellation_settings_1, NULL, 0xA0, false},
 };
 
 const struct mip_exchange mip_3dm_constellation_settings_exchange = {
-    0x0C, 0x21, 0, true, NULL, responses_constellation_settings};
+    0x0C,
+    0x21,
+    0,
+    true,
+    sizeof(responses_constellation_settings) / sizeof(responses_constellation_settings[0]),
+    responses_constellation_settings};
 
 const struct mip_command mip_3dm_constellation_settings_command = {
     &mip_3dm_constellation_settings_codec, &mip_3dm_constellation_settings_exchange};
@@ -791,12 +874,16 @@ const struct mip_codec mip_3dm_gnss_sbas_settings_codec = {
 static const uint8_t asked_gnss_sbas_settings_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                      MIP_WHEN_END};
 static const struct mip_response responses_gnss_sbas_settings[] = {
-    {asked_gnss_sbas_settings_1, NULL, 0xA1},
-    {NULL, NULL, 0},
+    {asked_gnss_sbas_settings_1, NULL, 0xA1, false},
 };
 
 const struct mip_exchange mip_3dm_gnss_sbas_settings_exchange = {
-    0x0C, 0x22, 0, true, NULL, responses_gnss_sbas_settings};
+    0x0C,
+    0x22,
+    0,
+    true,
+    sizeof(responses_gnss_sbas_settings) / sizeof(responses_gnss_sbas_settings[0]),
+    responses_gnss_sbas_settings};
 
 const struct mip_command mip_3dm_gnss_sbas_settings_command = {
     &mip_3dm_gnss_sbas_settings_codec, &mip_3dm_gnss_sbas_settings_exchange};
@@ -845,12 +932,16 @@ const struct mip_codec mip_3dm_gnss_assisted_fix_codec = {0x0C,
 static const uint8_t asked_gnss_assisted_fix_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                     MIP_WHEN_END};
 static const struct mip_response responses_gnss_assisted_fix[] = {
-    {asked_gnss_assisted_fix_1, NULL, 0xA2},
-    {NULL, NULL, 0},
+    {asked_gnss_assisted_fix_1, NULL, 0xA2, false},
 };
 
 const struct mip_exchange mip_3dm_gnss_assisted_fix_exchange = {
-    0x0C, 0x23, 0, true, NULL, responses_gnss_assisted_fix};
+    0x0C,
+    0x23,
+    0,
+    true,
+    sizeof(responses_gnss_assisted_fix) / sizeof(responses_gnss_assisted_fix[0]),
+    responses_gnss_assisted_fix};
 
 const struct mip_command mip_3dm_gnss_assisted_fix_command = {&mip_3dm_gnss_assisted_fix_codec,
                                                               &mip_3dm_gnss_assisted_fix_exchange};
@@ -896,12 +987,16 @@ const struct mip_codec mip_3dm_gnss_time_assistance_codec = {
 static const uint8_t asked_gnss_time_assistance_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                        MIP_WHEN_END};
 static const struct mip_response responses_gnss_time_assistance[] = {
-    {asked_gnss_time_assistance_1, NULL, 0xA3},
-    {NULL, NULL, 0},
+    {asked_gnss_time_assistance_1, NULL, 0xA3, false},
 };
 
 const struct mip_exchange mip_3dm_gnss_time_assistance_exchange = {
-    0x0C, 0x24, 0, true, NULL, responses_gnss_time_assistance};
+    0x0C,
+    0x24,
+    0,
+    true,
+    sizeof(responses_gnss_time_assistance) / sizeof(responses_gnss_time_assistance[0]),
+    responses_gnss_time_assistance};
 
 const struct mip_command mip_3dm_gnss_time_assistance_command = {
     &mip_3dm_gnss_time_assistance_codec, &mip_3dm_gnss_time_assistance_exchange};
@@ -945,12 +1040,16 @@ const struct mip_codec mip_3dm_pps_source_control_codec = {
 static const uint8_t asked_pps_source_control_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                      MIP_WHEN_END};
 static const struct mip_response responses_pps_source_control[] = {
-    {asked_pps_source_control_1, NULL, 0xA8},
-    {NULL, NULL, 0},
+    {asked_pps_source_control_1, NULL, 0xA8, false},
 };
 
 const struct mip_exchange mip_3dm_pps_source_control_exchange = {
-    0x0C, 0x28, 0, true, NULL, responses_pps_source_control};
+    0x0C,
+    0x28,
+    0,
+    true,
+    sizeof(responses_pps_source_control) / sizeof(responses_pps_source_control[0]),
+    responses_pps_source_control};
 
 const struct mip_command mip_3dm_pps_source_control_command = {
     &mip_3dm_pps_source_control_codec, &mip_3dm_pps_source_control_exchange};
@@ -988,12 +1087,16 @@ const struct mip_codec mip_3dm_get_event_support_codec = {
     NULL};
 
 static const struct mip_response responses_get_event_support[] = {
-    {NULL, NULL, 0xB4},
-    {NULL, NULL, 0},
+    {NULL, NULL, 0xB4, false},
 };
 
 const struct mip_exchange mip_3dm_get_event_support_exchange = {
-    0x0C, 0x2A, 0, false, NULL, responses_get_event_support};
+    0x0C,
+    0x2A,
+    0,
+    false,
+    sizeof(responses_get_event_support) / sizeof(responses_get_event_support[0]),
+    responses_get_event_support};
 
 const struct mip_command mip_3dm_get_event_support_command = {&mip_3dm_get_event_support_codec,
                                                               &mip_3dm_get_event_support_exchange};
@@ -1036,12 +1139,16 @@ const struct mip_codec mip_3dm_event_control_codec = {
 static const uint8_t asked_event_control_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                 MIP_WHEN_END};
 static const struct mip_response responses_event_control[] = {
-    {asked_event_control_1, NULL, 0xB5},
-    {NULL, NULL, 0},
+    {asked_event_control_1, NULL, 0xB5, false},
 };
 
-const struct mip_exchange mip_3dm_event_control_exchange = {0x0C, 0x2B, 0,
-                                                            true, NULL, responses_event_control};
+const struct mip_exchange mip_3dm_event_control_exchange = {0x0C,
+                                                            0x2B,
+                                                            0,
+                                                            true,
+                                                            sizeof(responses_event_control) /
+                                                                sizeof(responses_event_control[0]),
+                                                            responses_event_control};
 
 const struct mip_command mip_3dm_event_control_command = {&mip_3dm_event_control_codec,
                                                           &mip_3dm_event_control_exchange};
@@ -1082,12 +1189,16 @@ const struct mip_codec mip_3dm_get_event_trigger_status_codec = {
     &mip_program};
 
 static const struct mip_response responses_get_event_trigger_status[] = {
-    {NULL, NULL, 0xB6},
-    {NULL, NULL, 0},
+    {NULL, NULL, 0xB6, false},
 };
 
 const struct mip_exchange mip_3dm_get_event_trigger_status_exchange = {
-    0x0C, 0x2C, 0, false, NULL, responses_get_event_trigger_status};
+    0x0C,
+    0x2C,
+    0,
+    false,
+    sizeof(responses_get_event_trigger_status) / sizeof(responses_get_event_trigger_status[0]),
+    responses_get_event_trigger_status};
 
 const struct mip_command mip_3dm_get_event_trigger_status_command = {
     &mip_3dm_get_event_trigger_status_codec, &mip_3dm_get_event_trigger_status_exchange};
@@ -1134,12 +1245,16 @@ const struct mip_codec mip_3dm_get_event_action_status_codec = {
     &mip_program};
 
 static const struct mip_response responses_get_event_action_status[] = {
-    {NULL, NULL, 0xB7},
-    {NULL, NULL, 0},
+    {NULL, NULL, 0xB7, false},
 };
 
 const struct mip_exchange mip_3dm_get_event_action_status_exchange = {
-    0x0C, 0x2D, 0, false, NULL, responses_get_event_action_status};
+    0x0C,
+    0x2D,
+    0,
+    false,
+    sizeof(responses_get_event_action_status) / sizeof(responses_get_event_action_status[0]),
+    responses_get_event_action_status};
 
 const struct mip_command mip_3dm_get_event_action_status_command = {
     &mip_3dm_get_event_action_status_codec, &mip_3dm_get_event_action_status_exchange};
@@ -1211,12 +1326,16 @@ const struct mip_codec mip_3dm_event_trigger_config_codec = {
 static const uint8_t asked_event_trigger_config_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                        MIP_WHEN_END};
 static const struct mip_response responses_event_trigger_config[] = {
-    {asked_event_trigger_config_1, NULL, 0xB8},
-    {NULL, NULL, 0},
+    {asked_event_trigger_config_1, NULL, 0xB8, false},
 };
 
 const struct mip_exchange mip_3dm_event_trigger_config_exchange = {
-    0x0C, 0x2E, 0, true, NULL, responses_event_trigger_config};
+    0x0C,
+    0x2E,
+    0,
+    true,
+    sizeof(responses_event_trigger_config) / sizeof(responses_event_trigger_config[0]),
+    responses_event_trigger_config};
 
 const struct mip_command mip_3dm_event_trigger_config_command = {
     &mip_3dm_event_trigger_config_codec, &mip_3dm_event_trigger_config_exchange};
@@ -1299,12 +1418,16 @@ const struct mip_codec mip_3dm_event_action_config_codec = {
 static const uint8_t asked_event_action_config_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                       MIP_WHEN_END};
 static const struct mip_response responses_event_action_config[] = {
-    {asked_event_action_config_1, NULL, 0xB9},
-    {NULL, NULL, 0},
+    {asked_event_action_config_1, NULL, 0xB9, false},
 };
 
 const struct mip_exchange mip_3dm_event_action_config_exchange = {
-    0x0C, 0x2F, 0, true, NULL, responses_event_action_config};
+    0x0C,
+    0x2F,
+    0,
+    true,
+    sizeof(responses_event_action_config) / sizeof(responses_event_action_config[0]),
+    responses_event_action_config};
 
 const struct mip_command mip_3dm_event_action_config_command = {
     &mip_3dm_event_action_config_codec, &mip_3dm_event_action_config_exchange};
@@ -1357,7 +1480,7 @@ const struct mip_codec mip_3dm_device_settings_codec = {0x0C,
                                                         program_device_settings,
                                                         NULL};
 
-const struct mip_exchange mip_3dm_device_settings_exchange = {0x0C, 0x30, 2000, true, NULL, NULL};
+const struct mip_exchange mip_3dm_device_settings_exchange = {0x0C, 0x30, 2000, true, 0, NULL};
 
 const struct mip_command mip_3dm_device_settings_command = {&mip_3dm_device_settings_codec,
                                                             &mip_3dm_device_settings_exchange};
@@ -1387,12 +1510,16 @@ const struct mip_codec mip_3dm_sensor_to_vehicle_euler_codec = {
 static const uint8_t asked_sensor_to_vehicle_euler_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                           MIP_WHEN_END};
 static const struct mip_response responses_sensor_to_vehicle_euler[] = {
-    {asked_sensor_to_vehicle_euler_1, NULL, 0xB1},
-    {NULL, NULL, 0},
+    {asked_sensor_to_vehicle_euler_1, NULL, 0xB1, false},
 };
 
 const struct mip_exchange mip_3dm_sensor_to_vehicle_euler_exchange = {
-    0x0C, 0x31, 0, true, NULL, responses_sensor_to_vehicle_euler};
+    0x0C,
+    0x31,
+    0,
+    true,
+    sizeof(responses_sensor_to_vehicle_euler) / sizeof(responses_sensor_to_vehicle_euler[0]),
+    responses_sensor_to_vehicle_euler};
 
 const struct mip_command mip_3dm_sensor_to_vehicle_euler_command = {
     &mip_3dm_sensor_to_vehicle_euler_codec, &mip_3dm_sensor_to_vehicle_euler_exchange};
@@ -1434,12 +1561,17 @@ const struct mip_codec mip_3dm_sensor_to_vehicle_quaternion_codec = {
 static const uint8_t asked_sensor_to_vehicle_quaternion_1[] = {
     MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_sensor_to_vehicle_quaternion[] = {
-    {asked_sensor_to_vehicle_quaternion_1, NULL, 0xB2},
-    {NULL, NULL, 0},
+    {asked_sensor_to_vehicle_quaternion_1, NULL, 0xB2, false},
 };
 
 const struct mip_exchange mip_3dm_sensor_to_vehicle_quaternion_exchange = {
-    0x0C, 0x32, 0, true, NULL, responses_sensor_to_vehicle_quaternion};
+    0x0C,
+    0x32,
+    0,
+    true,
+    sizeof(responses_sensor_to_vehicle_quaternion) /
+        sizeof(responses_sensor_to_vehicle_quaternion[0]),
+    responses_sensor_to_vehicle_quaternion};
 
 const struct mip_command mip_3dm_sensor_to_vehicle_quaternion_command = {
     &mip_3dm_sensor_to_vehicle_quaternion_codec, &mip_3dm_sensor_to_vehicle_quaternion_exchange};
@@ -1481,12 +1613,16 @@ const struct mip_codec mip_3dm_sensor_to_vehicle_dcm_codec = {
 static const uint8_t asked_sensor_to_vehicle_dcm_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                         MIP_WHEN_END};
 static const struct mip_response responses_sensor_to_vehicle_dcm[] = {
-    {asked_sensor_to_vehicle_dcm_1, NULL, 0xB3},
-    {NULL, NULL, 0},
+    {asked_sensor_to_vehicle_dcm_1, NULL, 0xB3, false},
 };
 
 const struct mip_exchange mip_3dm_sensor_to_vehicle_dcm_exchange = {
-    0x0C, 0x33, 0, true, NULL, responses_sensor_to_vehicle_dcm};
+    0x0C,
+    0x33,
+    0,
+    true,
+    sizeof(responses_sensor_to_vehicle_dcm) / sizeof(responses_sensor_to_vehicle_dcm[0]),
+    responses_sensor_to_vehicle_dcm};
 
 const struct mip_command mip_3dm_sensor_to_vehicle_dcm_command = {
     &mip_3dm_sensor_to_vehicle_dcm_codec, &mip_3dm_sensor_to_vehicle_dcm_exchange};
@@ -1527,12 +1663,16 @@ const struct mip_codec mip_3dm_gps_dynamics_mode_codec = {0x0C,
 static const uint8_t asked_gps_dynamics_mode_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                     MIP_WHEN_END};
 static const struct mip_response responses_gps_dynamics_mode[] = {
-    {asked_gps_dynamics_mode_1, NULL, 0x92},
-    {NULL, NULL, 0},
+    {asked_gps_dynamics_mode_1, NULL, 0x92, false},
 };
 
 const struct mip_exchange mip_3dm_gps_dynamics_mode_exchange = {
-    0x0C, 0x34, 0, true, NULL, responses_gps_dynamics_mode};
+    0x0C,
+    0x34,
+    0,
+    true,
+    sizeof(responses_gps_dynamics_mode) / sizeof(responses_gps_dynamics_mode[0]),
+    responses_gps_dynamics_mode};
 
 const struct mip_command mip_3dm_gps_dynamics_mode_command = {&mip_3dm_gps_dynamics_mode_codec,
                                                               &mip_3dm_gps_dynamics_mode_exchange};
@@ -1588,12 +1728,16 @@ const struct mip_codec mip_3dm_imu_signal_conditioning_codec = {
 static const uint8_t asked_imu_signal_conditioning_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                           MIP_WHEN_END};
 static const struct mip_response responses_imu_signal_conditioning[] = {
-    {asked_imu_signal_conditioning_1, NULL, 0x86},
-    {NULL, NULL, 0},
+    {asked_imu_signal_conditioning_1, NULL, 0x86, false},
 };
 
 const struct mip_exchange mip_3dm_imu_signal_conditioning_exchange = {
-    0x0C, 0x35, 0, true, NULL, responses_imu_signal_conditioning};
+    0x0C,
+    0x35,
+    0,
+    true,
+    sizeof(responses_imu_signal_conditioning) / sizeof(responses_imu_signal_conditioning[0]),
+    responses_imu_signal_conditioning};
 
 const struct mip_command mip_3dm_imu_signal_conditioning_command = {
     &mip_3dm_imu_signal_conditioning_codec, &mip_3dm_imu_signal_conditioning_exchange};
@@ -1634,12 +1778,16 @@ const struct mip_codec mip_3dm_imu_timestamp_codec = {
 static const uint8_t asked_imu_timestamp_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                 MIP_WHEN_END};
 static const struct mip_response responses_imu_timestamp[] = {
-    {asked_imu_timestamp_1, NULL, 0x93},
-    {NULL, NULL, 0},
+    {asked_imu_timestamp_1, NULL, 0x93, false},
 };
 
-const struct mip_exchange mip_3dm_imu_timestamp_exchange = {0x0C, 0x36, 0,
-                                                            true, NULL, responses_imu_timestamp};
+const struct mip_exchange mip_3dm_imu_timestamp_exchange = {0x0C,
+                                                            0x36,
+                                                            0,
+                                                            true,
+                                                            sizeof(responses_imu_timestamp) /
+                                                                sizeof(responses_imu_timestamp[0]),
+                                                            responses_imu_timestamp};
 
 const struct mip_command mip_3dm_imu_timestamp_command = {&mip_3dm_imu_timestamp_codec,
                                                           &mip_3dm_imu_timestamp_exchange};
@@ -1672,15 +1820,21 @@ const struct mip_codec mip_3dm_accel_bias_codec = {
     0x0C, 0x37,  MIP_COMMAND,        0,           sizeof(struct mip_3dm_accel_bias),
     0,    false, program_accel_bias, &mip_program};
 
-static const uint8_t silent_accel_bias[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_APPLY), MIP_WHEN_END};
-static const uint8_t asked_accel_bias_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
+static const uint8_t asked_accel_bias_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_APPLY),
+                                             MIP_WHEN_END};
+static const uint8_t asked_accel_bias_2[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_accel_bias[] = {
-    {asked_accel_bias_1, NULL, 0x9A},
-    {NULL, NULL, 0},
+    {asked_accel_bias_1, NULL, 0, false},
+    {asked_accel_bias_2, NULL, 0x9A, false},
 };
 
-const struct mip_exchange mip_3dm_accel_bias_exchange = {
-    0x0C, 0x37, 0, true, silent_accel_bias, responses_accel_bias};
+const struct mip_exchange mip_3dm_accel_bias_exchange = {0x0C,
+                                                         0x37,
+                                                         0,
+                                                         true,
+                                                         sizeof(responses_accel_bias) /
+                                                             sizeof(responses_accel_bias[0]),
+                                                         responses_accel_bias};
 
 const struct mip_command mip_3dm_accel_bias_command = {&mip_3dm_accel_bias_codec,
                                                        &mip_3dm_accel_bias_exchange};
@@ -1712,15 +1866,20 @@ const struct mip_codec mip_3dm_gyro_bias_codec = {
     0x0C, 0x38,  MIP_COMMAND,       0,           sizeof(struct mip_3dm_gyro_bias),
     0,    false, program_gyro_bias, &mip_program};
 
-static const uint8_t silent_gyro_bias[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_APPLY), MIP_WHEN_END};
-static const uint8_t asked_gyro_bias_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
+static const uint8_t asked_gyro_bias_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_APPLY), MIP_WHEN_END};
+static const uint8_t asked_gyro_bias_2[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_gyro_bias[] = {
-    {asked_gyro_bias_1, NULL, 0x9B},
-    {NULL, NULL, 0},
+    {asked_gyro_bias_1, NULL, 0, false},
+    {asked_gyro_bias_2, NULL, 0x9B, false},
 };
 
-const struct mip_exchange mip_3dm_gyro_bias_exchange = {
-    0x0C, 0x38, 0, true, silent_gyro_bias, responses_gyro_bias};
+const struct mip_exchange mip_3dm_gyro_bias_exchange = {0x0C,
+                                                        0x38,
+                                                        0,
+                                                        true,
+                                                        sizeof(responses_gyro_bias) /
+                                                            sizeof(responses_gyro_bias[0]),
+                                                        responses_gyro_bias};
 
 const struct mip_command mip_3dm_gyro_bias_command = {&mip_3dm_gyro_bias_codec,
                                                       &mip_3dm_gyro_bias_exchange};
@@ -1758,12 +1917,16 @@ const struct mip_codec mip_3dm_capture_gyro_bias_codec = {
     NULL};
 
 static const struct mip_response responses_capture_gyro_bias[] = {
-    {NULL, NULL, 0x9B},
-    {NULL, NULL, 0},
+    {NULL, NULL, 0x9B, false},
 };
 
 const struct mip_exchange mip_3dm_capture_gyro_bias_exchange = {
-    0x0C, 0x39, 31000, false, NULL, responses_capture_gyro_bias};
+    0x0C,
+    0x39,
+    31000,
+    false,
+    sizeof(responses_capture_gyro_bias) / sizeof(responses_capture_gyro_bias[0]),
+    responses_capture_gyro_bias};
 
 const struct mip_command mip_3dm_capture_gyro_bias_command = {&mip_3dm_capture_gyro_bias_codec,
                                                               &mip_3dm_capture_gyro_bias_exchange};
@@ -1786,17 +1949,22 @@ const struct mip_codec mip_3dm_mag_hard_iron_offset_codec = {
     program_mag_hard_iron_offset,
     &mip_program};
 
-static const uint8_t silent_mag_hard_iron_offset[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_APPLY),
-                                                      MIP_WHEN_END};
-static const uint8_t asked_mag_hard_iron_offset_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+static const uint8_t asked_mag_hard_iron_offset_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_APPLY),
+                                                       MIP_WHEN_END};
+static const uint8_t asked_mag_hard_iron_offset_2[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                        MIP_WHEN_END};
 static const struct mip_response responses_mag_hard_iron_offset[] = {
-    {asked_mag_hard_iron_offset_1, NULL, 0x9C},
-    {NULL, NULL, 0},
+    {asked_mag_hard_iron_offset_1, NULL, 0, false},
+    {asked_mag_hard_iron_offset_2, NULL, 0x9C, false},
 };
 
 const struct mip_exchange mip_3dm_mag_hard_iron_offset_exchange = {
-    0x0C, 0x3A, 0, true, silent_mag_hard_iron_offset, responses_mag_hard_iron_offset};
+    0x0C,
+    0x3A,
+    0,
+    true,
+    sizeof(responses_mag_hard_iron_offset) / sizeof(responses_mag_hard_iron_offset[0]),
+    responses_mag_hard_iron_offset};
 
 const struct mip_command mip_3dm_mag_hard_iron_offset_command = {
     &mip_3dm_mag_hard_iron_offset_codec, &mip_3dm_mag_hard_iron_offset_exchange};
@@ -1835,17 +2003,22 @@ const struct mip_codec mip_3dm_mag_soft_iron_matrix_codec = {
     program_mag_soft_iron_matrix,
     &mip_program};
 
-static const uint8_t silent_mag_soft_iron_matrix[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_APPLY),
-                                                      MIP_WHEN_END};
-static const uint8_t asked_mag_soft_iron_matrix_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+static const uint8_t asked_mag_soft_iron_matrix_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_APPLY),
+                                                       MIP_WHEN_END};
+static const uint8_t asked_mag_soft_iron_matrix_2[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                        MIP_WHEN_END};
 static const struct mip_response responses_mag_soft_iron_matrix[] = {
-    {asked_mag_soft_iron_matrix_1, NULL, 0x9D},
-    {NULL, NULL, 0},
+    {asked_mag_soft_iron_matrix_1, NULL, 0, false},
+    {asked_mag_soft_iron_matrix_2, NULL, 0x9D, false},
 };
 
 const struct mip_exchange mip_3dm_mag_soft_iron_matrix_exchange = {
-    0x0C, 0x3B, 0, true, silent_mag_soft_iron_matrix, responses_mag_soft_iron_matrix};
+    0x0C,
+    0x3B,
+    0,
+    true,
+    sizeof(responses_mag_soft_iron_matrix) / sizeof(responses_mag_soft_iron_matrix[0]),
+    responses_mag_soft_iron_matrix};
 
 const struct mip_command mip_3dm_mag_soft_iron_matrix_command = {
     &mip_3dm_mag_soft_iron_matrix_codec, &mip_3dm_mag_soft_iron_matrix_exchange};
@@ -1887,12 +2060,16 @@ const struct mip_codec mip_3dm_coning_sculling_enable_codec = {
 static const uint8_t asked_coning_sculling_enable_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                          MIP_WHEN_END};
 static const struct mip_response responses_coning_sculling_enable[] = {
-    {asked_coning_sculling_enable_1, NULL, 0x9E},
-    {NULL, NULL, 0},
+    {asked_coning_sculling_enable_1, NULL, 0x9E, false},
 };
 
 const struct mip_exchange mip_3dm_coning_sculling_enable_exchange = {
-    0x0C, 0x3E, 0, true, NULL, responses_coning_sculling_enable};
+    0x0C,
+    0x3E,
+    0,
+    true,
+    sizeof(responses_coning_sculling_enable) / sizeof(responses_coning_sculling_enable[0]),
+    responses_coning_sculling_enable};
 
 const struct mip_command mip_3dm_coning_sculling_enable_command = {
     &mip_3dm_coning_sculling_enable_codec, &mip_3dm_coning_sculling_enable_exchange};
@@ -1933,12 +2110,16 @@ const struct mip_codec mip_3dm_uart_baud_rate_codec = {0x0C,
 static const uint8_t asked_uart_baud_rate_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                  MIP_WHEN_END};
 static const struct mip_response responses_uart_baud_rate[] = {
-    {asked_uart_baud_rate_1, NULL, 0x87},
-    {NULL, NULL, 0},
+    {asked_uart_baud_rate_1, NULL, 0x87, false},
 };
 
-const struct mip_exchange mip_3dm_uart_baud_rate_exchange = {0x0C, 0x40, 0,
-                                                             true, NULL, responses_uart_baud_rate};
+const struct mip_exchange mip_3dm_uart_baud_rate_exchange = {
+    0x0C,
+    0x40,
+    0,
+    true,
+    sizeof(responses_uart_baud_rate) / sizeof(responses_uart_baud_rate[0]),
+    responses_uart_baud_rate};
 
 const struct mip_command mip_3dm_uart_baud_rate_command = {&mip_3dm_uart_baud_rate_codec,
                                                            &mip_3dm_uart_baud_rate_exchange};
@@ -1979,12 +2160,16 @@ const struct mip_codec mip_3dm_gpio_config_codec = {
 static const uint8_t asked_gpio_config_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                               MIP_WHEN_END};
 static const struct mip_response responses_gpio_config[] = {
-    {asked_gpio_config_1, NULL, 0xC1},
-    {NULL, NULL, 0},
+    {asked_gpio_config_1, NULL, 0xC1, false},
 };
 
-const struct mip_exchange mip_3dm_gpio_config_exchange = {0x0C, 0x41, 0,
-                                                          true, NULL, responses_gpio_config};
+const struct mip_exchange mip_3dm_gpio_config_exchange = {0x0C,
+                                                          0x41,
+                                                          0,
+                                                          true,
+                                                          sizeof(responses_gpio_config) /
+                                                              sizeof(responses_gpio_config[0]),
+                                                          responses_gpio_config};
 
 const struct mip_command mip_3dm_gpio_config_command = {&mip_3dm_gpio_config_codec,
                                                         &mip_3dm_gpio_config_exchange};
@@ -2020,12 +2205,16 @@ const struct mip_codec mip_3dm_gpio_state_codec = {
 
 static const uint8_t asked_gpio_state_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_gpio_state[] = {
-    {asked_gpio_state_1, NULL, 0xC2},
-    {NULL, NULL, 0},
+    {asked_gpio_state_1, NULL, 0xC2, false},
 };
 
-const struct mip_exchange mip_3dm_gpio_state_exchange = {0x0C, 0x42, 0,
-                                                         true, NULL, responses_gpio_state};
+const struct mip_exchange mip_3dm_gpio_state_exchange = {0x0C,
+                                                         0x42,
+                                                         0,
+                                                         true,
+                                                         sizeof(responses_gpio_state) /
+                                                             sizeof(responses_gpio_state[0]),
+                                                         responses_gpio_state};
 
 const struct mip_command mip_3dm_gpio_state_command = {&mip_3dm_gpio_state_codec,
                                                        &mip_3dm_gpio_state_exchange};
@@ -2070,12 +2259,16 @@ const struct mip_codec mip_3dm_odometer_config_codec = {0x0C,
 static const uint8_t asked_odometer_config_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                   MIP_WHEN_END};
 static const struct mip_response responses_odometer_config[] = {
-    {asked_odometer_config_1, NULL, 0xC3},
-    {NULL, NULL, 0},
+    {asked_odometer_config_1, NULL, 0xC3, false},
 };
 
 const struct mip_exchange mip_3dm_odometer_config_exchange = {
-    0x0C, 0x43, 0, true, NULL, responses_odometer_config};
+    0x0C,
+    0x43,
+    0,
+    true,
+    sizeof(responses_odometer_config) / sizeof(responses_odometer_config[0]),
+    responses_odometer_config};
 
 const struct mip_command mip_3dm_odometer_config_command = {&mip_3dm_odometer_config_codec,
                                                             &mip_3dm_odometer_config_exchange};
@@ -2126,12 +2319,16 @@ const struct mip_codec mip_3dm_imu_low_pass_filter_codec = {
 static const uint8_t asked_imu_low_pass_filter_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                       MIP_WHEN_END};
 static const struct mip_response responses_imu_low_pass_filter[] = {
-    {asked_imu_low_pass_filter_1, NULL, 0x8B},
-    {NULL, NULL, 0},
+    {asked_imu_low_pass_filter_1, NULL, 0x8B, false},
 };
 
 const struct mip_exchange mip_3dm_imu_low_pass_filter_exchange = {
-    0x0C, 0x50, 0, true, NULL, responses_imu_low_pass_filter};
+    0x0C,
+    0x50,
+    0,
+    true,
+    sizeof(responses_imu_low_pass_filter) / sizeof(responses_imu_low_pass_filter[0]),
+    responses_imu_low_pass_filter};
 
 const struct mip_command mip_3dm_imu_low_pass_filter_command = {
     &mip_3dm_imu_low_pass_filter_codec, &mip_3dm_imu_low_pass_filter_exchange};
@@ -2181,12 +2378,16 @@ const struct mip_codec mip_3dm_complementary_filter_codec = {
 static const uint8_t asked_complementary_filter_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                        MIP_WHEN_END};
 static const struct mip_response responses_complementary_filter[] = {
-    {asked_complementary_filter_1, NULL, 0x97},
-    {NULL, NULL, 0},
+    {asked_complementary_filter_1, NULL, 0x97, false},
 };
 
 const struct mip_exchange mip_3dm_complementary_filter_exchange = {
-    0x0C, 0x51, 0, true, NULL, responses_complementary_filter};
+    0x0C,
+    0x51,
+    0,
+    true,
+    sizeof(responses_complementary_filter) / sizeof(responses_complementary_filter[0]),
+    responses_complementary_filter};
 
 const struct mip_command mip_3dm_complementary_filter_command = {
     &mip_3dm_complementary_filter_codec, &mip_3dm_complementary_filter_exchange};
@@ -2224,12 +2425,16 @@ const struct mip_codec mip_3dm_sensor_range_codec = {
 static const uint8_t asked_sensor_range_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                MIP_WHEN_END};
 static const struct mip_response responses_sensor_range[] = {
-    {asked_sensor_range_1, NULL, 0xD2},
-    {NULL, NULL, 0},
+    {asked_sensor_range_1, NULL, 0xD2, false},
 };
 
-const struct mip_exchange mip_3dm_sensor_range_exchange = {0x0C, 0x52, 0,
-                                                           true, NULL, responses_sensor_range};
+const struct mip_exchange mip_3dm_sensor_range_exchange = {0x0C,
+                                                           0x52,
+                                                           0,
+                                                           true,
+                                                           sizeof(responses_sensor_range) /
+                                                               sizeof(responses_sensor_range[0]),
+                                                           responses_sensor_range};
 
 const struct mip_command mip_3dm_sensor_range_command = {&mip_3dm_sensor_range_codec,
                                                          &mip_3dm_sensor_range_exchange};
@@ -2267,12 +2472,17 @@ const struct mip_codec mip_3dm_get_calibrated_sensor_ranges_codec = {
     NULL};
 
 static const struct mip_response responses_get_calibrated_sensor_ranges[] = {
-    {NULL, NULL, 0xD3},
-    {NULL, NULL, 0},
+    {NULL, NULL, 0xD3, false},
 };
 
 const struct mip_exchange mip_3dm_get_calibrated_sensor_ranges_exchange = {
-    0x0C, 0x53, 0, false, NULL, responses_get_calibrated_sensor_ranges};
+    0x0C,
+    0x53,
+    0,
+    false,
+    sizeof(responses_get_calibrated_sensor_ranges) /
+        sizeof(responses_get_calibrated_sensor_ranges[0]),
+    responses_get_calibrated_sensor_ranges};
 
 const struct mip_command mip_3dm_get_calibrated_sensor_ranges_command = {
     &mip_3dm_get_calibrated_sensor_ranges_codec, &mip_3dm_get_calibrated_sensor_ranges_exchange};
@@ -2328,12 +2538,16 @@ const struct mip_codec mip_3dm_low_pass_filter_codec = {0x0C,
 static const uint8_t asked_low_pass_filter_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                   MIP_WHEN_END};
 static const struct mip_response responses_low_pass_filter[] = {
-    {asked_low_pass_filter_1, NULL, 0xD4},
-    {NULL, NULL, 0},
+    {asked_low_pass_filter_1, NULL, 0xD4, false},
 };
 
 const struct mip_exchange mip_3dm_low_pass_filter_exchange = {
-    0x0C, 0x54, 0, true, NULL, responses_low_pass_filter};
+    0x0C,
+    0x54,
+    0,
+    true,
+    sizeof(responses_low_pass_filter) / sizeof(responses_low_pass_filter[0]),
+    responses_low_pass_filter};
 
 const struct mip_command mip_3dm_low_pass_filter_command = {&mip_3dm_low_pass_filter_codec,
                                                             &mip_3dm_low_pass_filter_exchange};
@@ -2378,12 +2592,16 @@ const struct mip_codec mip_3dm_data_stream_format_codec = {
 static const uint8_t asked_data_stream_format_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                      MIP_WHEN_END};
 static const struct mip_response responses_data_stream_format[] = {
-    {asked_data_stream_format_1, NULL, 0x88},
-    {NULL, NULL, 0},
+    {asked_data_stream_format_1, NULL, 0x88, false},
 };
 
 const struct mip_exchange mip_3dm_data_stream_format_exchange = {
-    0x0C, 0x60, 0, true, NULL, responses_data_stream_format};
+    0x0C,
+    0x60,
+    0,
+    true,
+    sizeof(responses_data_stream_format) / sizeof(responses_data_stream_format[0]),
+    responses_data_stream_format};
 
 const struct mip_command mip_3dm_data_stream_format_command = {
     &mip_3dm_data_stream_format_codec, &mip_3dm_data_stream_format_exchange};
@@ -2427,12 +2645,16 @@ const struct mip_codec mip_3dm_device_power_state_codec = {
 static const uint8_t asked_device_power_state_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                      MIP_WHEN_END};
 static const struct mip_response responses_device_power_state[] = {
-    {asked_device_power_state_1, NULL, 0x89},
-    {NULL, NULL, 0},
+    {asked_device_power_state_1, NULL, 0x89, false},
 };
 
 const struct mip_exchange mip_3dm_device_power_state_exchange = {
-    0x0C, 0x61, 5000, true, NULL, responses_device_power_state};
+    0x0C,
+    0x61,
+    5000,
+    true,
+    sizeof(responses_device_power_state) / sizeof(responses_device_power_state[0]),
+    responses_device_power_state};
 
 const struct mip_command mip_3dm_device_power_state_command = {
     &mip_3dm_device_power_state_codec, &mip_3dm_device_power_state_exchange};
@@ -2469,8 +2691,7 @@ const struct mip_codec mip_3dm_gps_advanced_settings_codec = {
     program_gps_advanced_settings,
     NULL};
 
-const struct mip_exchange mip_3dm_gps_advanced_settings_exchange = {0x0C, 0x62, 0,
-                                                                    true, NULL, NULL};
+const struct mip_exchange mip_3dm_gps_advanced_settings_exchange = {0x0C, 0x62, 0, true, 0, NULL};
 
 const struct mip_command mip_3dm_gps_advanced_settings_command = {
     &mip_3dm_gps_advanced_settings_codec, &mip_3dm_gps_advanced_settings_exchange};
@@ -2494,21 +2715,25 @@ const struct mip_codec mip_3dm_device_status_codec = {0x0C,
 static const uint8_t asked_device_status_1[] = {MIP_WHEN(2, 1), MIP_WHEN_END};
 static const uint8_t asked_device_status_2[] = {MIP_WHEN(2, 2), MIP_WHEN_END};
 static const struct mip_response responses_device_status[] = {
-    {asked_device_status_1, &mip_3dm_device_status_basic_response_codec, 0x90},
-    {asked_device_status_1, &mip_3dm_device_status_basic_stateless_response_codec, 0x90},
-    {asked_device_status_1, &mip_3dm_device_status_basic_gx3_response_codec, 0x90},
-    {asked_device_status_2, &mip_3dm_device_status_diagnostic_response_codec, 0x90},
-    {asked_device_status_2, &mip_3dm_device_status_diagnostic_gnss_response_codec, 0x90},
-    {asked_device_status_2, &mip_3dm_device_status_diagnostic_gq4_45_response_codec, 0x90},
-    {asked_device_status_2, &mip_3dm_device_status_diagnostic_rq1_45_response_codec, 0x90},
-    {asked_device_status_2, &mip_3dm_device_status_diagnostic_gx4_response_codec, 0x90},
-    {asked_device_status_2, &mip_3dm_device_status_diagnostic_imu_response_codec, 0x90},
-    {asked_device_status_2, &mip_3dm_device_status_diagnostic_gx3_response_codec, 0x90},
-    {NULL, NULL, 0},
+    {asked_device_status_1, &mip_3dm_device_status_basic_response_codec, 0x90, true},
+    {asked_device_status_1, &mip_3dm_device_status_basic_stateless_response_codec, 0x90, true},
+    {asked_device_status_1, &mip_3dm_device_status_basic_gx3_response_codec, 0x90, false},
+    {asked_device_status_2, &mip_3dm_device_status_diagnostic_response_codec, 0x90, true},
+    {asked_device_status_2, &mip_3dm_device_status_diagnostic_gnss_response_codec, 0x90, true},
+    {asked_device_status_2, &mip_3dm_device_status_diagnostic_gq4_45_response_codec, 0x90, true},
+    {asked_device_status_2, &mip_3dm_device_status_diagnostic_rq1_45_response_codec, 0x90, true},
+    {asked_device_status_2, &mip_3dm_device_status_diagnostic_gx4_response_codec, 0x90, true},
+    {asked_device_status_2, &mip_3dm_device_status_diagnostic_imu_response_codec, 0x90, true},
+    {asked_device_status_2, &mip_3dm_device_status_diagnostic_gx3_response_codec, 0x90, false},
 };
 
-const struct mip_exchange mip_3dm_device_status_exchange = {0x0C,  0x64, 0,
-                                                            false, NULL, responses_device_status};
+const struct mip_exchange mip_3dm_device_status_exchange = {0x0C,
+                                                            0x64,
+                                                            0,
+                                                            false,
+                                                            sizeof(responses_device_status) /
+                                                                sizeof(responses_device_status[0]),
+                                                            responses_device_status};
 
 const struct mip_command mip_3dm_device_status_command = {&mip_3dm_device_status_codec,
                                                           &mip_3dm_device_status_exchange};

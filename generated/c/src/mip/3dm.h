@@ -484,14 +484,13 @@ static inline mip_error mip_3dm_poll_imu_data_decode(struct mip_3dm_poll_imu_dat
 MIP_CHECKED static inline mip_error mip_3dm_poll_imu_data_encode(
     const struct mip_3dm_poll_imu_data *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_poll_imu_data_codec, value, builder);
-}
-/**
- * Poll IMU Data. Fills the structure and returns its address.
- *
- * - suppress_ack: Send no acknowledge.
- * - num_descriptors: Number of fields. The number of elements of descriptors.
- * - descriptors: Fields to send. Refers to fields of MIP_SENSOR_SET.
- */
+} /**
+   * Poll IMU Data. Fills the structure and returns its address.
+   *
+   * - suppress_ack: Send no acknowledge.
+   * - num_descriptors: Number of fields. The number of elements of descriptors.
+   * - descriptors: Fields to send. Refers to fields of MIP_SENSOR_SET.
+   */
 static inline struct mip_3dm_poll_imu_data *
 mip_3dm_poll_imu_data_make(struct mip_3dm_poll_imu_data *command, mip_bool suppress_ack,
                            uint8_t num_descriptors, const struct mip_3dm_poll_entry descriptors[]) {
@@ -552,15 +551,14 @@ static inline mip_error mip_3dm_poll_gnss_data_decode(struct mip_3dm_poll_gnss_d
 MIP_CHECKED static inline mip_error mip_3dm_poll_gnss_data_encode(
     const struct mip_3dm_poll_gnss_data *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_poll_gnss_data_codec, value, builder);
-}
-/**
- * Poll GNSS Data. Fills the structure and returns its address.
- *
- * - suppress_ack: Send no acknowledge.
- * - num_descriptors: Number of fields. The number of elements of descriptors. Range: 0 to 83.
- * - descriptors: Fields to send. Refers to fields of MIP_GNSS_DATA_SET. Uncertain: The SDK has a
- *   decimation in place of the reserved number and does not say how a poll uses it.
- */
+} /**
+   * Poll GNSS Data. Fills the structure and returns its address.
+   *
+   * - suppress_ack: Send no acknowledge.
+   * - num_descriptors: Number of fields. The number of elements of descriptors. Range: 0 to 83.
+   * - descriptors: Fields to send. Refers to fields of MIP_GNSS_DATA_SET. Uncertain: The SDK has a
+   *   decimation in place of the reserved number and does not say how a poll uses it.
+   */
 static inline struct mip_3dm_poll_gnss_data *mip_3dm_poll_gnss_data_make(
     struct mip_3dm_poll_gnss_data *command, mip_bool suppress_ack, uint8_t num_descriptors,
     const struct mip_3dm_poll_entry descriptors[]) {
@@ -618,14 +616,13 @@ static inline mip_error mip_3dm_poll_filter_data_decode(struct mip_3dm_poll_filt
 MIP_CHECKED static inline mip_error mip_3dm_poll_filter_data_encode(
     const struct mip_3dm_poll_filter_data *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_poll_filter_data_codec, value, builder);
-}
-/**
- * Poll Estimation Filter Data. Fills the structure and returns its address.
- *
- * - suppress_ack: Send no acknowledge.
- * - num_descriptors: Number of fields. The number of elements of descriptors.
- * - descriptors: Fields to send. Refers to fields of MIP_FILTER_DATA_SET.
- */
+} /**
+   * Poll Estimation Filter Data. Fills the structure and returns its address.
+   *
+   * - suppress_ack: Send no acknowledge.
+   * - num_descriptors: Number of fields. The number of elements of descriptors.
+   * - descriptors: Fields to send. Refers to fields of MIP_FILTER_DATA_SET.
+   */
 static inline struct mip_3dm_poll_filter_data *mip_3dm_poll_filter_data_make(
     struct mip_3dm_poll_filter_data *command, mip_bool suppress_ack, uint8_t num_descriptors,
     const struct mip_3dm_poll_entry descriptors[]) {
@@ -683,14 +680,13 @@ static inline mip_error mip_3dm_poll_nmea_data_decode(struct mip_3dm_poll_nmea_d
 MIP_CHECKED static inline mip_error mip_3dm_poll_nmea_data_encode(
     const struct mip_3dm_poll_nmea_data *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_poll_nmea_data_codec, value, builder);
-}
-/**
- * Poll NMEA Data. Fills the structure and returns its address.
- *
- * - suppress_ack: Send no acknowledge.
- * - count: Number of sentences. The number of elements of format_entries.
- * - format_entries: Sentences to send.
- */
+} /**
+   * Poll NMEA Data. Fills the structure and returns its address.
+   *
+   * - suppress_ack: Send no acknowledge.
+   * - count: Number of sentences. The number of elements of format_entries.
+   * - format_entries: Sentences to send.
+   */
 static inline struct mip_3dm_poll_nmea_data *
 mip_3dm_poll_nmea_data_make(struct mip_3dm_poll_nmea_data *command, mip_bool suppress_ack,
                             uint8_t count, const struct mip_nmea_message format_entries[]) {
@@ -738,7 +734,6 @@ MIP_CHECKED static inline mip_error mip_3dm_get_imu_base_rate_encode(
     const struct mip_3dm_get_imu_base_rate *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_imu_base_rate_codec, value, builder);
 }
-
 /**
  * Get IMU Data Base Rate response: response (0x0C,0x83).
  *
@@ -774,33 +769,6 @@ MIP_CHECKED static inline mip_error mip_3dm_get_imu_base_rate_response_encode(
     const struct mip_3dm_get_imu_base_rate_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_imu_base_rate_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_3dm_get_imu_base_rate_response_decode_inline(
-    struct mip_3dm_get_imu_base_rate_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0C, 0x83, 2);
-    if (error != MIP_OK || sizeof(*value) != 2) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->rate = mip_get_16(field->data);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_3dm_get_imu_base_rate_response_encode_inline(
-    const struct mip_3dm_get_imu_base_rate_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0C, 0x83, 2, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_16(data, value->rate);
-    return MIP_OK;
-}
-
 /**
  * Get GNSS Data Base Rate: command (0x0C,0x07).
  *
@@ -838,7 +806,6 @@ MIP_CHECKED static inline mip_error mip_3dm_get_gnss_base_rate_encode(
     const struct mip_3dm_get_gnss_base_rate *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_gnss_base_rate_codec, value, builder);
 }
-
 /**
  * Get GNSS Data Base Rate response: response (0x0C,0x84).
  *
@@ -875,33 +842,6 @@ MIP_CHECKED static inline mip_error mip_3dm_get_gnss_base_rate_response_encode(
     const struct mip_3dm_get_gnss_base_rate_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_gnss_base_rate_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_3dm_get_gnss_base_rate_response_decode_inline(
-    struct mip_3dm_get_gnss_base_rate_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0C, 0x84, 2);
-    if (error != MIP_OK || sizeof(*value) != 2) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->rate = mip_get_16(field->data);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_3dm_get_gnss_base_rate_response_encode_inline(
-    const struct mip_3dm_get_gnss_base_rate_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0C, 0x84, 2, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_16(data, value->rate);
-    return MIP_OK;
-}
-
 /**
  * IMU Message Format: command (0x0C,0x08).
  *
@@ -953,13 +893,12 @@ static inline mip_error mip_3dm_imu_message_format_decode(struct mip_3dm_imu_mes
 MIP_CHECKED static inline mip_error mip_3dm_imu_message_format_encode(
     const struct mip_3dm_imu_message_format *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_imu_message_format_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - num_descriptors: Number of fields. The number of elements of descriptors. Required for write.
- * - descriptors: Fields and decimations. Refers to fields of MIP_SENSOR_SET. Required for write.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - num_descriptors: Number of fields. The number of elements of descriptors. Required for write.
+   * - descriptors: Fields and decimations. Refers to fields of MIP_SENSOR_SET. Required for write.
+   */
 static inline struct mip_3dm_imu_message_format *mip_3dm_imu_message_format_write(
     struct mip_3dm_imu_message_format *command, uint8_t num_descriptors,
     const struct mip_descriptor_rate descriptors[]) {
@@ -1036,7 +975,6 @@ MIP_CHECKED static inline mip_error mip_3dm_imu_message_format_response_encode(
     const struct mip_3dm_imu_message_format_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_imu_message_format_response_codec, value, builder);
 }
-
 /**
  * GNSS Message Format: command (0x0C,0x09).
  *
@@ -1087,14 +1025,14 @@ static inline mip_error mip_3dm_gnss_message_format_decode(
 MIP_CHECKED static inline mip_error mip_3dm_gnss_message_format_encode(
     const struct mip_3dm_gnss_message_format *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gnss_message_format_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - num_descriptors: Number of fields. The number of elements of descriptors. Range: 0 to 82.
- *   Required for write.
- * - descriptors: Fields and decimations. Refers to fields of MIP_GNSS_DATA_SET. Required for write.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - num_descriptors: Number of fields. The number of elements of descriptors. Range: 0 to 82.
+   *   Required for write.
+   * - descriptors: Fields and decimations. Refers to fields of MIP_GNSS_DATA_SET. Required for
+   * write.
+   */
 static inline struct mip_3dm_gnss_message_format *mip_3dm_gnss_message_format_write(
     struct mip_3dm_gnss_message_format *command, uint8_t num_descriptors,
     const struct mip_descriptor_rate descriptors[]) {
@@ -1172,7 +1110,6 @@ MIP_CHECKED static inline mip_error mip_3dm_gnss_message_format_response_encode(
     const struct mip_3dm_gnss_message_format_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gnss_message_format_response_codec, value, builder);
 }
-
 /**
  * Estimation Filter Message Format: command (0x0C,0x0A).
  *
@@ -1225,14 +1162,13 @@ static inline mip_error mip_3dm_filter_message_format_decode(
 MIP_CHECKED static inline mip_error mip_3dm_filter_message_format_encode(
     const struct mip_3dm_filter_message_format *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_filter_message_format_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - num_descriptors: Number of fields. The number of elements of descriptors. Required for write.
- * - descriptors: Fields and decimations. Refers to fields of MIP_FILTER_DATA_SET. Required for
- *   write.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - num_descriptors: Number of fields. The number of elements of descriptors. Required for write.
+   * - descriptors: Fields and decimations. Refers to fields of MIP_FILTER_DATA_SET. Required for
+   *   write.
+   */
 static inline struct mip_3dm_filter_message_format *mip_3dm_filter_message_format_write(
     struct mip_3dm_filter_message_format *command, uint8_t num_descriptors,
     const struct mip_descriptor_rate descriptors[]) {
@@ -1309,7 +1245,6 @@ MIP_CHECKED static inline mip_error mip_3dm_filter_message_format_response_encod
     const struct mip_3dm_filter_message_format_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_filter_message_format_response_codec, value, builder);
 }
-
 /**
  * Get Estimation Filter Data Base Rate: command (0x0C,0x0B).
  *
@@ -1346,7 +1281,6 @@ MIP_CHECKED static inline mip_error mip_3dm_get_filter_base_rate_encode(
     const struct mip_3dm_get_filter_base_rate *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_filter_base_rate_codec, value, builder);
 }
-
 /**
  * Get Estimation Filter Data Base Rate response: response (0x0C,0x8A).
  *
@@ -1382,33 +1316,6 @@ MIP_CHECKED static inline mip_error mip_3dm_get_filter_base_rate_response_encode
     const struct mip_3dm_get_filter_base_rate_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_filter_base_rate_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_3dm_get_filter_base_rate_response_decode_inline(
-    struct mip_3dm_get_filter_base_rate_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0C, 0x8A, 2);
-    if (error != MIP_OK || sizeof(*value) != 2) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->rate = mip_get_16(field->data);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_3dm_get_filter_base_rate_response_encode_inline(
-    const struct mip_3dm_get_filter_base_rate_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0C, 0x8A, 2, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_16(data, value->rate);
-    return MIP_OK;
-}
-
 /**
  * NMEA Message Format: command (0x0C,0x0C).
  *
@@ -1460,13 +1367,12 @@ static inline mip_error mip_3dm_nmea_message_format_decode(
 MIP_CHECKED static inline mip_error mip_3dm_nmea_message_format_encode(
     const struct mip_3dm_nmea_message_format *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_nmea_message_format_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - count: Number of sentences. The number of elements of format_entries. Required for write.
- * - format_entries: Sentences to stream. Required for write.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - count: Number of sentences. The number of elements of format_entries. Required for write.
+   * - format_entries: Sentences to stream. Required for write.
+   */
 static inline struct mip_3dm_nmea_message_format *
 mip_3dm_nmea_message_format_write(struct mip_3dm_nmea_message_format *command, uint8_t count,
                                   const struct mip_nmea_message format_entries[]) {
@@ -1542,7 +1448,6 @@ MIP_CHECKED static inline mip_error mip_3dm_nmea_message_format_response_encode(
     const struct mip_3dm_nmea_message_format_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_nmea_message_format_response_codec, value, builder);
 }
-
 /**
  * Poll Data: command (0x0C,0x0D).
  *
@@ -1592,15 +1497,14 @@ static inline mip_error mip_3dm_poll_data_decode(struct mip_3dm_poll_data *value
 MIP_CHECKED static inline mip_error mip_3dm_poll_data_encode(const struct mip_3dm_poll_data *value,
                                                              struct mip_builder *builder) {
     return mip_encode(&mip_3dm_poll_data_codec, value, builder);
-}
-/**
- * Poll Data. Fills the structure and returns its address.
- *
- * - descriptor_set: Data descriptor set. Range: 0x80 to 0xFE.
- * - suppress_ack: Send no acknowledge.
- * - num_descriptors: Number of fields. The number of elements of descriptors.
- * - descriptors: Field descriptors. Refers to fields of descriptor_set.
- */
+} /**
+   * Poll Data. Fills the structure and returns its address.
+   *
+   * - descriptor_set: Data descriptor set. Range: 0x80 to 0xFE.
+   * - suppress_ack: Send no acknowledge.
+   * - num_descriptors: Number of fields. The number of elements of descriptors.
+   * - descriptors: Field descriptors. Refers to fields of descriptor_set.
+   */
 static inline struct mip_3dm_poll_data *mip_3dm_poll_data_make(struct mip_3dm_poll_data *command,
                                                                uint8_t descriptor_set,
                                                                mip_bool suppress_ack,
@@ -1650,38 +1554,11 @@ static inline mip_error mip_3dm_get_base_rate_decode(struct mip_3dm_get_base_rat
 MIP_CHECKED static inline mip_error mip_3dm_get_base_rate_encode(
     const struct mip_3dm_get_base_rate *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_base_rate_codec, value, builder);
-}
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_3dm_get_base_rate_decode_inline(struct mip_3dm_get_base_rate *value,
-                                                            const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0C, 0x0E, 1);
-    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->descriptor_set = mip_get_8(field->data);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_3dm_get_base_rate_encode_inline(
-    const struct mip_3dm_get_base_rate *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0C, 0x0E, 1, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->descriptor_set);
-    return MIP_OK;
-}
-/**
- * Get Data Base Rate. Fills the structure and returns its address.
- *
- * - descriptor_set: Data descriptor set. Range: 0x80 to 0xFE.
- */
+} /**
+   * Get Data Base Rate. Fills the structure and returns its address.
+   *
+   * - descriptor_set: Data descriptor set. Range: 0x80 to 0xFE.
+   */
 static inline struct mip_3dm_get_base_rate *
 mip_3dm_get_base_rate_make(struct mip_3dm_get_base_rate *command, uint8_t descriptor_set) {
     memset(command, 0, sizeof(*command));
@@ -1726,35 +1603,6 @@ MIP_CHECKED static inline mip_error mip_3dm_get_base_rate_response_encode(
     const struct mip_3dm_get_base_rate_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_base_rate_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_3dm_get_base_rate_response_decode_inline(
-    struct mip_3dm_get_base_rate_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0C, 0x8E, 3);
-    if (error != MIP_OK || sizeof(*value) != 3) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->descriptor_set = mip_get_8(field->data);
-    value->rate = mip_get_16(field->data + 1);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_3dm_get_base_rate_response_encode_inline(
-    const struct mip_3dm_get_base_rate_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0C, 0x8E, 3, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->descriptor_set);
-    mip_put_16(data + 1, value->rate);
-    return MIP_OK;
-}
-
 /**
  * Message Format: command (0x0C,0x0F).
  *
@@ -1807,14 +1655,13 @@ static inline mip_error mip_3dm_message_format_decode(struct mip_3dm_message_for
 MIP_CHECKED static inline mip_error mip_3dm_message_format_encode(
     const struct mip_3dm_message_format *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_message_format_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - descriptor_set: Data descriptor set; 0 means all of them (save, load, default).
- * - num_descriptors: Number of fields. The number of elements of descriptors. Required for write.
- * - descriptors: Fields and decimations. Refers to fields of descriptor_set. Required for write.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - descriptor_set: Data descriptor set; 0 means all of them (save, load, default).
+   * - num_descriptors: Number of fields. The number of elements of descriptors. Required for write.
+   * - descriptors: Fields and decimations. Refers to fields of descriptor_set. Required for write.
+   */
 static inline struct mip_3dm_message_format *mip_3dm_message_format_write(
     struct mip_3dm_message_format *command, uint8_t descriptor_set, uint8_t num_descriptors,
     const struct mip_descriptor_rate descriptors[]) {
@@ -1913,7 +1760,6 @@ MIP_CHECKED static inline mip_error mip_3dm_message_format_response_encode(
     const struct mip_3dm_message_format_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_message_format_response_codec, value, builder);
 }
-
 /**
  * Factory Streaming: command (0x0C,0x10).
  *
@@ -1950,40 +1796,12 @@ static inline mip_error mip_3dm_factory_streaming_decode(struct mip_3dm_factory_
 MIP_CHECKED static inline mip_error mip_3dm_factory_streaming_encode(
     const struct mip_3dm_factory_streaming *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_factory_streaming_codec, value, builder);
-}
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_3dm_factory_streaming_decode_inline(
-    struct mip_3dm_factory_streaming *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0C, 0x10, 2);
-    if (error != MIP_OK || sizeof(*value) != 2) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->action = mip_get_8(field->data);
-    value->reserved = mip_get_8(field->data + 1);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_3dm_factory_streaming_encode_inline(
-    const struct mip_3dm_factory_streaming *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0C, 0x10, 2, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->action);
-    mip_put_8(data + 1, value->reserved);
-    return MIP_OK;
-}
-/**
- * Factory Streaming. Fills the structure and returns its address.
- *
- * - action: What happens to the existing formats. A value of enum mip_3dm_factory_streaming_action.
- */
+} /**
+   * Factory Streaming. Fills the structure and returns its address.
+   *
+   * - action: What happens to the existing formats. A value of enum
+   * mip_3dm_factory_streaming_action.
+   */
 static inline struct mip_3dm_factory_streaming *mip_3dm_factory_streaming_make(
     struct mip_3dm_factory_streaming *command, enum mip_3dm_factory_streaming_action action) {
     memset(command, 0, sizeof(*command));
@@ -2054,20 +1872,19 @@ static inline mip_error mip_3dm_data_stream_control_decode(
 MIP_CHECKED static inline mip_error mip_3dm_data_stream_control_encode(
     const struct mip_3dm_data_stream_control *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_data_stream_control_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - descriptor_set: Data descriptor set; 0 means all streams (save, load, default). On the
- *   3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-10,
- *   3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25,
- *   3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35,
- *   3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum
- *   mip_3dm_legacy_data_stream. On the 3DM-GX5-15: values of enum mip_3dm_legacy_data_stream; only
- *   MIP_3DM_LEGACY_DATA_STREAM_IMU and MIP_3DM_LEGACY_DATA_STREAM_FILTER.
- * - enable: Whether the stream is sent. Default: true. Required for write. The stream starts with
- *   current data. What was measured while it was disabled is not sent.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - descriptor_set: Data descriptor set; 0 means all streams (save, load, default). On the
+   *   3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
+   * 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15,
+   * 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25,
+   * 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum
+   *   mip_3dm_legacy_data_stream. On the 3DM-GX5-15: values of enum mip_3dm_legacy_data_stream;
+   * only MIP_3DM_LEGACY_DATA_STREAM_IMU and MIP_3DM_LEGACY_DATA_STREAM_FILTER.
+   * - enable: Whether the stream is sent. Default: true. Required for write. The stream starts with
+   *   current data. What was measured while it was disabled is not sent.
+   */
 static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_write(
     struct mip_3dm_data_stream_control *command, uint8_t descriptor_set, mip_bool enable) {
     memset(command, 0, sizeof(*command));
@@ -2196,35 +2013,6 @@ MIP_CHECKED static inline mip_error mip_3dm_data_stream_control_response_encode(
     const struct mip_3dm_data_stream_control_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_data_stream_control_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_3dm_data_stream_control_response_decode_inline(
-    struct mip_3dm_data_stream_control_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0C, 0x85, 2);
-    if (error != MIP_OK || sizeof(*value) != 2) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->descriptor_set = mip_get_8(field->data);
-    value->enabled = mip_get_8(field->data + 1);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_3dm_data_stream_control_response_encode_inline(
-    const struct mip_3dm_data_stream_control_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0C, 0x85, 2, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->descriptor_set);
-    mip_put_8(data + 1, value->enabled);
-    return MIP_OK;
-}
-
 /**
  * Raw RTCM 2.3 message: command (0x0C,0x20).
  *
@@ -2267,12 +2055,11 @@ static inline mip_error mip_3dm_raw_rtcm_2_3_message_decode(
 MIP_CHECKED static inline mip_error mip_3dm_raw_rtcm_2_3_message_encode(
     const struct mip_3dm_raw_rtcm_2_3_message *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_raw_rtcm_2_3_message_codec, value, builder);
-}
-/**
- * Raw RTCM 2.3 message. Fills the structure and returns its address.
- *
- * - data_: Bytes of the RTCM stream.
- */
+} /**
+   * Raw RTCM 2.3 message. Fills the structure and returns its address.
+   *
+   * - data_: Bytes of the RTCM stream.
+   */
 static inline struct mip_3dm_raw_rtcm_2_3_message *mip_3dm_raw_rtcm_2_3_message_make(
     struct mip_3dm_raw_rtcm_2_3_message *command, uint8_t data__count, const uint8_t data_[]) {
     memset(command, 0, sizeof(*command));
@@ -2350,16 +2137,15 @@ static inline mip_error mip_3dm_constellation_settings_decode(
 MIP_CHECKED static inline mip_error mip_3dm_constellation_settings_encode(
     const struct mip_3dm_constellation_settings *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_constellation_settings_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - max_channels: Maximum number of tracking channels in use; at most the number that the response
- *   reports as available. Unit: 1. Required for write.
- * - config_count: Number of entries. The number of elements of settings. Range: 0 to 41. Required
- *   for write.
- * - settings: One entry for each constellation. Required for write.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - max_channels: Maximum number of tracking channels in use; at most the number that the
+   * response reports as available. Unit: 1. Required for write.
+   * - config_count: Number of entries. The number of elements of settings. Range: 0 to 41. Required
+   *   for write.
+   * - settings: One entry for each constellation. Required for write.
+   */
 static inline struct mip_3dm_constellation_settings *mip_3dm_constellation_settings_write(
     struct mip_3dm_constellation_settings *command, uint16_t max_channels, uint8_t config_count,
     const struct mip_3dm_constellation_settings_entry settings[]) {
@@ -2443,7 +2229,6 @@ MIP_CHECKED static inline mip_error mip_3dm_constellation_settings_response_enco
     const struct mip_3dm_constellation_settings_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_constellation_settings_response_codec, value, builder);
 }
-
 /**
  * GNSS SBAS Settings: command (0x0C,0x22).
  *
@@ -2501,18 +2286,17 @@ static inline mip_error mip_3dm_gnss_sbas_settings_decode(struct mip_3dm_gnss_sb
 MIP_CHECKED static inline mip_error mip_3dm_gnss_sbas_settings_encode(
     const struct mip_3dm_gnss_sbas_settings *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gnss_sbas_settings_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - enable_sbas: 1 switches SBAS on, 0 off. Range: 0 to 1. Required for write. On the 3DM-GX5-35:
- *   default 1.
- * - sbas_options: What SBAS is used for. Required for write. On the 3DM-GX5-35: default
- *   MIP_3DM_SBAS_OPTIONS_ENABLE_RANGING and MIP_3DM_SBAS_OPTIONS_ENABLE_CORRECTIONS.
- * - num_included_prns: Number of satellites listed; 0 searches for all. The number of elements of
- *   included_prns. Required for write.
- * - included_prns: PRN numbers of the SBAS satellites to search for. Required for write.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - enable_sbas: 1 switches SBAS on, 0 off. Range: 0 to 1. Required for write. On the 3DM-GX5-35:
+   *   default 1.
+   * - sbas_options: What SBAS is used for. Required for write. On the 3DM-GX5-35: default
+   *   MIP_3DM_SBAS_OPTIONS_ENABLE_RANGING and MIP_3DM_SBAS_OPTIONS_ENABLE_CORRECTIONS.
+   * - num_included_prns: Number of satellites listed; 0 searches for all. The number of elements of
+   *   included_prns. Required for write.
+   * - included_prns: PRN numbers of the SBAS satellites to search for. Required for write.
+   */
 static inline struct mip_3dm_gnss_sbas_settings *mip_3dm_gnss_sbas_settings_write(
     struct mip_3dm_gnss_sbas_settings *command, uint8_t enable_sbas,
     mip_3dm_sbas_options sbas_options, uint8_t num_included_prns, const uint16_t included_prns[]) {
@@ -2594,7 +2378,6 @@ MIP_CHECKED static inline mip_error mip_3dm_gnss_sbas_settings_response_encode(
     const struct mip_3dm_gnss_sbas_settings_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gnss_sbas_settings_response_codec, value, builder);
 }
-
 /**
  * GNSS Assisted Fix: command (0x0C,0x23).
  *
@@ -2653,14 +2436,13 @@ static inline mip_error mip_3dm_gnss_assisted_fix_decode(struct mip_3dm_gnss_ass
 MIP_CHECKED static inline mip_error mip_3dm_gnss_assisted_fix_encode(
     const struct mip_3dm_gnss_assisted_fix *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gnss_assisted_fix_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - option: Assisted fix. A value of enum mip_3dm_assisted_fix_option. Default:
- *   MIP_3DM_ASSISTED_FIX_OPTION_NONE. Required for write. On the 3DM-GX5-35: default
- *   MIP_3DM_ASSISTED_FIX_OPTION_NONE.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - option: Assisted fix. A value of enum mip_3dm_assisted_fix_option. Default:
+   *   MIP_3DM_ASSISTED_FIX_OPTION_NONE. Required for write. On the 3DM-GX5-35: default
+   *   MIP_3DM_ASSISTED_FIX_OPTION_NONE.
+   */
 static inline struct mip_3dm_gnss_assisted_fix *mip_3dm_gnss_assisted_fix_write(
     struct mip_3dm_gnss_assisted_fix *command, enum mip_3dm_assisted_fix_option option) {
     memset(command, 0, sizeof(*command));
@@ -2742,35 +2524,6 @@ MIP_CHECKED static inline mip_error mip_3dm_gnss_assisted_fix_response_encode(
     const struct mip_3dm_gnss_assisted_fix_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gnss_assisted_fix_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_3dm_gnss_assisted_fix_response_decode_inline(
-    struct mip_3dm_gnss_assisted_fix_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0C, 0xA2, 2);
-    if (error != MIP_OK || sizeof(*value) != 2) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->option = mip_get_8(field->data);
-    value->flags = mip_get_8(field->data + 1);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_3dm_gnss_assisted_fix_response_encode_inline(
-    const struct mip_3dm_gnss_assisted_fix_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0C, 0xA2, 2, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->option);
-    mip_put_8(data + 1, value->flags);
-    return MIP_OK;
-}
-
 /**
  * GNSS Time Assistance: command (0x0C,0x24).
  *
@@ -2819,14 +2572,13 @@ static inline mip_error mip_3dm_gnss_time_assistance_decode(
 MIP_CHECKED static inline mip_error mip_3dm_gnss_time_assistance_encode(
     const struct mip_3dm_gnss_time_assistance *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gnss_time_assistance_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - tow: GPS time of week. Unit: s. Range: at least 0, less than 604800. Required for write.
- * - week_number: GPS week number since 1980. Unit: week. Required for write.
- * - accuracy: Accuracy of the time. Unit: s. Range: at least 0. Required for write.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - tow: GPS time of week. Unit: s. Range: at least 0, less than 604800. Required for write.
+   * - week_number: GPS week number since 1980. Unit: week. Required for write.
+   * - accuracy: Accuracy of the time. Unit: s. Range: at least 0. Required for write.
+   */
 static inline struct mip_3dm_gnss_time_assistance *
 mip_3dm_gnss_time_assistance_write(struct mip_3dm_gnss_time_assistance *command, double tow,
                                    uint16_t week_number, float accuracy) {
@@ -2884,37 +2636,6 @@ MIP_CHECKED static inline mip_error mip_3dm_gnss_time_assistance_response_encode
     const struct mip_3dm_gnss_time_assistance_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gnss_time_assistance_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_3dm_gnss_time_assistance_response_decode_inline(
-    struct mip_3dm_gnss_time_assistance_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0C, 0xA3, 14);
-    if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_get_double(&value->tow, field->data);
-    value->week_number = mip_get_16(field->data + 8);
-    mip_get_float(&value->accuracy, field->data + 10);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_3dm_gnss_time_assistance_response_encode_inline(
-    const struct mip_3dm_gnss_time_assistance_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0C, 0xA3, 14, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_double(data, &value->tow);
-    mip_put_16(data + 8, value->week_number);
-    mip_put_float(data + 10, &value->accuracy);
-    return MIP_OK;
-}
-
 /**
  * PPS Source Control: command (0x0C,0x28).
  *
@@ -2970,17 +2691,16 @@ static inline mip_error mip_3dm_pps_source_control_decode(struct mip_3dm_pps_sou
 MIP_CHECKED static inline mip_error mip_3dm_pps_source_control_encode(
     const struct mip_3dm_pps_source_control *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_pps_source_control_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - source: Source of the pulse. A value of enum mip_3dm_pps_source. Required for write. On the
- *   3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS,
- *   3DM-GV7-AR and 3DM-GV7-INS: only MIP_3DM_PPS_SOURCE_DISABLED, MIP_3DM_PPS_SOURCE_GPIO and
- *   MIP_3DM_PPS_SOURCE_GENERATED. On the 3DM-CV7-GNSS/INS: default MIP_3DM_PPS_SOURCE_RECEIVER_1.
- *   On the 3DM-GQ7-GNSS/INS: only MIP_3DM_PPS_SOURCE_DISABLED, MIP_3DM_PPS_SOURCE_RECEIVER_1,
- *   MIP_3DM_PPS_SOURCE_RECEIVER_2, MIP_3DM_PPS_SOURCE_GPIO and MIP_3DM_PPS_SOURCE_GENERATED.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - source: Source of the pulse. A value of enum mip_3dm_pps_source. Required for write. On the
+   *   3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS,
+   *   3DM-GV7-AR and 3DM-GV7-INS: only MIP_3DM_PPS_SOURCE_DISABLED, MIP_3DM_PPS_SOURCE_GPIO and
+   *   MIP_3DM_PPS_SOURCE_GENERATED. On the 3DM-CV7-GNSS/INS: default MIP_3DM_PPS_SOURCE_RECEIVER_1.
+   *   On the 3DM-GQ7-GNSS/INS: only MIP_3DM_PPS_SOURCE_DISABLED, MIP_3DM_PPS_SOURCE_RECEIVER_1,
+   *   MIP_3DM_PPS_SOURCE_RECEIVER_2, MIP_3DM_PPS_SOURCE_GPIO and MIP_3DM_PPS_SOURCE_GENERATED.
+   */
 static inline struct mip_3dm_pps_source_control *mip_3dm_pps_source_control_write(
     struct mip_3dm_pps_source_control *command, enum mip_3dm_pps_source source) {
     memset(command, 0, sizeof(*command));
@@ -3052,33 +2772,6 @@ MIP_CHECKED static inline mip_error mip_3dm_pps_source_control_response_encode(
     const struct mip_3dm_pps_source_control_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_pps_source_control_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_3dm_pps_source_control_response_decode_inline(
-    struct mip_3dm_pps_source_control_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0C, 0xA8, 1);
-    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->source = mip_get_8(field->data);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_3dm_pps_source_control_response_encode_inline(
-    const struct mip_3dm_pps_source_control_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0C, 0xA8, 1, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->source);
-    return MIP_OK;
-}
-
 /**
  * Get Supported Events: command (0x0C,0x2A).
  *
@@ -3113,38 +2806,11 @@ static inline mip_error mip_3dm_get_event_support_decode(struct mip_3dm_get_even
 MIP_CHECKED static inline mip_error mip_3dm_get_event_support_encode(
     const struct mip_3dm_get_event_support *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_event_support_codec, value, builder);
-}
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_3dm_get_event_support_decode_inline(
-    struct mip_3dm_get_event_support *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0C, 0x2A, 1);
-    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->query = mip_get_8(field->data);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_3dm_get_event_support_encode_inline(
-    const struct mip_3dm_get_event_support *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0C, 0x2A, 1, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->query);
-    return MIP_OK;
-}
-/**
- * Get Supported Events. Fills the structure and returns its address.
- *
- * - query: Triggers or actions. A value of enum mip_3dm_event_support_query.
- */
+} /**
+   * Get Supported Events. Fills the structure and returns its address.
+   *
+   * - query: Triggers or actions. A value of enum mip_3dm_event_support_query.
+   */
 static inline struct mip_3dm_get_event_support *mip_3dm_get_event_support_make(
     struct mip_3dm_get_event_support *command, enum mip_3dm_event_support_query query) {
     memset(command, 0, sizeof(*command));
@@ -3196,7 +2862,6 @@ MIP_CHECKED static inline mip_error mip_3dm_get_event_support_response_encode(
     const struct mip_3dm_get_event_support_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_event_support_response_codec, value, builder);
 }
-
 /**
  * Event Control: command (0x0C,0x2B).
  *
@@ -3248,14 +2913,13 @@ static inline mip_error mip_3dm_event_control_decode(struct mip_3dm_event_contro
 MIP_CHECKED static inline mip_error mip_3dm_event_control_encode(
     const struct mip_3dm_event_control *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_event_control_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - instance: Trigger instance; 0 means all configured triggers, except for read.
- * - mode: New mode. A value of enum mip_event_trigger_mode. Default:
- *   MIP_EVENT_TRIGGER_MODE_DISABLED. Required for write.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - instance: Trigger instance; 0 means all configured triggers, except for read.
+   * - mode: New mode. A value of enum mip_event_trigger_mode. Default:
+   *   MIP_EVENT_TRIGGER_MODE_DISABLED. Required for write.
+   */
 static inline struct mip_3dm_event_control *mip_3dm_event_control_write(
     struct mip_3dm_event_control *command, uint8_t instance, enum mip_event_trigger_mode mode) {
     memset(command, 0, sizeof(*command));
@@ -3352,35 +3016,6 @@ MIP_CHECKED static inline mip_error mip_3dm_event_control_response_encode(
     const struct mip_3dm_event_control_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_event_control_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_3dm_event_control_response_decode_inline(
-    struct mip_3dm_event_control_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0C, 0xB5, 2);
-    if (error != MIP_OK || sizeof(*value) != 2) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->instance = mip_get_8(field->data);
-    value->mode = mip_get_8(field->data + 1);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_3dm_event_control_response_encode_inline(
-    const struct mip_3dm_event_control_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0C, 0xB5, 2, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->instance);
-    mip_put_8(data + 1, value->mode);
-    return MIP_OK;
-}
-
 /**
  * Get Event Trigger Status: command (0x0C,0x2C).
  *
@@ -3421,14 +3056,13 @@ static inline mip_error mip_3dm_get_event_trigger_status_decode(
 MIP_CHECKED static inline mip_error mip_3dm_get_event_trigger_status_encode(
     const struct mip_3dm_get_event_trigger_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_event_trigger_status_codec, value, builder);
-}
-/**
- * Get Event Trigger Status. Fills the structure and returns its address.
- *
- * - requested_count: Number of requested triggers; 0 requests all slots. The number of elements of
- *   requested_instances.
- * - requested_instances: Trigger instances.
- */
+} /**
+   * Get Event Trigger Status. Fills the structure and returns its address.
+   *
+   * - requested_count: Number of requested triggers; 0 requests all slots. The number of elements
+   * of requested_instances.
+   * - requested_instances: Trigger instances.
+   */
 static inline struct mip_3dm_get_event_trigger_status *mip_3dm_get_event_trigger_status_make(
     struct mip_3dm_get_event_trigger_status *command, uint8_t requested_count,
     const uint8_t requested_instances[]) {
@@ -3475,7 +3109,6 @@ MIP_CHECKED static inline mip_error mip_3dm_get_event_trigger_status_response_en
     const struct mip_3dm_get_event_trigger_status_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_event_trigger_status_response_codec, value, builder);
 }
-
 /**
  * Get Event Action Status: command (0x0C,0x2D).
  *
@@ -3516,14 +3149,13 @@ static inline mip_error mip_3dm_get_event_action_status_decode(
 MIP_CHECKED static inline mip_error mip_3dm_get_event_action_status_encode(
     const struct mip_3dm_get_event_action_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_event_action_status_codec, value, builder);
-}
-/**
- * Get Event Action Status. Fills the structure and returns its address.
- *
- * - requested_count: Number of requested actions; 0 requests all slots. The number of elements of
- *   requested_instances.
- * - requested_instances: Action instances.
- */
+} /**
+   * Get Event Action Status. Fills the structure and returns its address.
+   *
+   * - requested_count: Number of requested actions; 0 requests all slots. The number of elements of
+   *   requested_instances.
+   * - requested_instances: Action instances.
+   */
 static inline struct mip_3dm_get_event_action_status *
 mip_3dm_get_event_action_status_make(struct mip_3dm_get_event_action_status *command,
                                      uint8_t requested_count, const uint8_t requested_instances[]) {
@@ -3570,7 +3202,6 @@ MIP_CHECKED static inline mip_error mip_3dm_get_event_action_status_response_enc
     const struct mip_3dm_get_event_action_status_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_event_action_status_response_codec, value, builder);
 }
-
 /** The member of mip_3dm_event_trigger_config that `type` selects. */
 union mip_3dm_event_trigger_config_parameters {
     /** If type is MIP_EVENT_TRIGGER_TYPE_GPIO. Watches a GPIO pin. */
@@ -3644,16 +3275,15 @@ static inline mip_error mip_3dm_event_trigger_config_decode(
 MIP_CHECKED static inline mip_error mip_3dm_event_trigger_config_encode(
     const struct mip_3dm_event_trigger_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_event_trigger_config_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - instance: Trigger instance; 0 means all (save, load, default).
- * - type: Kind of trigger. A value of enum mip_event_trigger_type. Default:
- *   MIP_EVENT_TRIGGER_TYPE_NONE. Required for write.
- * - parameters: The condition. Selected by type. Required for write. Empty if type is
- *   MIP_EVENT_TRIGGER_TYPE_NONE.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - instance: Trigger instance; 0 means all (save, load, default).
+   * - type: Kind of trigger. A value of enum mip_event_trigger_type. Default:
+   *   MIP_EVENT_TRIGGER_TYPE_NONE. Required for write.
+   * - parameters: The condition. Selected by type. Required for write. Empty if type is
+   *   MIP_EVENT_TRIGGER_TYPE_NONE.
+   */
 static inline struct mip_3dm_event_trigger_config *mip_3dm_event_trigger_config_write(
     struct mip_3dm_event_trigger_config *command, uint8_t instance,
     enum mip_event_trigger_type type,
@@ -3774,7 +3404,6 @@ MIP_CHECKED static inline mip_error mip_3dm_event_trigger_config_response_encode
     const struct mip_3dm_event_trigger_config_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_event_trigger_config_response_codec, value, builder);
 }
-
 /** The member of mip_3dm_event_action_config that `type` selects. */
 union mip_3dm_event_action_config_parameters {
     /** If type is MIP_EVENT_ACTION_TYPE_GPIO. Controls a GPIO pin. */
@@ -3845,17 +3474,16 @@ static inline mip_error mip_3dm_event_action_config_decode(
 MIP_CHECKED static inline mip_error mip_3dm_event_action_config_encode(
     const struct mip_3dm_event_action_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_event_action_config_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - instance: Action instance; 0 means all (save, load, default).
- * - trigger: Trigger instance that the action follows. Required for write.
- * - type: Kind of action. A value of enum mip_event_action_type. Default:
- *   MIP_EVENT_ACTION_TYPE_NONE. Required for write.
- * - parameters: The effect. Selected by type. Required for write. Empty if type is
- *   MIP_EVENT_ACTION_TYPE_NONE.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - instance: Action instance; 0 means all (save, load, default).
+   * - trigger: Trigger instance that the action follows. Required for write.
+   * - type: Kind of action. A value of enum mip_event_action_type. Default:
+   *   MIP_EVENT_ACTION_TYPE_NONE. Required for write.
+   * - parameters: The effect. Selected by type. Required for write. Empty if type is
+   *   MIP_EVENT_ACTION_TYPE_NONE.
+   */
 static inline struct mip_3dm_event_action_config *
 mip_3dm_event_action_config_write(struct mip_3dm_event_action_config *command, uint8_t instance,
                                   uint8_t trigger, enum mip_event_action_type type,
@@ -3971,7 +3599,6 @@ MIP_CHECKED static inline mip_error mip_3dm_event_action_config_response_encode(
     const struct mip_3dm_event_action_config_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_event_action_config_response_codec, value, builder);
 }
-
 /**
  * Device Start Up Settings: command (0x0C,0x30).
  *
@@ -4013,34 +3640,8 @@ static inline mip_error mip_3dm_device_settings_decode(struct mip_3dm_device_set
 MIP_CHECKED static inline mip_error mip_3dm_device_settings_encode(
     const struct mip_3dm_device_settings *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_settings_codec, value, builder);
-}
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_3dm_device_settings_decode_inline(struct mip_3dm_device_settings *value,
-                                                              const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0C, 0x30, 1);
-    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->function = mip_get_8(field->data);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_3dm_device_settings_encode_inline(
-    const struct mip_3dm_device_settings *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0C, 0x30, 1, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->function);
-    return MIP_OK;
-}
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
+} /** Save the current setting to non-volatile memory. Fills the structure and returns its address.
+   */
 static inline struct mip_3dm_device_settings *
 mip_3dm_device_settings_save(struct mip_3dm_device_settings *command) {
     memset(command, 0, sizeof(*command));
@@ -4129,14 +3730,13 @@ static inline mip_error mip_3dm_sensor_to_vehicle_euler_decode(
 MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_euler_encode(
     const struct mip_3dm_sensor_to_vehicle_euler *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_sensor_to_vehicle_euler_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - roll: Rotation about the x axis. Unit: rad. Required for write.
- * - pitch: Rotation about the y axis. Unit: rad. Required for write.
- * - yaw: Rotation about the z axis. Unit: rad. Required for write.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - roll: Rotation about the x axis. Unit: rad. Required for write.
+   * - pitch: Rotation about the y axis. Unit: rad. Required for write.
+   * - yaw: Rotation about the z axis. Unit: rad. Required for write.
+   */
 static inline struct mip_3dm_sensor_to_vehicle_euler *mip_3dm_sensor_to_vehicle_euler_write(
     struct mip_3dm_sensor_to_vehicle_euler *command, float roll, float pitch, float yaw) {
     memset(command, 0, sizeof(*command));
@@ -4217,37 +3817,6 @@ MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_euler_response_enc
     const struct mip_3dm_sensor_to_vehicle_euler_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_sensor_to_vehicle_euler_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_3dm_sensor_to_vehicle_euler_response_decode_inline(
-    struct mip_3dm_sensor_to_vehicle_euler_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0C, 0xB1, 12);
-    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_get_float(&value->roll, field->data);
-    mip_get_float(&value->pitch, field->data + 4);
-    mip_get_float(&value->yaw, field->data + 8);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_euler_response_encode_inline(
-    const struct mip_3dm_sensor_to_vehicle_euler_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0C, 0xB1, 12, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_float(data, &value->roll);
-    mip_put_float(data + 4, &value->pitch);
-    mip_put_float(data + 8, &value->yaw);
-    return MIP_OK;
-}
-
 /**
  * Sensor-to-Vehicle Frame Transformation Quaternion: command (0x0C,0x32).
  *
@@ -4310,13 +3879,12 @@ static inline mip_error mip_3dm_sensor_to_vehicle_quaternion_decode(
 MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_quaternion_encode(
     const struct mip_3dm_sensor_to_vehicle_quaternion *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_sensor_to_vehicle_quaternion_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - q: Unit quaternion that transforms vectors from the sensor frame to the vehicle frame.
- *   Elements: w, x, y, z. Unit: 1. Required for write.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - q: Unit quaternion that transforms vectors from the sensor frame to the vehicle frame.
+   *   Elements: w, x, y, z. Unit: 1. Required for write.
+   */
 static inline struct mip_3dm_sensor_to_vehicle_quaternion *
 mip_3dm_sensor_to_vehicle_quaternion_write(struct mip_3dm_sensor_to_vehicle_quaternion *command,
                                            const float q[4]) {
@@ -4396,38 +3964,6 @@ MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_quaternion_respons
     struct mip_builder *builder) {
     return mip_encode(&mip_3dm_sensor_to_vehicle_quaternion_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_3dm_sensor_to_vehicle_quaternion_response_decode_inline(
-    struct mip_3dm_sensor_to_vehicle_quaternion_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0C, 0xB2, 16);
-    if (error != MIP_OK || sizeof(*value) != 16) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    for (size_t i = 0; i < 4; i++) {
-        mip_get_float(&value->q[i], field->data + 4 * i);
-    }
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_quaternion_response_encode_inline(
-    const struct mip_3dm_sensor_to_vehicle_quaternion_response *value,
-    struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0C, 0xB2, 16, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    for (size_t i = 0; i < 4; i++) {
-        mip_put_float(data + 4 * i, &value->q[i]);
-    }
-    return MIP_OK;
-}
-
 /**
  * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix: command (0x0C,0x33).
  *
@@ -4490,13 +4026,12 @@ static inline mip_error mip_3dm_sensor_to_vehicle_dcm_decode(
 MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_dcm_encode(
     const struct mip_3dm_sensor_to_vehicle_dcm *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_sensor_to_vehicle_dcm_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - dcm: The matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
- *   Unit: 1. Required for write.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - dcm: The matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
+   *   Unit: 1. Required for write.
+   */
 static inline struct mip_3dm_sensor_to_vehicle_dcm *mip_3dm_sensor_to_vehicle_dcm_write(
     struct mip_3dm_sensor_to_vehicle_dcm *command, const float dcm[9]) {
     memset(command, 0, sizeof(*command));
@@ -4573,37 +4108,6 @@ MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_dcm_response_encod
     const struct mip_3dm_sensor_to_vehicle_dcm_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_sensor_to_vehicle_dcm_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_3dm_sensor_to_vehicle_dcm_response_decode_inline(
-    struct mip_3dm_sensor_to_vehicle_dcm_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0C, 0xB3, 36);
-    if (error != MIP_OK || sizeof(*value) != 36) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    for (size_t i = 0; i < 9; i++) {
-        mip_get_float(&value->dcm[i], field->data + 4 * i);
-    }
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_dcm_response_encode_inline(
-    const struct mip_3dm_sensor_to_vehicle_dcm_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0C, 0xB3, 36, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    for (size_t i = 0; i < 9; i++) {
-        mip_put_float(data + 4 * i, &value->dcm[i]);
-    }
-    return MIP_OK;
-}
-
 /**
  * GPS dynamics mode: command (0x0C,0x34).
  *
@@ -4650,12 +4154,11 @@ static inline mip_error mip_3dm_gps_dynamics_mode_decode(struct mip_3dm_gps_dyna
 MIP_CHECKED static inline mip_error mip_3dm_gps_dynamics_mode_encode(
     const struct mip_3dm_gps_dynamics_mode *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gps_dynamics_mode_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - mode: Assumed dynamics. A value of enum mip_3dm_receiver_dynamics. Required for write.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - mode: Assumed dynamics. A value of enum mip_3dm_receiver_dynamics. Required for write.
+   */
 static inline struct mip_3dm_gps_dynamics_mode *mip_3dm_gps_dynamics_mode_write(
     struct mip_3dm_gps_dynamics_mode *command, enum mip_3dm_receiver_dynamics mode) {
     memset(command, 0, sizeof(*command));
@@ -4728,33 +4231,6 @@ MIP_CHECKED static inline mip_error mip_3dm_gps_dynamics_mode_response_encode(
     const struct mip_3dm_gps_dynamics_mode_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gps_dynamics_mode_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_3dm_gps_dynamics_mode_response_decode_inline(
-    struct mip_3dm_gps_dynamics_mode_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0C, 0x92, 1);
-    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->mode = mip_get_8(field->data);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_3dm_gps_dynamics_mode_response_encode_inline(
-    const struct mip_3dm_gps_dynamics_mode_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0C, 0x92, 1, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->mode);
-    return MIP_OK;
-}
-
 /**
  * IMU signal conditioning: command (0x0C,0x35).
  *
@@ -4838,24 +4314,24 @@ static inline mip_error mip_3dm_imu_signal_conditioning_decode(
 MIP_CHECKED static inline mip_error mip_3dm_imu_signal_conditioning_encode(
     const struct mip_3dm_imu_signal_conditioning *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_imu_signal_conditioning_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - orientation_decimation: Divides 1000 Hz to the rate at which the orientation is computed. Unit:
- *   1. Range: 1 to 1000. Required for write.
- * - data_conditioning_flags: Processing steps. Default: 3. Required for write.
- * - inertial_filter_width: Width of the filter of accelerometers and gyroscopes in samples. Unit:
- *   1. Range: 1 to 32. Default: 15. Required for write.
- * - mag_filter_width: Width of the filter of the magnetometer in samples. Unit: 1. Range: 1 to 32.
- *   Default: 17. Required for write.
- * - up_compensation: Time constant of the correction of pitch and roll. Unit: s. Range: 1 to 1000.
- *   Default: 10. Required for write.
- * - north_compensation: Time constant of the correction of the heading. Unit: s. Range: 1 to 1000.
- *   Default: 10. Required for write.
- * - mag_bandwidth: Bandwidth of the magnetometer. A value of enum mip_3dm_mag_bandwidth. Required
- *   for write.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - orientation_decimation: Divides 1000 Hz to the rate at which the orientation is computed.
+   * Unit:
+   *   1. Range: 1 to 1000. Required for write.
+   * - data_conditioning_flags: Processing steps. Default: 3. Required for write.
+   * - inertial_filter_width: Width of the filter of accelerometers and gyroscopes in samples. Unit:
+   *   1. Range: 1 to 32. Default: 15. Required for write.
+   * - mag_filter_width: Width of the filter of the magnetometer in samples. Unit: 1. Range: 1
+   * to 32. Default: 17. Required for write.
+   * - up_compensation: Time constant of the correction of pitch and roll. Unit: s. Range: 1 to
+   * 1000. Default: 10. Required for write.
+   * - north_compensation: Time constant of the correction of the heading. Unit: s. Range: 1 to
+   * 1000. Default: 10. Required for write.
+   * - mag_bandwidth: Bandwidth of the magnetometer. A value of enum mip_3dm_mag_bandwidth. Required
+   *   for write.
+   */
 static inline struct mip_3dm_imu_signal_conditioning *mip_3dm_imu_signal_conditioning_write(
     struct mip_3dm_imu_signal_conditioning *command, uint16_t orientation_decimation,
     mip_3dm_data_conditioning_flags data_conditioning_flags, uint8_t inertial_filter_width,
@@ -4958,47 +4434,6 @@ MIP_CHECKED static inline mip_error mip_3dm_imu_signal_conditioning_response_enc
     const struct mip_3dm_imu_signal_conditioning_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_imu_signal_conditioning_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_3dm_imu_signal_conditioning_response_decode_inline(
-    struct mip_3dm_imu_signal_conditioning_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0C, 0x86, 13);
-    if (error != MIP_OK || sizeof(*value) != 13) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->orientation_decimation = mip_get_16(field->data);
-    value->data_conditioning_flags = mip_get_16(field->data + 2);
-    value->inertial_filter_width = mip_get_8(field->data + 4);
-    value->mag_filter_width = mip_get_8(field->data + 5);
-    value->up_compensation = mip_get_16(field->data + 6);
-    value->north_compensation = mip_get_16(field->data + 8);
-    value->mag_bandwidth = mip_get_8(field->data + 10);
-    value->reserved = mip_get_16(field->data + 11);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_3dm_imu_signal_conditioning_response_encode_inline(
-    const struct mip_3dm_imu_signal_conditioning_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0C, 0x86, 13, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_16(data, value->orientation_decimation);
-    mip_put_16(data + 2, value->data_conditioning_flags);
-    mip_put_8(data + 4, value->inertial_filter_width);
-    mip_put_8(data + 5, value->mag_filter_width);
-    mip_put_16(data + 6, value->up_compensation);
-    mip_put_16(data + 8, value->north_compensation);
-    mip_put_8(data + 10, value->mag_bandwidth);
-    mip_put_16(data + 11, value->reserved);
-    return MIP_OK;
-}
-
 /**
  * IMU timestamp: command (0x0C,0x36).
  *
@@ -5045,13 +4480,12 @@ static inline mip_error mip_3dm_imu_timestamp_decode(struct mip_3dm_imu_timestam
 MIP_CHECKED static inline mip_error mip_3dm_imu_timestamp_encode(
     const struct mip_3dm_imu_timestamp *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_imu_timestamp_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - selector: Which counter. A value of enum mip_3dm_imu_timestamp_selector.
- * - time: Value of the counter, in the unit that `selector` states. Required for write.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - selector: Which counter. A value of enum mip_3dm_imu_timestamp_selector.
+   * - time: Value of the counter, in the unit that `selector` states. Required for write.
+   */
 static inline struct mip_3dm_imu_timestamp *
 mip_3dm_imu_timestamp_write(struct mip_3dm_imu_timestamp *command,
                             enum mip_3dm_imu_timestamp_selector selector, uint32_t time) {
@@ -5111,35 +4545,6 @@ MIP_CHECKED static inline mip_error mip_3dm_imu_timestamp_response_encode(
     const struct mip_3dm_imu_timestamp_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_imu_timestamp_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_3dm_imu_timestamp_response_decode_inline(
-    struct mip_3dm_imu_timestamp_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0C, 0x93, 5);
-    if (error != MIP_OK || sizeof(*value) != 5) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->selector = mip_get_8(field->data);
-    value->time = mip_get_32(field->data + 1);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_3dm_imu_timestamp_response_encode_inline(
-    const struct mip_3dm_imu_timestamp_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0C, 0x93, 5, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->selector);
-    mip_put_32(data + 1, value->time);
-    return MIP_OK;
-}
-
 /**
  * Accelerometer Bias Configuration: command (0x0C,0x37).
  *
@@ -5188,13 +4593,12 @@ static inline mip_error mip_3dm_accel_bias_decode(struct mip_3dm_accel_bias *val
 MIP_CHECKED static inline mip_error
 mip_3dm_accel_bias_encode(const struct mip_3dm_accel_bias *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_accel_bias_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - bias: Accelerometer bias. Elements: x, y, z. Unit: g. Frame: sensor. Required for write and
- *   apply.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - bias: Accelerometer bias. Elements: x, y, z. Unit: g. Frame: sensor. Required for write and
+   *   apply.
+   */
 static inline struct mip_3dm_accel_bias *
 mip_3dm_accel_bias_write(struct mip_3dm_accel_bias *command, const float bias[3]) {
     memset(command, 0, sizeof(*command));
@@ -5280,37 +4684,6 @@ MIP_CHECKED static inline mip_error mip_3dm_accel_bias_response_encode(
     const struct mip_3dm_accel_bias_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_accel_bias_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_3dm_accel_bias_response_decode_inline(
-    struct mip_3dm_accel_bias_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0C, 0x9A, 12);
-    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    for (size_t i = 0; i < 3; i++) {
-        mip_get_float(&value->bias[i], field->data + 4 * i);
-    }
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_3dm_accel_bias_response_encode_inline(
-    const struct mip_3dm_accel_bias_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0C, 0x9A, 12, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    for (size_t i = 0; i < 3; i++) {
-        mip_put_float(data + 4 * i, &value->bias[i]);
-    }
-    return MIP_OK;
-}
-
 /**
  * Gyroscope Bias Configuration: command (0x0C,0x38).
  *
@@ -5360,13 +4733,12 @@ static inline mip_error mip_3dm_gyro_bias_decode(struct mip_3dm_gyro_bias *value
 MIP_CHECKED static inline mip_error mip_3dm_gyro_bias_encode(const struct mip_3dm_gyro_bias *value,
                                                              struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gyro_bias_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - bias: Gyroscope bias. Elements: x, y, z. Unit: rad/s. Frame: sensor. Required for write and
- *   apply.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - bias: Gyroscope bias. Elements: x, y, z. Unit: rad/s. Frame: sensor. Required for write and
+   *   apply.
+   */
 static inline struct mip_3dm_gyro_bias *mip_3dm_gyro_bias_write(struct mip_3dm_gyro_bias *command,
                                                                 const float bias[3]) {
     memset(command, 0, sizeof(*command));
@@ -5452,37 +4824,6 @@ MIP_CHECKED static inline mip_error mip_3dm_gyro_bias_response_encode(
     const struct mip_3dm_gyro_bias_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gyro_bias_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_3dm_gyro_bias_response_decode_inline(
-    struct mip_3dm_gyro_bias_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0C, 0x9B, 12);
-    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    for (size_t i = 0; i < 3; i++) {
-        mip_get_float(&value->bias[i], field->data + 4 * i);
-    }
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_3dm_gyro_bias_response_encode_inline(
-    const struct mip_3dm_gyro_bias_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0C, 0x9B, 12, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    for (size_t i = 0; i < 3; i++) {
-        mip_put_float(data + 4 * i, &value->bias[i]);
-    }
-    return MIP_OK;
-}
-
 /**
  * Capture Gyroscope Bias: command (0x0C,0x39).
  *
@@ -5529,38 +4870,11 @@ static inline mip_error mip_3dm_capture_gyro_bias_decode(struct mip_3dm_capture_
 MIP_CHECKED static inline mip_error mip_3dm_capture_gyro_bias_encode(
     const struct mip_3dm_capture_gyro_bias *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_capture_gyro_bias_codec, value, builder);
-}
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_3dm_capture_gyro_bias_decode_inline(
-    struct mip_3dm_capture_gyro_bias *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0C, 0x39, 2);
-    if (error != MIP_OK || sizeof(*value) != 2) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->averaging_time_ms = mip_get_16(field->data);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_3dm_capture_gyro_bias_encode_inline(
-    const struct mip_3dm_capture_gyro_bias *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0C, 0x39, 2, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_16(data, value->averaging_time_ms);
-    return MIP_OK;
-}
-/**
- * Capture Gyroscope Bias. Fills the structure and returns its address.
- *
- * - averaging_time_ms: Time to average over. Unit: ms. Range: 1000 to 30000.
- */
+} /**
+   * Capture Gyroscope Bias. Fills the structure and returns its address.
+   *
+   * - averaging_time_ms: Time to average over. Unit: ms. Range: 1000 to 30000.
+   */
 static inline struct mip_3dm_capture_gyro_bias *mip_3dm_capture_gyro_bias_make(
     struct mip_3dm_capture_gyro_bias *command, uint16_t averaging_time_ms) {
     memset(command, 0, sizeof(*command));
@@ -5624,13 +4938,12 @@ static inline mip_error mip_3dm_mag_hard_iron_offset_decode(
 MIP_CHECKED static inline mip_error mip_3dm_mag_hard_iron_offset_encode(
     const struct mip_3dm_mag_hard_iron_offset *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_mag_hard_iron_offset_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - offset: Hard iron offset. Elements: x, y, z. Unit: gauss. Frame: sensor. Required for write and
- *   apply. On the 3DM-GX5-45: default 0, 0, 0.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - offset: Hard iron offset. Elements: x, y, z. Unit: gauss. Frame: sensor. Required for write
+   * and apply. On the 3DM-GX5-45: default 0, 0, 0.
+   */
 static inline struct mip_3dm_mag_hard_iron_offset *mip_3dm_mag_hard_iron_offset_write(
     struct mip_3dm_mag_hard_iron_offset *command, const float offset[3]) {
     memset(command, 0, sizeof(*command));
@@ -5717,37 +5030,6 @@ MIP_CHECKED static inline mip_error mip_3dm_mag_hard_iron_offset_response_encode
     const struct mip_3dm_mag_hard_iron_offset_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_mag_hard_iron_offset_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_3dm_mag_hard_iron_offset_response_decode_inline(
-    struct mip_3dm_mag_hard_iron_offset_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0C, 0x9C, 12);
-    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    for (size_t i = 0; i < 3; i++) {
-        mip_get_float(&value->offset[i], field->data + 4 * i);
-    }
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_3dm_mag_hard_iron_offset_response_encode_inline(
-    const struct mip_3dm_mag_hard_iron_offset_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0C, 0x9C, 12, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    for (size_t i = 0; i < 3; i++) {
-        mip_put_float(data + 4 * i, &value->offset[i]);
-    }
-    return MIP_OK;
-}
-
 /**
  * Magnetometer Soft Iron Matrix: command (0x0C,0x3B).
  *
@@ -5804,13 +5086,12 @@ static inline mip_error mip_3dm_mag_soft_iron_matrix_decode(
 MIP_CHECKED static inline mip_error mip_3dm_mag_soft_iron_matrix_encode(
     const struct mip_3dm_mag_soft_iron_matrix *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_mag_soft_iron_matrix_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - matrix: Soft iron matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32,
- *   m33. Unit: 1. Frame: sensor. Required for write and apply.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - matrix: Soft iron matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31,
+   * m32, m33. Unit: 1. Frame: sensor. Required for write and apply.
+   */
 static inline struct mip_3dm_mag_soft_iron_matrix *mip_3dm_mag_soft_iron_matrix_write(
     struct mip_3dm_mag_soft_iron_matrix *command, const float matrix[9]) {
     memset(command, 0, sizeof(*command));
@@ -5900,37 +5181,6 @@ MIP_CHECKED static inline mip_error mip_3dm_mag_soft_iron_matrix_response_encode
     const struct mip_3dm_mag_soft_iron_matrix_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_mag_soft_iron_matrix_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_3dm_mag_soft_iron_matrix_response_decode_inline(
-    struct mip_3dm_mag_soft_iron_matrix_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0C, 0x9D, 36);
-    if (error != MIP_OK || sizeof(*value) != 36) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    for (size_t i = 0; i < 9; i++) {
-        mip_get_float(&value->matrix[i], field->data + 4 * i);
-    }
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_3dm_mag_soft_iron_matrix_response_encode_inline(
-    const struct mip_3dm_mag_soft_iron_matrix_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0C, 0x9D, 36, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    for (size_t i = 0; i < 9; i++) {
-        mip_put_float(data + 4 * i, &value->matrix[i]);
-    }
-    return MIP_OK;
-}
-
 /**
  * Coning and Sculling Enable: command (0x0C,0x3E).
  *
@@ -5975,12 +5225,11 @@ static inline mip_error mip_3dm_coning_sculling_enable_decode(
 MIP_CHECKED static inline mip_error mip_3dm_coning_sculling_enable_encode(
     const struct mip_3dm_coning_sculling_enable *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_coning_sculling_enable_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - enable: Whether the compensation is on. Default: true. Required for write.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - enable: Whether the compensation is on. Default: true. Required for write.
+   */
 static inline struct mip_3dm_coning_sculling_enable *mip_3dm_coning_sculling_enable_write(
     struct mip_3dm_coning_sculling_enable *command, mip_bool enable) {
     memset(command, 0, sizeof(*command));
@@ -6052,33 +5301,6 @@ MIP_CHECKED static inline mip_error mip_3dm_coning_sculling_enable_response_enco
     const struct mip_3dm_coning_sculling_enable_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_coning_sculling_enable_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_3dm_coning_sculling_enable_response_decode_inline(
-    struct mip_3dm_coning_sculling_enable_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0C, 0x9E, 1);
-    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->enable = mip_get_8(field->data);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_3dm_coning_sculling_enable_response_encode_inline(
-    const struct mip_3dm_coning_sculling_enable_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0C, 0x9E, 1, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->enable);
-    return MIP_OK;
-}
-
 /**
  * UART Baud Rate: command (0x0C,0x40).
  *
@@ -6132,13 +5354,12 @@ static inline mip_error mip_3dm_uart_baud_rate_decode(struct mip_3dm_uart_baud_r
 MIP_CHECKED static inline mip_error mip_3dm_uart_baud_rate_encode(
     const struct mip_3dm_uart_baud_rate *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_uart_baud_rate_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - baud: Baud rate. Unit: Bd. Required for write. On the 3DM-GX5-15 and 3DM-GX5-45: default
- *   115200.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - baud: Baud rate. Unit: Bd. Required for write. On the 3DM-GX5-15 and 3DM-GX5-45: default
+   *   115200.
+   */
 static inline struct mip_3dm_uart_baud_rate *
 mip_3dm_uart_baud_rate_write(struct mip_3dm_uart_baud_rate *command, uint32_t baud) {
     memset(command, 0, sizeof(*command));
@@ -6211,33 +5432,6 @@ MIP_CHECKED static inline mip_error mip_3dm_uart_baud_rate_response_encode(
     const struct mip_3dm_uart_baud_rate_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_uart_baud_rate_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_3dm_uart_baud_rate_response_decode_inline(
-    struct mip_3dm_uart_baud_rate_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0C, 0x87, 4);
-    if (error != MIP_OK || sizeof(*value) != 4) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->baud = mip_get_32(field->data);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_3dm_uart_baud_rate_response_encode_inline(
-    const struct mip_3dm_uart_baud_rate_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0C, 0x87, 4, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_32(data, value->baud);
-    return MIP_OK;
-}
-
 /**
  * GPIO Configuration: command (0x0C,0x41).
  *
@@ -6310,22 +5504,21 @@ static inline mip_error mip_3dm_gpio_config_decode(struct mip_3dm_gpio_config *v
 MIP_CHECKED static inline mip_error
 mip_3dm_gpio_config_encode(const struct mip_3dm_gpio_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gpio_config_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - pin: GPIO pin, counted from 1; 0 means all pins (save, load, default).
- * - feature: Use of the pin. A value of enum mip_gpio_feature. Default: MIP_GPIO_FEATURE_UNUSED.
- *   Required for write.
- * - behavior: Role of the pin within the feature; 0 if the feature has no roles. Required for
- *   write. If feature is MIP_GPIO_FEATURE_UNUSED: values of enum mip_gpio_unused_behavior. If
- *   feature is MIP_GPIO_FEATURE_GPIO: values of enum mip_gpio_behavior. If feature is
- *   MIP_GPIO_FEATURE_PPS: values of enum mip_gpio_pps_behavior. If feature is
- *   MIP_GPIO_FEATURE_ENCODER: values of enum mip_gpio_encoder_behavior. If feature is
- *   MIP_GPIO_FEATURE_TIMESTAMP: values of enum mip_gpio_timestamp_behavior. If feature is
- *   MIP_GPIO_FEATURE_UART: values of enum mip_gpio_uart_behavior.
- * - pin_mode: Electrical options. Required for write.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - pin: GPIO pin, counted from 1; 0 means all pins (save, load, default).
+   * - feature: Use of the pin. A value of enum mip_gpio_feature. Default: MIP_GPIO_FEATURE_UNUSED.
+   *   Required for write.
+   * - behavior: Role of the pin within the feature; 0 if the feature has no roles. Required for
+   *   write. If feature is MIP_GPIO_FEATURE_UNUSED: values of enum mip_gpio_unused_behavior. If
+   *   feature is MIP_GPIO_FEATURE_GPIO: values of enum mip_gpio_behavior. If feature is
+   *   MIP_GPIO_FEATURE_PPS: values of enum mip_gpio_pps_behavior. If feature is
+   *   MIP_GPIO_FEATURE_ENCODER: values of enum mip_gpio_encoder_behavior. If feature is
+   *   MIP_GPIO_FEATURE_TIMESTAMP: values of enum mip_gpio_timestamp_behavior. If feature is
+   *   MIP_GPIO_FEATURE_UART: values of enum mip_gpio_uart_behavior.
+   * - pin_mode: Electrical options. Required for write.
+   */
 static inline struct mip_3dm_gpio_config *mip_3dm_gpio_config_write(
     struct mip_3dm_gpio_config *command, uint8_t pin, enum mip_gpio_feature feature,
     uint8_t behavior, mip_gpio_pin_mode pin_mode) {
@@ -6433,39 +5626,6 @@ MIP_CHECKED static inline mip_error mip_3dm_gpio_config_response_encode(
     const struct mip_3dm_gpio_config_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gpio_config_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_3dm_gpio_config_response_decode_inline(
-    struct mip_3dm_gpio_config_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0C, 0xC1, 4);
-    if (error != MIP_OK || sizeof(*value) != 4) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->pin = mip_get_8(field->data);
-    value->feature = mip_get_8(field->data + 1);
-    value->behavior = mip_get_8(field->data + 2);
-    value->pin_mode = mip_get_8(field->data + 3);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_3dm_gpio_config_response_encode_inline(
-    const struct mip_3dm_gpio_config_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0C, 0xC1, 4, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->pin);
-    mip_put_8(data + 1, value->feature);
-    mip_put_8(data + 2, value->behavior);
-    mip_put_8(data + 3, value->pin_mode);
-    return MIP_OK;
-}
-
 /**
  * GPIO State: command (0x0C,0x42).
  *
@@ -6520,13 +5680,12 @@ static inline mip_error mip_3dm_gpio_state_decode(struct mip_3dm_gpio_state *val
 MIP_CHECKED static inline mip_error
 mip_3dm_gpio_state_encode(const struct mip_3dm_gpio_state *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gpio_state_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - pin: GPIO pin, counted from 1. Range: at least 1.
- * - state: True is high. Required for write.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - pin: GPIO pin, counted from 1. Range: at least 1.
+   * - state: True is high. Required for write.
+   */
 static inline struct mip_3dm_gpio_state *
 mip_3dm_gpio_state_write(struct mip_3dm_gpio_state *command, uint8_t pin, mip_bool state) {
     memset(command, 0, sizeof(*command));
@@ -6583,35 +5742,6 @@ MIP_CHECKED static inline mip_error mip_3dm_gpio_state_response_encode(
     const struct mip_3dm_gpio_state_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gpio_state_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_3dm_gpio_state_response_decode_inline(
-    struct mip_3dm_gpio_state_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0C, 0xC2, 2);
-    if (error != MIP_OK || sizeof(*value) != 2) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->pin = mip_get_8(field->data);
-    value->state = mip_get_8(field->data + 1);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_3dm_gpio_state_response_encode_inline(
-    const struct mip_3dm_gpio_state_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0C, 0xC2, 2, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->pin);
-    mip_put_8(data + 1, value->state);
-    return MIP_OK;
-}
-
 /**
  * Odometer Configuration: command (0x0C,0x43).
  *
@@ -6665,17 +5795,16 @@ static inline mip_error mip_3dm_odometer_config_decode(struct mip_3dm_odometer_c
 MIP_CHECKED static inline mip_error mip_3dm_odometer_config_encode(
     const struct mip_3dm_odometer_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_odometer_config_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - mode: How the input works. A value of enum mip_3dm_odometer_mode. Required for write.
- * - scaling: Pulses per distance travelled; negative if the encoder turns backwards. Unit: pulse/m.
- *   Required for write. Pulses on line A per turn of the wheel, divided by the circumference of the
- *   wheel.
- * - uncertainty: Relative uncertainty of the scaling, 1 sigma. Unit: 1. Range: at least 0. Required
- *   for write.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - mode: How the input works. A value of enum mip_3dm_odometer_mode. Required for write.
+   * - scaling: Pulses per distance travelled; negative if the encoder turns backwards. Unit:
+   * pulse/m. Required for write. Pulses on line A per turn of the wheel, divided by the
+   * circumference of the wheel.
+   * - uncertainty: Relative uncertainty of the scaling, 1 sigma. Unit: 1. Range: at least 0.
+   * Required for write.
+   */
 static inline struct mip_3dm_odometer_config *
 mip_3dm_odometer_config_write(struct mip_3dm_odometer_config *command,
                               enum mip_3dm_odometer_mode mode, float scaling, float uncertainty) {
@@ -6757,37 +5886,6 @@ MIP_CHECKED static inline mip_error mip_3dm_odometer_config_response_encode(
     const struct mip_3dm_odometer_config_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_odometer_config_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_3dm_odometer_config_response_decode_inline(
-    struct mip_3dm_odometer_config_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0C, 0xC3, 9);
-    if (error != MIP_OK || sizeof(*value) != 9) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->mode = mip_get_8(field->data);
-    mip_get_float(&value->scaling, field->data + 1);
-    mip_get_float(&value->uncertainty, field->data + 5);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_3dm_odometer_config_response_encode_inline(
-    const struct mip_3dm_odometer_config_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0C, 0xC3, 9, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->mode);
-    mip_put_float(data + 1, &value->scaling);
-    mip_put_float(data + 5, &value->uncertainty);
-    return MIP_OK;
-}
-
 /**
  * Advanced Low-Pass Filter Settings: command (0x0C,0x50).
  *
@@ -6860,20 +5958,19 @@ static inline mip_error mip_3dm_imu_low_pass_filter_decode(
 MIP_CHECKED static inline mip_error mip_3dm_imu_low_pass_filter_encode(
     const struct mip_3dm_imu_low_pass_filter *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_imu_low_pass_filter_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - target_descriptor: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
- *   rate 0x05, magnetic field 0x06 or pressure 0x17. Refers to fields of MIP_SENSOR_SET. On the
- *   3DM-CV7-GNSS/INS: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
- *   rate 0x05, magnetic field 0x06 or pressure 0x17; 0 means all of them, except for read.
- * - enable: Whether the quantity is filtered. Default: true. Required for write.
- * - manual: True uses `frequency`; false uses half the rate of the message format. Default: false.
- *   Required for write.
- * - frequency: Cutoff (-3 dB). It has no meaning if `manual` is false. Unit: Hz. Required for
- *   write. On the 3DM-GX5-15: range at most 250.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - target_descriptor: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
+   *   rate 0x05, magnetic field 0x06 or pressure 0x17. Refers to fields of MIP_SENSOR_SET. On the
+   *   3DM-CV7-GNSS/INS: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
+   *   rate 0x05, magnetic field 0x06 or pressure 0x17; 0 means all of them, except for read.
+   * - enable: Whether the quantity is filtered. Default: true. Required for write.
+   * - manual: True uses `frequency`; false uses half the rate of the message format. Default:
+   * false. Required for write.
+   * - frequency: Cutoff (-3 dB). It has no meaning if `manual` is false. Unit: Hz. Required for
+   *   write. On the 3DM-GX5-15: range at most 250.
+   */
 static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_write(
     struct mip_3dm_imu_low_pass_filter *command, uint8_t target_descriptor, mip_bool enable,
     mip_bool manual, uint16_t frequency) {
@@ -6994,41 +6091,6 @@ MIP_CHECKED static inline mip_error mip_3dm_imu_low_pass_filter_response_encode(
     const struct mip_3dm_imu_low_pass_filter_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_imu_low_pass_filter_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_3dm_imu_low_pass_filter_response_decode_inline(
-    struct mip_3dm_imu_low_pass_filter_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0C, 0x8B, 6);
-    if (error != MIP_OK || sizeof(*value) != 6) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->target_descriptor = mip_get_8(field->data);
-    value->enable = mip_get_8(field->data + 1);
-    value->manual = mip_get_8(field->data + 2);
-    value->frequency = mip_get_16(field->data + 3);
-    value->reserved = mip_get_8(field->data + 5);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_3dm_imu_low_pass_filter_response_encode_inline(
-    const struct mip_3dm_imu_low_pass_filter_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0C, 0x8B, 6, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->target_descriptor);
-    mip_put_8(data + 1, value->enable);
-    mip_put_8(data + 2, value->manual);
-    mip_put_16(data + 3, value->frequency);
-    mip_put_8(data + 5, value->reserved);
-    return MIP_OK;
-}
-
 /**
  * Complementary Filter Configuration: command (0x0C,0x51).
  *
@@ -7103,20 +6165,19 @@ static inline mip_error mip_3dm_complementary_filter_decode(
 MIP_CHECKED static inline mip_error mip_3dm_complementary_filter_encode(
     const struct mip_3dm_complementary_filter *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_complementary_filter_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - pitch_roll_enable: Corrects pitch and roll (up, in terms of the 5-series). Required for write.
- *   On the 3DM-GX5-15: default true.
- * - heading_enable: Corrects the heading (north, in terms of the 5-series). Required for write. On
- *   the 3DM-CL5-10, 3DM-CL5-15, 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-CX5-15 and 3DM-GX5-10: MSCL
- *   does not offer it. On the 3DM-GX5-15: default true.
- * - pitch_roll_time_constant: Time constant of the correction of pitch and roll. Unit: s. Range: 1
- *   to 1000. Default: 10. Required for write.
- * - heading_time_constant: Time constant of the correction of the heading. Unit: s. Range: 1 to
- *   1000. Default: 10. Required for write.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - pitch_roll_enable: Corrects pitch and roll (up, in terms of the 5-series). Required for
+   * write. On the 3DM-GX5-15: default true.
+   * - heading_enable: Corrects the heading (north, in terms of the 5-series). Required for write.
+   * On the 3DM-CL5-10, 3DM-CL5-15, 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-CX5-15 and 3DM-GX5-10:
+   * MSCL does not offer it. On the 3DM-GX5-15: default true.
+   * - pitch_roll_time_constant: Time constant of the correction of pitch and roll. Unit: s. Range:
+   * 1 to 1000. Default: 10. Required for write.
+   * - heading_time_constant: Time constant of the correction of the heading. Unit: s. Range: 1 to
+   *   1000. Default: 10. Required for write.
+   */
 static inline struct mip_3dm_complementary_filter *mip_3dm_complementary_filter_write(
     struct mip_3dm_complementary_filter *command, mip_bool pitch_roll_enable,
     mip_bool heading_enable, float pitch_roll_time_constant, float heading_time_constant) {
@@ -7201,39 +6262,6 @@ MIP_CHECKED static inline mip_error mip_3dm_complementary_filter_response_encode
     const struct mip_3dm_complementary_filter_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_complementary_filter_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_3dm_complementary_filter_response_decode_inline(
-    struct mip_3dm_complementary_filter_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0C, 0x97, 10);
-    if (error != MIP_OK || sizeof(*value) != 10) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->pitch_roll_enable = mip_get_8(field->data);
-    value->heading_enable = mip_get_8(field->data + 1);
-    mip_get_float(&value->pitch_roll_time_constant, field->data + 2);
-    mip_get_float(&value->heading_time_constant, field->data + 6);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_3dm_complementary_filter_response_encode_inline(
-    const struct mip_3dm_complementary_filter_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0C, 0x97, 10, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->pitch_roll_enable);
-    mip_put_8(data + 1, value->heading_enable);
-    mip_put_float(data + 2, &value->pitch_roll_time_constant);
-    mip_put_float(data + 6, &value->heading_time_constant);
-    return MIP_OK;
-}
-
 /**
  * Sensor Range: command (0x0C,0x52).
  *
@@ -7282,13 +6310,12 @@ static inline mip_error mip_3dm_sensor_range_decode(struct mip_3dm_sensor_range 
 MIP_CHECKED static inline mip_error
 mip_3dm_sensor_range_encode(const struct mip_3dm_sensor_range *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_sensor_range_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - sensor: Sensor whose range is set or read. A value of enum mip_3dm_sensor_range_type.
- * - setting: Number of the range. Required for write.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - sensor: Sensor whose range is set or read. A value of enum mip_3dm_sensor_range_type.
+   * - setting: Number of the range. Required for write.
+   */
 static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_write(
     struct mip_3dm_sensor_range *command, enum mip_3dm_sensor_range_type sensor, uint8_t setting) {
     memset(command, 0, sizeof(*command));
@@ -7382,35 +6409,6 @@ MIP_CHECKED static inline mip_error mip_3dm_sensor_range_response_encode(
     const struct mip_3dm_sensor_range_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_sensor_range_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_3dm_sensor_range_response_decode_inline(
-    struct mip_3dm_sensor_range_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0C, 0xD2, 2);
-    if (error != MIP_OK || sizeof(*value) != 2) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->sensor = mip_get_8(field->data);
-    value->setting = mip_get_8(field->data + 1);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_3dm_sensor_range_response_encode_inline(
-    const struct mip_3dm_sensor_range_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0C, 0xD2, 2, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->sensor);
-    mip_put_8(data + 1, value->setting);
-    return MIP_OK;
-}
-
 /**
  * Get Calibrated Sensor Ranges: command (0x0C,0x53).
  *
@@ -7447,38 +6445,11 @@ static inline mip_error mip_3dm_get_calibrated_sensor_ranges_decode(
 MIP_CHECKED static inline mip_error mip_3dm_get_calibrated_sensor_ranges_encode(
     const struct mip_3dm_get_calibrated_sensor_ranges *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_calibrated_sensor_ranges_codec, value, builder);
-}
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_3dm_get_calibrated_sensor_ranges_decode_inline(
-    struct mip_3dm_get_calibrated_sensor_ranges *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0C, 0x53, 1);
-    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->sensor = mip_get_8(field->data);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_3dm_get_calibrated_sensor_ranges_encode_inline(
-    const struct mip_3dm_get_calibrated_sensor_ranges *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0C, 0x53, 1, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->sensor);
-    return MIP_OK;
-}
-/**
- * Get Calibrated Sensor Ranges. Fills the structure and returns its address.
- *
- * - sensor: The sensor; not all. A value of enum mip_3dm_sensor_range_type.
- */
+} /**
+   * Get Calibrated Sensor Ranges. Fills the structure and returns its address.
+   *
+   * - sensor: The sensor; not all. A value of enum mip_3dm_sensor_range_type.
+   */
 static inline struct mip_3dm_get_calibrated_sensor_ranges *
 mip_3dm_get_calibrated_sensor_ranges_make(struct mip_3dm_get_calibrated_sensor_ranges *command,
                                           enum mip_3dm_sensor_range_type sensor) {
@@ -7533,7 +6504,6 @@ MIP_CHECKED static inline mip_error mip_3dm_get_calibrated_sensor_ranges_respons
     struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_calibrated_sensor_ranges_response_codec, value, builder);
 }
-
 /**
  * Low-Pass Anti-Aliasing Filter: command (0x0C,0x54).
  *
@@ -7597,18 +6567,17 @@ static inline mip_error mip_3dm_low_pass_filter_decode(struct mip_3dm_low_pass_f
 MIP_CHECKED static inline mip_error mip_3dm_low_pass_filter_encode(
     const struct mip_3dm_low_pass_filter *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_low_pass_filter_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - descriptor_set: Descriptor set of the field.
- * - field_descriptor: Field descriptor; 0 if the set is 0. Refers to fields of descriptor_set.
- * - enable: Whether the field is filtered. Required for write.
- * - manual: True uses `frequency`; false uses half the rate of the field in the message format.
- *   Required for write.
- * - frequency: Cutoff; a write ignores it if `manual` is false, a read returns the cutoff in use.
- *   Unit: Hz. Range: at least 0. Required for write.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - descriptor_set: Descriptor set of the field.
+   * - field_descriptor: Field descriptor; 0 if the set is 0. Refers to fields of descriptor_set.
+   * - enable: Whether the field is filtered. Required for write.
+   * - manual: True uses `frequency`; false uses half the rate of the field in the message format.
+   *   Required for write.
+   * - frequency: Cutoff; a write ignores it if `manual` is false, a read returns the cutoff in use.
+   *   Unit: Hz. Range: at least 0. Required for write.
+   */
 static inline struct mip_3dm_low_pass_filter *mip_3dm_low_pass_filter_write(
     struct mip_3dm_low_pass_filter *command, uint8_t descriptor_set, uint8_t field_descriptor,
     mip_bool enable, mip_bool manual, float frequency) {
@@ -7721,41 +6690,6 @@ MIP_CHECKED static inline mip_error mip_3dm_low_pass_filter_response_encode(
     const struct mip_3dm_low_pass_filter_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_low_pass_filter_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_3dm_low_pass_filter_response_decode_inline(
-    struct mip_3dm_low_pass_filter_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0C, 0xD4, 8);
-    if (error != MIP_OK || sizeof(*value) != 8) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->descriptor_set = mip_get_8(field->data);
-    value->field_descriptor = mip_get_8(field->data + 1);
-    value->enable = mip_get_8(field->data + 2);
-    value->manual = mip_get_8(field->data + 3);
-    mip_get_float(&value->frequency, field->data + 4);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_3dm_low_pass_filter_response_encode_inline(
-    const struct mip_3dm_low_pass_filter_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0C, 0xD4, 8, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->descriptor_set);
-    mip_put_8(data + 1, value->field_descriptor);
-    mip_put_8(data + 2, value->enable);
-    mip_put_8(data + 3, value->manual);
-    mip_put_float(data + 4, &value->frequency);
-    return MIP_OK;
-}
-
 /**
  * Data stream format: command (0x0C,0x60).
  *
@@ -7807,13 +6741,12 @@ static inline mip_error mip_3dm_data_stream_format_decode(struct mip_3dm_data_st
 MIP_CHECKED static inline mip_error mip_3dm_data_stream_format_encode(
     const struct mip_3dm_data_stream_format *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_data_stream_format_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - stream: Stream whose format is set or read. A value of enum mip_3dm_internal_sensor.
- * - format: Its format. A value of enum mip_3dm_stream_format.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - stream: Stream whose format is set or read. A value of enum mip_3dm_internal_sensor.
+   * - format: Its format. A value of enum mip_3dm_stream_format.
+   */
 static inline struct mip_3dm_data_stream_format *mip_3dm_data_stream_format_write(
     struct mip_3dm_data_stream_format *command, enum mip_3dm_internal_sensor stream,
     enum mip_3dm_stream_format format) {
@@ -7922,35 +6855,6 @@ MIP_CHECKED static inline mip_error mip_3dm_data_stream_format_response_encode(
     const struct mip_3dm_data_stream_format_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_data_stream_format_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_3dm_data_stream_format_response_decode_inline(
-    struct mip_3dm_data_stream_format_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0C, 0x88, 2);
-    if (error != MIP_OK || sizeof(*value) != 2) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->stream = mip_get_8(field->data);
-    value->format = mip_get_8(field->data + 1);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_3dm_data_stream_format_response_encode_inline(
-    const struct mip_3dm_data_stream_format_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0C, 0x88, 2, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->stream);
-    mip_put_8(data + 1, value->format);
-    return MIP_OK;
-}
-
 /**
  * Device power state: command (0x0C,0x61).
  *
@@ -8001,13 +6905,12 @@ static inline mip_error mip_3dm_device_power_state_decode(struct mip_3dm_device_
 MIP_CHECKED static inline mip_error mip_3dm_device_power_state_encode(
     const struct mip_3dm_device_power_state *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_power_state_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - device_: The sensor. A value of enum mip_3dm_internal_sensor.
- * - state: Its power state. A value of enum mip_3dm_sensor_power_state. Required for write.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - device_: The sensor. A value of enum mip_3dm_internal_sensor.
+   * - state: Its power state. A value of enum mip_3dm_sensor_power_state. Required for write.
+   */
 static inline struct mip_3dm_device_power_state *mip_3dm_device_power_state_write(
     struct mip_3dm_device_power_state *command, enum mip_3dm_internal_sensor device_,
     enum mip_3dm_sensor_power_state state) {
@@ -8104,35 +7007,6 @@ MIP_CHECKED static inline mip_error mip_3dm_device_power_state_response_encode(
     const struct mip_3dm_device_power_state_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_power_state_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_3dm_device_power_state_response_decode_inline(
-    struct mip_3dm_device_power_state_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0C, 0x89, 2);
-    if (error != MIP_OK || sizeof(*value) != 2) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->device = mip_get_8(field->data);
-    value->state = mip_get_8(field->data + 1);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_3dm_device_power_state_response_encode_inline(
-    const struct mip_3dm_device_power_state_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0C, 0x89, 2, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->device);
-    mip_put_8(data + 1, value->state);
-    return MIP_OK;
-}
-
 /**
  * GPS advanced settings: command (0x0C,0x62).
  *
@@ -8174,34 +7048,8 @@ static inline mip_error mip_3dm_gps_advanced_settings_decode(
 MIP_CHECKED static inline mip_error mip_3dm_gps_advanced_settings_encode(
     const struct mip_3dm_gps_advanced_settings *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gps_advanced_settings_codec, value, builder);
-}
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_3dm_gps_advanced_settings_decode_inline(
-    struct mip_3dm_gps_advanced_settings *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0C, 0x62, 1);
-    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->function = mip_get_8(field->data);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_3dm_gps_advanced_settings_encode_inline(
-    const struct mip_3dm_gps_advanced_settings *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0C, 0x62, 1, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->function);
-    return MIP_OK;
-}
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
+} /** Save the current setting to non-volatile memory. Fills the structure and returns its address.
+   */
 static inline struct mip_3dm_gps_advanced_settings *
 mip_3dm_gps_advanced_settings_save(struct mip_3dm_gps_advanced_settings *command) {
     memset(command, 0, sizeof(*command));
@@ -8275,42 +7123,14 @@ static inline mip_error mip_3dm_device_status_decode(struct mip_3dm_device_statu
 MIP_CHECKED static inline mip_error mip_3dm_device_status_encode(
     const struct mip_3dm_device_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_codec, value, builder);
-}
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_3dm_device_status_decode_inline(struct mip_3dm_device_status *value,
-                                                            const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0C, 0x64, 3);
-    if (error != MIP_OK || sizeof(*value) != 3) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->model_number = mip_get_16(field->data);
-    value->status_selector = mip_get_8(field->data + 2);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_3dm_device_status_encode_inline(
-    const struct mip_3dm_device_status *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0C, 0x64, 3, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_16(data, value->model_number);
-    mip_put_8(data + 2, value->status_selector);
-    return MIP_OK;
-}
-/**
- * Device Status. Fills the structure and returns its address.
- *
- * - model_number: Model number of the device that answers. On the 3DM-GX5-15: always 6254. On the
- *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
- * - status_selector: Level of detail of the answer. A value of enum mip_3dm_device_status_selector.
- */
+} /**
+   * Device Status. Fills the structure and returns its address.
+   *
+   * - model_number: Model number of the device that answers. On the 3DM-GX5-15: always 6254. On the
+   *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
+   * - status_selector: Level of detail of the answer. A value of enum
+   * mip_3dm_device_status_selector.
+   */
 static inline struct mip_3dm_device_status *
 mip_3dm_device_status_make(struct mip_3dm_device_status *command, uint16_t model_number,
                            enum mip_3dm_device_status_selector status_selector) {
@@ -8377,7 +7197,6 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_basic_response_encode(
     const struct mip_3dm_device_status_basic_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_basic_response_codec, value, builder);
 }
-
 /**
  * Basic Device Status without a state: response (0x0C,0x90).
  *
@@ -8436,7 +7255,6 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_basic_stateless_respon
     struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_basic_stateless_response_codec, value, builder);
 }
-
 /**
  * Diagnostic Device Status: response (0x0C,0x90).
  *
@@ -8515,7 +7333,6 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_response_en
     const struct mip_3dm_device_status_diagnostic_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_diagnostic_response_codec, value, builder);
 }
-
 /**
  * Diagnostic Device Status with GNSS: response (0x0C,0x90).
  *
@@ -8614,7 +7431,6 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_gnss_respon
     struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_diagnostic_gnss_response_codec, value, builder);
 }
-
 /**
  * Diagnostic Device Status of the 3DM-GQ4-45: response (0x0C,0x90).
  *
@@ -8718,7 +7534,6 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_gq4_45_resp
     struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_diagnostic_gq4_45_response_codec, value, builder);
 }
-
 /**
  * Diagnostic Device Status of the 3DM-RQ1-45: response (0x0C,0x90).
  *
@@ -8822,7 +7637,6 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_rq1_45_resp
     struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_diagnostic_rq1_45_response_codec, value, builder);
 }
-
 /**
  * Diagnostic Device Status of the 3DM-GX4-15 and 3DM-GX4-25: response (0x0C,0x90).
  *
@@ -8916,7 +7730,6 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_gx4_respons
     struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_diagnostic_gx4_response_codec, value, builder);
 }
-
 /**
  * Diagnostic Device Status of an IMU: response (0x0C,0x90).
  *
@@ -9010,7 +7823,6 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_imu_respons
     struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_diagnostic_imu_response_codec, value, builder);
 }
-
 /**
  * Basic Device Status of the 3DM-GX3-35 and 3DM-GX3-45: response (0x0C,0x90).
  *
@@ -9069,7 +7881,6 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_basic_gx3_response_enc
     const struct mip_3dm_device_status_basic_gx3_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_basic_gx3_response_codec, value, builder);
 }
-
 /**
  * Diagnostic Device Status of the 3DM-GX3-35 and 3DM-GX3-45: response (0x0C,0x90).
  *
@@ -9183,7 +7994,6 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_gx3_respons
     struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_diagnostic_gx3_response_codec, value, builder);
 }
-
 /** @} */
 
 #ifdef __cplusplus

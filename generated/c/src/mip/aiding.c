@@ -31,12 +31,16 @@ const struct mip_codec mip_aiding_frame_config_codec = {
 static const uint8_t asked_frame_config_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                MIP_WHEN_END};
 static const struct mip_response responses_frame_config[] = {
-    {asked_frame_config_1, NULL, 0x81},
-    {NULL, NULL, 0},
+    {asked_frame_config_1, NULL, 0x81, false},
 };
 
-const struct mip_exchange mip_aiding_frame_config_exchange = {0x13, 0x01, 0,
-                                                              true, NULL, responses_frame_config};
+const struct mip_exchange mip_aiding_frame_config_exchange = {0x13,
+                                                              0x01,
+                                                              0,
+                                                              true,
+                                                              sizeof(responses_frame_config) /
+                                                                  sizeof(responses_frame_config[0]),
+                                                              responses_frame_config};
 
 const struct mip_command mip_aiding_frame_config_command = {&mip_aiding_frame_config_codec,
                                                             &mip_aiding_frame_config_exchange};
@@ -79,12 +83,16 @@ const struct mip_codec mip_aiding_echo_control_codec = {
 static const uint8_t asked_echo_control_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                MIP_WHEN_END};
 static const struct mip_response responses_echo_control[] = {
-    {asked_echo_control_1, NULL, 0x9F},
-    {NULL, NULL, 0},
+    {asked_echo_control_1, NULL, 0x9F, false},
 };
 
-const struct mip_exchange mip_aiding_echo_control_exchange = {0x13, 0x1F, 0,
-                                                              true, NULL, responses_echo_control};
+const struct mip_exchange mip_aiding_echo_control_exchange = {0x13,
+                                                              0x1F,
+                                                              0,
+                                                              true,
+                                                              sizeof(responses_echo_control) /
+                                                                  sizeof(responses_echo_control[0]),
+                                                              responses_echo_control};
 
 const struct mip_command mip_aiding_echo_control_command = {&mip_aiding_echo_control_codec,
                                                             &mip_aiding_echo_control_exchange};
@@ -119,7 +127,7 @@ const struct mip_codec mip_aiding_ecef_position_codec = {
     0x13, 0x21,  MIP_COMMAND,           49,  sizeof(struct mip_aiding_ecef_position),
     0,    false, program_ecef_position, NULL};
 
-const struct mip_exchange mip_aiding_ecef_position_exchange = {0x13, 0x21, 0, false, NULL, NULL};
+const struct mip_exchange mip_aiding_ecef_position_exchange = {0x13, 0x21, 0, false, 0, NULL};
 
 const struct mip_command mip_aiding_ecef_position_command = {&mip_aiding_ecef_position_codec,
                                                              &mip_aiding_ecef_position_exchange};
@@ -138,7 +146,7 @@ const struct mip_codec mip_aiding_llh_position_codec = {
     0x13, 0x22,  MIP_COMMAND,          49,  sizeof(struct mip_aiding_llh_position),
     0,    false, program_llh_position, NULL};
 
-const struct mip_exchange mip_aiding_llh_position_exchange = {0x13, 0x22, 0, false, NULL, NULL};
+const struct mip_exchange mip_aiding_llh_position_exchange = {0x13, 0x22, 0, false, 0, NULL};
 
 const struct mip_command mip_aiding_llh_position_command = {&mip_aiding_llh_position_codec,
                                                             &mip_aiding_llh_position_exchange};
@@ -164,7 +172,7 @@ const struct mip_codec mip_aiding_height_above_ellipsoid_codec = {
     NULL};
 
 const struct mip_exchange mip_aiding_height_above_ellipsoid_exchange = {0x13,  0x23, 0,
-                                                                        false, NULL, NULL};
+                                                                        false, 0,    NULL};
 
 const struct mip_command mip_aiding_height_above_ellipsoid_command = {
     &mip_aiding_height_above_ellipsoid_codec, &mip_aiding_height_above_ellipsoid_exchange};
@@ -182,7 +190,7 @@ const struct mip_codec mip_aiding_ecef_velocity_codec = {
     0x13, 0x28,  MIP_COMMAND,           37,  sizeof(struct mip_aiding_ecef_velocity),
     0,    false, program_ecef_velocity, NULL};
 
-const struct mip_exchange mip_aiding_ecef_velocity_exchange = {0x13, 0x28, 0, false, NULL, NULL};
+const struct mip_exchange mip_aiding_ecef_velocity_exchange = {0x13, 0x28, 0, false, 0, NULL};
 
 const struct mip_command mip_aiding_ecef_velocity_command = {&mip_aiding_ecef_velocity_codec,
                                                              &mip_aiding_ecef_velocity_exchange};
@@ -200,7 +208,7 @@ const struct mip_codec mip_aiding_ned_velocity_codec = {
     0x13, 0x29,  MIP_COMMAND,          37,  sizeof(struct mip_aiding_ned_velocity),
     0,    false, program_ned_velocity, NULL};
 
-const struct mip_exchange mip_aiding_ned_velocity_exchange = {0x13, 0x29, 0, false, NULL, NULL};
+const struct mip_exchange mip_aiding_ned_velocity_exchange = {0x13, 0x29, 0, false, 0, NULL};
 
 const struct mip_command mip_aiding_ned_velocity_command = {&mip_aiding_ned_velocity_codec,
                                                             &mip_aiding_ned_velocity_exchange};
@@ -225,8 +233,7 @@ const struct mip_codec mip_aiding_body_frame_velocity_codec = {
     program_body_frame_velocity,
     NULL};
 
-const struct mip_exchange mip_aiding_body_frame_velocity_exchange = {0x13,  0x2A, 0,
-                                                                     false, NULL, NULL};
+const struct mip_exchange mip_aiding_body_frame_velocity_exchange = {0x13, 0x2A, 0, false, 0, NULL};
 
 const struct mip_command mip_aiding_body_frame_velocity_command = {
     &mip_aiding_body_frame_velocity_codec, &mip_aiding_body_frame_velocity_exchange};
@@ -244,7 +251,7 @@ const struct mip_codec mip_aiding_true_heading_codec = {
     0x13, 0x31,  MIP_COMMAND,          21,  sizeof(struct mip_aiding_true_heading),
     0,    false, program_true_heading, NULL};
 
-const struct mip_exchange mip_aiding_true_heading_exchange = {0x13, 0x31, 0, false, NULL, NULL};
+const struct mip_exchange mip_aiding_true_heading_exchange = {0x13, 0x31, 0, false, 0, NULL};
 
 const struct mip_command mip_aiding_true_heading_command = {&mip_aiding_true_heading_codec,
                                                             &mip_aiding_true_heading_exchange};
@@ -268,7 +275,7 @@ const struct mip_codec mip_aiding_magnetic_field_codec = {0x13,
                                                           program_magnetic_field,
                                                           NULL};
 
-const struct mip_exchange mip_aiding_magnetic_field_exchange = {0x13, 0x32, 0, false, NULL, NULL};
+const struct mip_exchange mip_aiding_magnetic_field_exchange = {0x13, 0x32, 0, false, 0, NULL};
 
 const struct mip_command mip_aiding_magnetic_field_command = {&mip_aiding_magnetic_field_codec,
                                                               &mip_aiding_magnetic_field_exchange};
@@ -286,7 +293,7 @@ const struct mip_codec mip_aiding_pressure_codec = {
     0x13, 0x33,  MIP_COMMAND,      21,  sizeof(struct mip_aiding_pressure),
     0,    false, program_pressure, NULL};
 
-const struct mip_exchange mip_aiding_pressure_exchange = {0x13, 0x33, 0, false, NULL, NULL};
+const struct mip_exchange mip_aiding_pressure_exchange = {0x13, 0x33, 0, false, 0, NULL};
 
 const struct mip_command mip_aiding_pressure_command = {&mip_aiding_pressure_codec,
                                                         &mip_aiding_pressure_exchange};

@@ -176,18 +176,17 @@ static inline mip_error mip_aiding_frame_config_decode(struct mip_aiding_frame_c
 MIP_CHECKED static inline mip_error mip_aiding_frame_config_encode(
     const struct mip_aiding_frame_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_frame_config_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - frame_id: Number of the frame. Range: 1 to 4.
- * - format: How the rotation is given. A value of enum mip_aiding_frame_format. Required for write
- *   and read.
- * - tracking_enabled: Whether the filter estimates the errors of the frame. Required for write.
- * - translation: Origin of the frame in the vehicle. Elements: x, y, z. Unit: m. Frame: vehicle.
- *   Required for write.
- * - rotation: Rotation from the frame to the vehicle. Selected by format. Required for write.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - frame_id: Number of the frame. Range: 1 to 4.
+   * - format: How the rotation is given. A value of enum mip_aiding_frame_format. Required for
+   * write and read.
+   * - tracking_enabled: Whether the filter estimates the errors of the frame. Required for write.
+   * - translation: Origin of the frame in the vehicle. Elements: x, y, z. Unit: m. Frame: vehicle.
+   *   Required for write.
+   * - rotation: Rotation from the frame to the vehicle. Selected by format. Required for write.
+   */
 static inline struct mip_aiding_frame_config *mip_aiding_frame_config_write(
     struct mip_aiding_frame_config *command, uint8_t frame_id, enum mip_aiding_frame_format format,
     mip_bool tracking_enabled, const float translation[3],
@@ -314,7 +313,6 @@ MIP_CHECKED static inline mip_error mip_aiding_frame_config_response_encode(
     const struct mip_aiding_frame_config_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_frame_config_response_codec, value, builder);
 }
-
 /**
  * Echo control: command (0x13,0x1F).
  *
@@ -362,13 +360,12 @@ static inline mip_error mip_aiding_echo_control_decode(struct mip_aiding_echo_co
 MIP_CHECKED static inline mip_error mip_aiding_echo_control_encode(
     const struct mip_aiding_echo_control *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_echo_control_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - mode: How the measurements are answered. A value of enum mip_aiding_echo_mode. Required for
- *   write.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - mode: How the measurements are answered. A value of enum mip_aiding_echo_mode. Required for
+   *   write.
+   */
 static inline struct mip_aiding_echo_control *mip_aiding_echo_control_write(
     struct mip_aiding_echo_control *command, enum mip_aiding_echo_mode mode) {
     memset(command, 0, sizeof(*command));
@@ -440,33 +437,6 @@ MIP_CHECKED static inline mip_error mip_aiding_echo_control_response_encode(
     const struct mip_aiding_echo_control_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_echo_control_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_aiding_echo_control_response_decode_inline(
-    struct mip_aiding_echo_control_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x13, 0x9F, 1);
-    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->mode = mip_get_8(field->data);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_aiding_echo_control_response_encode_inline(
-    const struct mip_aiding_echo_control_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x13, 0x9F, 1, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->mode);
-    return MIP_OK;
-}
-
 /**
  * ECEF position: command (0x13,0x21).
  *
@@ -524,66 +494,20 @@ static inline mip_error mip_aiding_ecef_position_decode(struct mip_aiding_ecef_p
 MIP_CHECKED static inline mip_error mip_aiding_ecef_position_encode(
     const struct mip_aiding_ecef_position *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_ecef_position_codec, value, builder);
-}
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_aiding_ecef_position_decode_inline(
-    struct mip_aiding_ecef_position *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x13, 0x21, 49);
-    if (error != MIP_OK || sizeof(*value) != 49) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->time.timebase = mip_get_8(field->data);
-    value->time.reserved = mip_get_8(field->data + 1);
-    value->time.nanoseconds = mip_get_64(field->data + 2);
-    value->frame_id = mip_get_8(field->data + 10);
-    for (size_t i = 0; i < 3; i++) {
-        mip_get_double(&value->position[i], field->data + 11 + 8 * i);
-    }
-    for (size_t i = 0; i < 3; i++) {
-        mip_get_float(&value->uncertainty[i], field->data + 35 + 4 * i);
-    }
-    value->valid_flags = mip_get_16(field->data + 47);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_aiding_ecef_position_encode_inline(
-    const struct mip_aiding_ecef_position *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x13, 0x21, 49, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->time.timebase);
-    mip_put_8(data + 1, value->time.reserved);
-    mip_put_64(data + 2, value->time.nanoseconds);
-    mip_put_8(data + 10, value->frame_id);
-    for (size_t i = 0; i < 3; i++) {
-        mip_put_double(data + 11 + 8 * i, &value->position[i]);
-    }
-    for (size_t i = 0; i < 3; i++) {
-        mip_put_float(data + 35 + 4 * i, &value->uncertainty[i]);
-    }
-    mip_put_16(data + 47, value->valid_flags);
-    return MIP_OK;
-}
-/**
- * ECEF position. Fills the structure and returns its address.
- *
- * - time: When the measurement was taken.
- * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
- * - position: Position of the origin of the frame. Elements: x, y, z. Unit: m. Frame: ecef. Each
- *   element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y:
- *   MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
- * - uncertainty: Uncertainty of the position. Elements: x, y, z. Unit: m. Frame: ecef. Range:
- *   greater than 0. Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags,
- *   y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
- * - valid_flags: Which axes are valid.
- */
+} /**
+   * ECEF position. Fills the structure and returns its address.
+   *
+   * - time: When the measurement was taken.
+   * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
+   * - position: Position of the origin of the frame. Elements: x, y, z. Unit: m. Frame: ecef. Each
+   *   element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y:
+   *   MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+   * - uncertainty: Uncertainty of the position. Elements: x, y, z. Unit: m. Frame: ecef. Range:
+   *   greater than 0. Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in
+   * valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in
+   * valid_flags.
+   * - valid_flags: Which axes are valid.
+   */
 static inline struct mip_aiding_ecef_position *mip_aiding_ecef_position_make(
     struct mip_aiding_ecef_position *command, const struct mip_aiding_measurement_time *time,
     uint8_t frame_id, const double position[3], const float uncertainty[3],
@@ -667,70 +591,23 @@ static inline mip_error mip_aiding_llh_position_decode(struct mip_aiding_llh_pos
 MIP_CHECKED static inline mip_error mip_aiding_llh_position_encode(
     const struct mip_aiding_llh_position *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_llh_position_codec, value, builder);
-}
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_aiding_llh_position_decode_inline(struct mip_aiding_llh_position *value,
-                                                              const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x13, 0x22, 49);
-    if (error != MIP_OK || sizeof(*value) != 49) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->time.timebase = mip_get_8(field->data);
-    value->time.reserved = mip_get_8(field->data + 1);
-    value->time.nanoseconds = mip_get_64(field->data + 2);
-    value->frame_id = mip_get_8(field->data + 10);
-    mip_get_double(&value->latitude, field->data + 11);
-    mip_get_double(&value->longitude, field->data + 19);
-    mip_get_double(&value->height, field->data + 27);
-    for (size_t i = 0; i < 3; i++) {
-        mip_get_float(&value->uncertainty[i], field->data + 35 + 4 * i);
-    }
-    value->valid_flags = mip_get_16(field->data + 47);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_aiding_llh_position_encode_inline(
-    const struct mip_aiding_llh_position *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x13, 0x22, 49, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->time.timebase);
-    mip_put_8(data + 1, value->time.reserved);
-    mip_put_64(data + 2, value->time.nanoseconds);
-    mip_put_8(data + 10, value->frame_id);
-    mip_put_double(data + 11, &value->latitude);
-    mip_put_double(data + 19, &value->longitude);
-    mip_put_double(data + 27, &value->height);
-    for (size_t i = 0; i < 3; i++) {
-        mip_put_float(data + 35 + 4 * i, &value->uncertainty[i]);
-    }
-    mip_put_16(data + 47, value->valid_flags);
-    return MIP_OK;
-}
-/**
- * LLH position. Fills the structure and returns its address.
- *
- * - time: When the measurement was taken.
- * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
- * - latitude: Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if
- *   MIP_AIDING_LLH_AXIS_FLAGS_LATITUDE in valid_flags is set.
- * - longitude: Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid
- *   if MIP_AIDING_LLH_AXIS_FLAGS_LONGITUDE in valid_flags is set.
- * - height: Height above the ellipsoid. Unit: m. Frame: llh. Valid if
- *   MIP_AIDING_LLH_AXIS_FLAGS_HEIGHT in valid_flags is set.
- * - uncertainty: Uncertainty of the position. Elements: north, east, down. Unit: m. Frame: ned.
- *   Range: greater than 0. Each element has its own valid flag. north:
- *   MIP_AIDING_LLH_AXIS_FLAGS_LATITUDE in valid_flags, east: MIP_AIDING_LLH_AXIS_FLAGS_LONGITUDE in
- *   valid_flags, down: MIP_AIDING_LLH_AXIS_FLAGS_HEIGHT in valid_flags.
- * - valid_flags: Which coordinates are valid.
- */
+} /**
+   * LLH position. Fills the structure and returns its address.
+   *
+   * - time: When the measurement was taken.
+   * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
+   * - latitude: Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid
+   * if MIP_AIDING_LLH_AXIS_FLAGS_LATITUDE in valid_flags is set.
+   * - longitude: Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east.
+   * Valid if MIP_AIDING_LLH_AXIS_FLAGS_LONGITUDE in valid_flags is set.
+   * - height: Height above the ellipsoid. Unit: m. Frame: llh. Valid if
+   *   MIP_AIDING_LLH_AXIS_FLAGS_HEIGHT in valid_flags is set.
+   * - uncertainty: Uncertainty of the position. Elements: north, east, down. Unit: m. Frame: ned.
+   *   Range: greater than 0. Each element has its own valid flag. north:
+   *   MIP_AIDING_LLH_AXIS_FLAGS_LATITUDE in valid_flags, east: MIP_AIDING_LLH_AXIS_FLAGS_LONGITUDE
+   * in valid_flags, down: MIP_AIDING_LLH_AXIS_FLAGS_HEIGHT in valid_flags.
+   * - valid_flags: Which coordinates are valid.
+   */
 static inline struct mip_aiding_llh_position *mip_aiding_llh_position_make(
     struct mip_aiding_llh_position *command, const struct mip_aiding_measurement_time *time,
     uint8_t frame_id, double latitude, double longitude, double height, const float uncertainty[3],
@@ -793,54 +670,15 @@ static inline mip_error mip_aiding_height_above_ellipsoid_decode(
 MIP_CHECKED static inline mip_error mip_aiding_height_above_ellipsoid_encode(
     const struct mip_aiding_height_above_ellipsoid *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_height_above_ellipsoid_codec, value, builder);
-}
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_aiding_height_above_ellipsoid_decode_inline(
-    struct mip_aiding_height_above_ellipsoid *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x13, 0x23, 21);
-    if (error != MIP_OK || sizeof(*value) != 21) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->time.timebase = mip_get_8(field->data);
-    value->time.reserved = mip_get_8(field->data + 1);
-    value->time.nanoseconds = mip_get_64(field->data + 2);
-    value->frame_id = mip_get_8(field->data + 10);
-    mip_get_float(&value->height, field->data + 11);
-    mip_get_float(&value->uncertainty, field->data + 15);
-    value->valid_flags = mip_get_16(field->data + 19);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_aiding_height_above_ellipsoid_encode_inline(
-    const struct mip_aiding_height_above_ellipsoid *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x13, 0x23, 21, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->time.timebase);
-    mip_put_8(data + 1, value->time.reserved);
-    mip_put_64(data + 2, value->time.nanoseconds);
-    mip_put_8(data + 10, value->frame_id);
-    mip_put_float(data + 11, &value->height);
-    mip_put_float(data + 15, &value->uncertainty);
-    mip_put_16(data + 19, value->valid_flags);
-    return MIP_OK;
-}
-/**
- * Height above ellipsoid. Fills the structure and returns its address.
- *
- * - time: When the measurement was taken.
- * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
- * - height: Height above the ellipsoid. Unit: m. Frame: llh.
- * - uncertainty: Uncertainty of the height. Unit: m. Range: at least 0.
- * - valid_flags: Not 0: the measurement is valid.
- */
+} /**
+   * Height above ellipsoid. Fills the structure and returns its address.
+   *
+   * - time: When the measurement was taken.
+   * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
+   * - height: Height above the ellipsoid. Unit: m. Frame: llh.
+   * - uncertainty: Uncertainty of the height. Unit: m. Range: at least 0.
+   * - valid_flags: Not 0: the measurement is valid.
+   */
 static inline struct mip_aiding_height_above_ellipsoid *mip_aiding_height_above_ellipsoid_make(
     struct mip_aiding_height_above_ellipsoid *command,
     const struct mip_aiding_measurement_time *time, uint8_t frame_id, float height,
@@ -914,66 +752,20 @@ static inline mip_error mip_aiding_ecef_velocity_decode(struct mip_aiding_ecef_v
 MIP_CHECKED static inline mip_error mip_aiding_ecef_velocity_encode(
     const struct mip_aiding_ecef_velocity *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_ecef_velocity_codec, value, builder);
-}
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_aiding_ecef_velocity_decode_inline(
-    struct mip_aiding_ecef_velocity *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x13, 0x28, 37);
-    if (error != MIP_OK || sizeof(*value) != 37) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->time.timebase = mip_get_8(field->data);
-    value->time.reserved = mip_get_8(field->data + 1);
-    value->time.nanoseconds = mip_get_64(field->data + 2);
-    value->frame_id = mip_get_8(field->data + 10);
-    for (size_t i = 0; i < 3; i++) {
-        mip_get_float(&value->velocity[i], field->data + 11 + 4 * i);
-    }
-    for (size_t i = 0; i < 3; i++) {
-        mip_get_float(&value->uncertainty[i], field->data + 23 + 4 * i);
-    }
-    value->valid_flags = mip_get_16(field->data + 35);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_aiding_ecef_velocity_encode_inline(
-    const struct mip_aiding_ecef_velocity *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x13, 0x28, 37, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->time.timebase);
-    mip_put_8(data + 1, value->time.reserved);
-    mip_put_64(data + 2, value->time.nanoseconds);
-    mip_put_8(data + 10, value->frame_id);
-    for (size_t i = 0; i < 3; i++) {
-        mip_put_float(data + 11 + 4 * i, &value->velocity[i]);
-    }
-    for (size_t i = 0; i < 3; i++) {
-        mip_put_float(data + 23 + 4 * i, &value->uncertainty[i]);
-    }
-    mip_put_16(data + 35, value->valid_flags);
-    return MIP_OK;
-}
-/**
- * ECEF velocity. Fills the structure and returns its address.
- *
- * - time: When the measurement was taken.
- * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
- * - velocity: Velocity of the origin of the frame. Elements: x, y, z. Unit: m/s. Frame: ecef. Each
- *   element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y:
- *   MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
- * - uncertainty: Uncertainty of the velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Range:
- *   greater than 0. Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags,
- *   y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
- * - valid_flags: Which axes are valid.
- */
+} /**
+   * ECEF velocity. Fills the structure and returns its address.
+   *
+   * - time: When the measurement was taken.
+   * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
+   * - velocity: Velocity of the origin of the frame. Elements: x, y, z. Unit: m/s. Frame: ecef.
+   * Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y:
+   *   MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+   * - uncertainty: Uncertainty of the velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Range:
+   *   greater than 0. Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in
+   * valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in
+   * valid_flags.
+   * - valid_flags: Which axes are valid.
+   */
 static inline struct mip_aiding_ecef_velocity *mip_aiding_ecef_velocity_make(
     struct mip_aiding_ecef_velocity *command, const struct mip_aiding_measurement_time *time,
     uint8_t frame_id, const float velocity[3], const float uncertainty[3],
@@ -1048,67 +840,20 @@ static inline mip_error mip_aiding_ned_velocity_decode(struct mip_aiding_ned_vel
 MIP_CHECKED static inline mip_error mip_aiding_ned_velocity_encode(
     const struct mip_aiding_ned_velocity *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_ned_velocity_codec, value, builder);
-}
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_aiding_ned_velocity_decode_inline(struct mip_aiding_ned_velocity *value,
-                                                              const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x13, 0x29, 37);
-    if (error != MIP_OK || sizeof(*value) != 37) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->time.timebase = mip_get_8(field->data);
-    value->time.reserved = mip_get_8(field->data + 1);
-    value->time.nanoseconds = mip_get_64(field->data + 2);
-    value->frame_id = mip_get_8(field->data + 10);
-    for (size_t i = 0; i < 3; i++) {
-        mip_get_float(&value->velocity[i], field->data + 11 + 4 * i);
-    }
-    for (size_t i = 0; i < 3; i++) {
-        mip_get_float(&value->uncertainty[i], field->data + 23 + 4 * i);
-    }
-    value->valid_flags = mip_get_16(field->data + 35);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_aiding_ned_velocity_encode_inline(
-    const struct mip_aiding_ned_velocity *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x13, 0x29, 37, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->time.timebase);
-    mip_put_8(data + 1, value->time.reserved);
-    mip_put_64(data + 2, value->time.nanoseconds);
-    mip_put_8(data + 10, value->frame_id);
-    for (size_t i = 0; i < 3; i++) {
-        mip_put_float(data + 11 + 4 * i, &value->velocity[i]);
-    }
-    for (size_t i = 0; i < 3; i++) {
-        mip_put_float(data + 23 + 4 * i, &value->uncertainty[i]);
-    }
-    mip_put_16(data + 35, value->valid_flags);
-    return MIP_OK;
-}
-/**
- * NED velocity. Fills the structure and returns its address.
- *
- * - time: When the measurement was taken.
- * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
- * - velocity: Velocity of the origin of the frame. Elements: north, east, down. Unit: m/s. Frame:
- *   ned. Each element has its own valid flag. north: MIP_AIDING_AXIS_FLAGS_X in valid_flags, east:
- *   MIP_AIDING_AXIS_FLAGS_Y in valid_flags, down: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
- * - uncertainty: Uncertainty of the velocity. Elements: north, east, down. Unit: m/s. Frame: ned.
- *   Range: greater than 0. Each element has its own valid flag. north: MIP_AIDING_AXIS_FLAGS_X in
- *   valid_flags, east: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, down: MIP_AIDING_AXIS_FLAGS_Z in
- *   valid_flags.
- * - valid_flags: Which axes are valid.
- */
+} /**
+   * NED velocity. Fills the structure and returns its address.
+   *
+   * - time: When the measurement was taken.
+   * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
+   * - velocity: Velocity of the origin of the frame. Elements: north, east, down. Unit: m/s. Frame:
+   *   ned. Each element has its own valid flag. north: MIP_AIDING_AXIS_FLAGS_X in valid_flags,
+   * east: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, down: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+   * - uncertainty: Uncertainty of the velocity. Elements: north, east, down. Unit: m/s. Frame: ned.
+   *   Range: greater than 0. Each element has its own valid flag. north: MIP_AIDING_AXIS_FLAGS_X in
+   *   valid_flags, east: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, down: MIP_AIDING_AXIS_FLAGS_Z in
+   *   valid_flags.
+   * - valid_flags: Which axes are valid.
+   */
 static inline struct mip_aiding_ned_velocity *mip_aiding_ned_velocity_make(
     struct mip_aiding_ned_velocity *command, const struct mip_aiding_measurement_time *time,
     uint8_t frame_id, const float velocity[3], const float uncertainty[3],
@@ -1189,67 +934,20 @@ static inline mip_error mip_aiding_body_frame_velocity_decode(
 MIP_CHECKED static inline mip_error mip_aiding_body_frame_velocity_encode(
     const struct mip_aiding_body_frame_velocity *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_body_frame_velocity_codec, value, builder);
-}
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_aiding_body_frame_velocity_decode_inline(
-    struct mip_aiding_body_frame_velocity *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x13, 0x2A, 37);
-    if (error != MIP_OK || sizeof(*value) != 37) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->time.timebase = mip_get_8(field->data);
-    value->time.reserved = mip_get_8(field->data + 1);
-    value->time.nanoseconds = mip_get_64(field->data + 2);
-    value->frame_id = mip_get_8(field->data + 10);
-    for (size_t i = 0; i < 3; i++) {
-        mip_get_float(&value->velocity[i], field->data + 11 + 4 * i);
-    }
-    for (size_t i = 0; i < 3; i++) {
-        mip_get_float(&value->uncertainty[i], field->data + 23 + 4 * i);
-    }
-    value->valid_flags = mip_get_16(field->data + 35);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_aiding_body_frame_velocity_encode_inline(
-    const struct mip_aiding_body_frame_velocity *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x13, 0x2A, 37, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->time.timebase);
-    mip_put_8(data + 1, value->time.reserved);
-    mip_put_64(data + 2, value->time.nanoseconds);
-    mip_put_8(data + 10, value->frame_id);
-    for (size_t i = 0; i < 3; i++) {
-        mip_put_float(data + 11 + 4 * i, &value->velocity[i]);
-    }
-    for (size_t i = 0; i < 3; i++) {
-        mip_put_float(data + 23 + 4 * i, &value->uncertainty[i]);
-    }
-    mip_put_16(data + 35, value->valid_flags);
-    return MIP_OK;
-}
-/**
- * Body frame velocity. Fills the structure and returns its address.
- *
- * - time: When the measurement was taken.
- * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
- * - velocity: Velocity of the origin of the frame. Elements: x, y, z. Unit: m/s. Frame: aiding.
- *   Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y:
- *   MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
- * - uncertainty: Standard deviation of the velocity. Elements: x, y, z. Unit: m/s. Frame: aiding.
- *   Range: greater than 0. Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in
- *   valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in
- *   valid_flags.
- * - valid_flags: Which axes are valid.
- */
+} /**
+   * Body frame velocity. Fills the structure and returns its address.
+   *
+   * - time: When the measurement was taken.
+   * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
+   * - velocity: Velocity of the origin of the frame. Elements: x, y, z. Unit: m/s. Frame: aiding.
+   *   Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y:
+   *   MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+   * - uncertainty: Standard deviation of the velocity. Elements: x, y, z. Unit: m/s. Frame: aiding.
+   *   Range: greater than 0. Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in
+   *   valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in
+   *   valid_flags.
+   * - valid_flags: Which axes are valid.
+   */
 static inline struct mip_aiding_body_frame_velocity *mip_aiding_body_frame_velocity_make(
     struct mip_aiding_body_frame_velocity *command, const struct mip_aiding_measurement_time *time,
     uint8_t frame_id, const float velocity[3], const float uncertainty[3],
@@ -1313,55 +1011,16 @@ static inline mip_error mip_aiding_true_heading_decode(struct mip_aiding_true_he
 MIP_CHECKED static inline mip_error mip_aiding_true_heading_encode(
     const struct mip_aiding_true_heading *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_true_heading_codec, value, builder);
-}
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_aiding_true_heading_decode_inline(struct mip_aiding_true_heading *value,
-                                                              const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x13, 0x31, 21);
-    if (error != MIP_OK || sizeof(*value) != 21) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->time.timebase = mip_get_8(field->data);
-    value->time.reserved = mip_get_8(field->data + 1);
-    value->time.nanoseconds = mip_get_64(field->data + 2);
-    value->frame_id = mip_get_8(field->data + 10);
-    mip_get_float(&value->heading, field->data + 11);
-    mip_get_float(&value->uncertainty, field->data + 15);
-    value->valid_flags = mip_get_16(field->data + 19);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_aiding_true_heading_encode_inline(
-    const struct mip_aiding_true_heading *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x13, 0x31, 21, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->time.timebase);
-    mip_put_8(data + 1, value->time.reserved);
-    mip_put_64(data + 2, value->time.nanoseconds);
-    mip_put_8(data + 10, value->frame_id);
-    mip_put_float(data + 11, &value->heading);
-    mip_put_float(data + 15, &value->uncertainty);
-    mip_put_16(data + 19, value->valid_flags);
-    return MIP_OK;
-}
-/**
- * True heading. Fills the structure and returns its address.
- *
- * - time: When the measurement was taken.
- * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
- * - heading: Heading relative to true north. Unit: rad. Frame: ned. Range: -3.141592653589793 to
- *   3.141592653589793. Positive: clockwise seen from above.
- * - uncertainty: Uncertainty of the heading. Unit: rad. Range: greater than 0.
- * - valid_flags: Not 0: the measurement is valid.
- */
+} /**
+   * True heading. Fills the structure and returns its address.
+   *
+   * - time: When the measurement was taken.
+   * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
+   * - heading: Heading relative to true north. Unit: rad. Frame: ned. Range: -3.141592653589793 to
+   *   3.141592653589793. Positive: clockwise seen from above.
+   * - uncertainty: Uncertainty of the heading. Unit: rad. Range: greater than 0.
+   * - valid_flags: Not 0: the measurement is valid.
+   */
 static inline struct mip_aiding_true_heading *mip_aiding_true_heading_make(
     struct mip_aiding_true_heading *command, const struct mip_aiding_measurement_time *time,
     uint8_t frame_id, float heading, float uncertainty, uint16_t valid_flags) {
@@ -1432,67 +1091,20 @@ static inline mip_error mip_aiding_magnetic_field_decode(struct mip_aiding_magne
 MIP_CHECKED static inline mip_error mip_aiding_magnetic_field_encode(
     const struct mip_aiding_magnetic_field *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_magnetic_field_codec, value, builder);
-}
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_aiding_magnetic_field_decode_inline(
-    struct mip_aiding_magnetic_field *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x13, 0x32, 37);
-    if (error != MIP_OK || sizeof(*value) != 37) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->time.timebase = mip_get_8(field->data);
-    value->time.reserved = mip_get_8(field->data + 1);
-    value->time.nanoseconds = mip_get_64(field->data + 2);
-    value->frame_id = mip_get_8(field->data + 10);
-    for (size_t i = 0; i < 3; i++) {
-        mip_get_float(&value->magnetic_field[i], field->data + 11 + 4 * i);
-    }
-    for (size_t i = 0; i < 3; i++) {
-        mip_get_float(&value->uncertainty[i], field->data + 23 + 4 * i);
-    }
-    value->valid_flags = mip_get_16(field->data + 35);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_aiding_magnetic_field_encode_inline(
-    const struct mip_aiding_magnetic_field *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x13, 0x32, 37, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->time.timebase);
-    mip_put_8(data + 1, value->time.reserved);
-    mip_put_64(data + 2, value->time.nanoseconds);
-    mip_put_8(data + 10, value->frame_id);
-    for (size_t i = 0; i < 3; i++) {
-        mip_put_float(data + 11 + 4 * i, &value->magnetic_field[i]);
-    }
-    for (size_t i = 0; i < 3; i++) {
-        mip_put_float(data + 23 + 4 * i, &value->uncertainty[i]);
-    }
-    mip_put_16(data + 35, value->valid_flags);
-    return MIP_OK;
-}
-/**
- * Magnetic field. Fills the structure and returns its address.
- *
- * - time: When the measurement was taken.
- * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
- * - magnetic_field: Calibrated magnetic field. Elements: x, y, z. Unit: gauss. Frame: aiding. Each
- *   element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y:
- *   MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
- * - uncertainty: Standard deviation of the magnetic field. Elements: x, y, z. Unit: gauss. Frame:
- *   aiding. Range: greater than 0. Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X
- *   in valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in
- *   valid_flags.
- * - valid_flags: Which axes are valid.
- */
+} /**
+   * Magnetic field. Fills the structure and returns its address.
+   *
+   * - time: When the measurement was taken.
+   * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
+   * - magnetic_field: Calibrated magnetic field. Elements: x, y, z. Unit: gauss. Frame: aiding.
+   * Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y:
+   *   MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+   * - uncertainty: Standard deviation of the magnetic field. Elements: x, y, z. Unit: gauss. Frame:
+   *   aiding. Range: greater than 0. Each element has its own valid flag. x:
+   * MIP_AIDING_AXIS_FLAGS_X in valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z:
+   * MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+   * - valid_flags: Which axes are valid.
+   */
 static inline struct mip_aiding_magnetic_field *mip_aiding_magnetic_field_make(
     struct mip_aiding_magnetic_field *command, const struct mip_aiding_measurement_time *time,
     uint8_t frame_id, const float magnetic_field[3], const float uncertainty[3],
@@ -1553,54 +1165,15 @@ static inline mip_error mip_aiding_pressure_decode(struct mip_aiding_pressure *v
 MIP_CHECKED static inline mip_error
 mip_aiding_pressure_encode(const struct mip_aiding_pressure *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_pressure_codec, value, builder);
-}
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_aiding_pressure_decode_inline(struct mip_aiding_pressure *value,
-                                                          const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x13, 0x33, 21);
-    if (error != MIP_OK || sizeof(*value) != 21) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->time.timebase = mip_get_8(field->data);
-    value->time.reserved = mip_get_8(field->data + 1);
-    value->time.nanoseconds = mip_get_64(field->data + 2);
-    value->frame_id = mip_get_8(field->data + 10);
-    mip_get_float(&value->pressure, field->data + 11);
-    mip_get_float(&value->uncertainty, field->data + 15);
-    value->valid_flags = mip_get_16(field->data + 19);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_aiding_pressure_encode_inline(
-    const struct mip_aiding_pressure *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x13, 0x33, 21, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->time.timebase);
-    mip_put_8(data + 1, value->time.reserved);
-    mip_put_64(data + 2, value->time.nanoseconds);
-    mip_put_8(data + 10, value->frame_id);
-    mip_put_float(data + 11, &value->pressure);
-    mip_put_float(data + 15, &value->uncertainty);
-    mip_put_16(data + 19, value->valid_flags);
-    return MIP_OK;
-}
-/**
- * Pressure. Fills the structure and returns its address.
- *
- * - time: When the measurement was taken.
- * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
- * - pressure: Air pressure. Unit: mbar.
- * - uncertainty: Standard deviation of the pressure. Unit: mbar. Range: greater than 0.
- * - valid_flags: Not 0: the measurement is valid.
- */
+} /**
+   * Pressure. Fills the structure and returns its address.
+   *
+   * - time: When the measurement was taken.
+   * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
+   * - pressure: Air pressure. Unit: mbar.
+   * - uncertainty: Standard deviation of the pressure. Unit: mbar. Range: greater than 0.
+   * - valid_flags: Not 0: the measurement is valid.
+   */
 static inline struct mip_aiding_pressure *mip_aiding_pressure_make(
     struct mip_aiding_pressure *command, const struct mip_aiding_measurement_time *time,
     uint8_t frame_id, float pressure, float uncertainty, uint16_t valid_flags) {

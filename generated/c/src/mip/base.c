@@ -10,7 +10,7 @@ static const uint8_t program_ping[] = {
 const struct mip_codec mip_base_ping_codec = {
     0x01, 0x01, MIP_COMMAND, 0, sizeof(struct mip_base_ping), 0, false, program_ping, NULL};
 
-const struct mip_exchange mip_base_ping_exchange = {0x01, 0x01, 0, false, NULL, NULL};
+const struct mip_exchange mip_base_ping_exchange = {0x01, 0x01, 0, false, 0, NULL};
 
 const struct mip_command mip_base_ping_command = {&mip_base_ping_codec, &mip_base_ping_exchange};
 
@@ -21,7 +21,7 @@ static const uint8_t program_set_idle[] = {
 const struct mip_codec mip_base_set_idle_codec = {
     0x01, 0x02, MIP_COMMAND, 0, sizeof(struct mip_base_set_idle), 0, false, program_set_idle, NULL};
 
-const struct mip_exchange mip_base_set_idle_exchange = {0x01, 0x02, 0, false, NULL, NULL};
+const struct mip_exchange mip_base_set_idle_exchange = {0x01, 0x02, 0, false, 0, NULL};
 
 const struct mip_command mip_base_set_idle_command = {&mip_base_set_idle_codec,
                                                       &mip_base_set_idle_exchange};
@@ -41,12 +41,16 @@ const struct mip_codec mip_base_get_device_info_codec = {0x01,
                                                          NULL};
 
 static const struct mip_response responses_get_device_info[] = {
-    {NULL, NULL, 0x81},
-    {NULL, NULL, 0},
+    {NULL, NULL, 0x81, false},
 };
 
 const struct mip_exchange mip_base_get_device_info_exchange = {
-    0x01, 0x03, 0, false, NULL, responses_get_device_info};
+    0x01,
+    0x03,
+    0,
+    false,
+    sizeof(responses_get_device_info) / sizeof(responses_get_device_info[0]),
+    responses_get_device_info};
 
 const struct mip_command mip_base_get_device_info_command = {&mip_base_get_device_info_codec,
                                                              &mip_base_get_device_info_exchange};
@@ -88,12 +92,16 @@ const struct mip_codec mip_base_get_device_descriptors_codec = {
     NULL};
 
 static const struct mip_response responses_get_device_descriptors[] = {
-    {NULL, NULL, 0x82},
-    {NULL, NULL, 0},
+    {NULL, NULL, 0x82, false},
 };
 
 const struct mip_exchange mip_base_get_device_descriptors_exchange = {
-    0x01, 0x04, 0, false, NULL, responses_get_device_descriptors};
+    0x01,
+    0x04,
+    0,
+    false,
+    sizeof(responses_get_device_descriptors) / sizeof(responses_get_device_descriptors[0]),
+    responses_get_device_descriptors};
 
 const struct mip_command mip_base_get_device_descriptors_command = {
     &mip_base_get_device_descriptors_codec, &mip_base_get_device_descriptors_exchange};
@@ -124,12 +132,16 @@ const struct mip_codec mip_base_built_in_test_codec = {
     0,    false, program_built_in_test, NULL};
 
 static const struct mip_response responses_built_in_test[] = {
-    {NULL, NULL, 0x83},
-    {NULL, NULL, 0},
+    {NULL, NULL, 0x83, false},
 };
 
-const struct mip_exchange mip_base_built_in_test_exchange = {0x01,  0x05, 10000,
-                                                             false, NULL, responses_built_in_test};
+const struct mip_exchange mip_base_built_in_test_exchange = {0x01,
+                                                             0x05,
+                                                             10000,
+                                                             false,
+                                                             sizeof(responses_built_in_test) /
+                                                                 sizeof(responses_built_in_test[0]),
+                                                             responses_built_in_test};
 
 const struct mip_command mip_base_built_in_test_command = {&mip_base_built_in_test_codec,
                                                            &mip_base_built_in_test_exchange};
@@ -157,7 +169,7 @@ static const uint8_t program_resume[] = {
 const struct mip_codec mip_base_resume_codec = {
     0x01, 0x06, MIP_COMMAND, 0, sizeof(struct mip_base_resume), 0, false, program_resume, NULL};
 
-const struct mip_exchange mip_base_resume_exchange = {0x01, 0x06, 0, false, NULL, NULL};
+const struct mip_exchange mip_base_resume_exchange = {0x01, 0x06, 0, false, 0, NULL};
 
 const struct mip_command mip_base_resume_command = {&mip_base_resume_codec,
                                                     &mip_base_resume_exchange};
@@ -178,12 +190,16 @@ const struct mip_codec mip_base_get_extended_descriptors_codec = {
     NULL};
 
 static const struct mip_response responses_get_extended_descriptors[] = {
-    {NULL, NULL, 0x86},
-    {NULL, NULL, 0},
+    {NULL, NULL, 0x86, false},
 };
 
 const struct mip_exchange mip_base_get_extended_descriptors_exchange = {
-    0x01, 0x07, 0, false, NULL, responses_get_extended_descriptors};
+    0x01,
+    0x07,
+    0,
+    false,
+    sizeof(responses_get_extended_descriptors) / sizeof(responses_get_extended_descriptors[0]),
+    responses_get_extended_descriptors};
 
 const struct mip_command mip_base_get_extended_descriptors_command = {
     &mip_base_get_extended_descriptors_codec, &mip_base_get_extended_descriptors_exchange};
@@ -221,12 +237,16 @@ const struct mip_codec mip_base_continuous_built_in_test_codec = {
     NULL};
 
 static const struct mip_response responses_continuous_built_in_test[] = {
-    {NULL, NULL, 0x88},
-    {NULL, NULL, 0},
+    {NULL, NULL, 0x88, false},
 };
 
 const struct mip_exchange mip_base_continuous_built_in_test_exchange = {
-    0x01, 0x08, 0, false, NULL, responses_continuous_built_in_test};
+    0x01,
+    0x08,
+    0,
+    false,
+    sizeof(responses_continuous_built_in_test) / sizeof(responses_continuous_built_in_test[0]),
+    responses_continuous_built_in_test};
 
 const struct mip_command mip_base_continuous_built_in_test_command = {
     &mip_base_continuous_built_in_test_codec, &mip_base_continuous_built_in_test_exchange};
@@ -262,12 +282,16 @@ const struct mip_codec mip_base_comm_speed_codec = {
 
 static const uint8_t asked_comm_speed_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_comm_speed[] = {
-    {asked_comm_speed_1, NULL, 0x89},
-    {NULL, NULL, 0},
+    {asked_comm_speed_1, NULL, 0x89, false},
 };
 
-const struct mip_exchange mip_base_comm_speed_exchange = {0x01, 0x09, 0,
-                                                          true, NULL, responses_comm_speed};
+const struct mip_exchange mip_base_comm_speed_exchange = {0x01,
+                                                          0x09,
+                                                          0,
+                                                          true,
+                                                          sizeof(responses_comm_speed) /
+                                                              sizeof(responses_comm_speed[0]),
+                                                          responses_comm_speed};
 
 const struct mip_command mip_base_comm_speed_command = {&mip_base_comm_speed_codec,
                                                         &mip_base_comm_speed_exchange};
@@ -308,20 +332,25 @@ const struct mip_codec mip_base_gps_time_update_codec = {0x01,
                                                          program_gps_time_update,
                                                          &mip_program};
 
-static const uint8_t silent_gps_time_update[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_APPLY),
-                                                 MIP_WHEN_END};
-static const uint8_t asked_gps_time_update_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                  MIP_WHEN(1, 1), MIP_WHEN_END};
+static const uint8_t asked_gps_time_update_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_APPLY),
+                                                  MIP_WHEN_END};
 static const uint8_t asked_gps_time_update_2[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                  MIP_WHEN(1, 1), MIP_WHEN_END};
+static const uint8_t asked_gps_time_update_3[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                   MIP_WHEN(1, 2), MIP_WHEN_END};
 static const struct mip_response responses_gps_time_update[] = {
-    {asked_gps_time_update_1, NULL, 0x84},
-    {asked_gps_time_update_2, NULL, 0x85},
-    {NULL, NULL, 0},
+    {asked_gps_time_update_1, NULL, 0, false},
+    {asked_gps_time_update_2, NULL, 0x84, false},
+    {asked_gps_time_update_3, NULL, 0x85, false},
 };
 
 const struct mip_exchange mip_base_gps_time_update_exchange = {
-    0x01, 0x72, 0, true, silent_gps_time_update, responses_gps_time_update};
+    0x01,
+    0x72,
+    0,
+    true,
+    sizeof(responses_gps_time_update) / sizeof(responses_gps_time_update[0]),
+    responses_gps_time_update};
 
 const struct mip_command mip_base_gps_time_update_command = {&mip_base_gps_time_update_codec,
                                                              &mip_base_gps_time_update_exchange};
@@ -366,7 +395,7 @@ const struct mip_codec mip_base_soft_reset_codec = {
     0x01, 0x7E,  MIP_COMMAND,        0,   sizeof(struct mip_base_soft_reset),
     0,    false, program_soft_reset, NULL};
 
-const struct mip_exchange mip_base_soft_reset_exchange = {0x01, 0x7E, 0, false, NULL, NULL};
+const struct mip_exchange mip_base_soft_reset_exchange = {0x01, 0x7E, 0, false, 0, NULL};
 
 const struct mip_command mip_base_soft_reset_command = {&mip_base_soft_reset_codec,
                                                         &mip_base_soft_reset_exchange};

@@ -96,7 +96,6 @@ MIP_CHECKED static inline mip_error mip_base_ping_encode(const struct mip_base_p
                                                          struct mip_builder *builder) {
     return mip_encode(&mip_base_ping_codec, value, builder);
 }
-
 /**
  * Set to idle: command (0x01,0x02).
  *
@@ -138,7 +137,6 @@ MIP_CHECKED static inline mip_error mip_base_set_idle_encode(const struct mip_ba
                                                              struct mip_builder *builder) {
     return mip_encode(&mip_base_set_idle_codec, value, builder);
 }
-
 /**
  * Get device information: command (0x01,0x03).
  *
@@ -177,7 +175,6 @@ MIP_CHECKED static inline mip_error mip_base_get_device_info_encode(
     const struct mip_base_get_device_info *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_get_device_info_codec, value, builder);
 }
-
 /**
  * Get device information response: response (0x01,0x81).
  *
@@ -214,48 +211,6 @@ MIP_CHECKED static inline mip_error mip_base_get_device_info_response_encode(
     const struct mip_base_get_device_info_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_get_device_info_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_base_get_device_info_response_decode_inline(
-    struct mip_base_get_device_info_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x01, 0x81, 82);
-    if (error != MIP_OK || sizeof(*value) != 82) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->device_info.firmware_version = mip_get_16(field->data);
-    memcpy(value->device_info.model_name, field->data + 2, 16);
-    value->device_info.model_name[16] = '\0';
-    memcpy(value->device_info.model_number, field->data + 18, 16);
-    value->device_info.model_number[16] = '\0';
-    memcpy(value->device_info.serial_number, field->data + 34, 16);
-    value->device_info.serial_number[16] = '\0';
-    memcpy(value->device_info.lot_number, field->data + 50, 16);
-    value->device_info.lot_number[16] = '\0';
-    memcpy(value->device_info.device_options, field->data + 66, 16);
-    value->device_info.device_options[16] = '\0';
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_base_get_device_info_response_encode_inline(
-    const struct mip_base_get_device_info_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x01, 0x81, 82, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_16(data, value->device_info.firmware_version);
-    memcpy(data + 2, value->device_info.model_name, 16);
-    memcpy(data + 18, value->device_info.model_number, 16);
-    memcpy(data + 34, value->device_info.serial_number, 16);
-    memcpy(data + 50, value->device_info.lot_number, 16);
-    memcpy(data + 66, value->device_info.device_options, 16);
-    return MIP_OK;
-}
-
 /**
  * Get device descriptors: command (0x01,0x04).
  *
@@ -298,7 +253,6 @@ MIP_CHECKED static inline mip_error mip_base_get_device_descriptors_encode(
     const struct mip_base_get_device_descriptors *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_get_device_descriptors_codec, value, builder);
 }
-
 /**
  * Get device descriptors response: response (0x01,0x82).
  *
@@ -341,7 +295,6 @@ MIP_CHECKED static inline mip_error mip_base_get_device_descriptors_response_enc
     const struct mip_base_get_device_descriptors_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_get_device_descriptors_response_codec, value, builder);
 }
-
 /**
  * Built-in test: command (0x01,0x05).
  *
@@ -388,7 +341,6 @@ MIP_CHECKED static inline mip_error mip_base_built_in_test_encode(
     const struct mip_base_built_in_test *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_built_in_test_codec, value, builder);
 }
-
 /**
  * Built-in test response: response (0x01,0x83).
  *
@@ -437,33 +389,6 @@ MIP_CHECKED static inline mip_error mip_base_built_in_test_response_encode(
     const struct mip_base_built_in_test_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_built_in_test_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_base_built_in_test_response_decode_inline(
-    struct mip_base_built_in_test_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x01, 0x83, 4);
-    if (error != MIP_OK || sizeof(*value) != 4) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->result = mip_get_32(field->data);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_base_built_in_test_response_encode_inline(
-    const struct mip_base_built_in_test_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x01, 0x83, 4, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_32(data, value->result);
-    return MIP_OK;
-}
-
 /**
  * Resume: command (0x01,0x06).
  *
@@ -503,7 +428,6 @@ MIP_CHECKED static inline mip_error mip_base_resume_encode(const struct mip_base
                                                            struct mip_builder *builder) {
     return mip_encode(&mip_base_resume_codec, value, builder);
 }
-
 /**
  * Get device descriptors (extended): command (0x01,0x07).
  *
@@ -545,7 +469,6 @@ MIP_CHECKED static inline mip_error mip_base_get_extended_descriptors_encode(
     const struct mip_base_get_extended_descriptors *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_get_extended_descriptors_codec, value, builder);
 }
-
 /**
  * Get device descriptors (extended) response: response (0x01,0x86).
  *
@@ -587,7 +510,6 @@ MIP_CHECKED static inline mip_error mip_base_get_extended_descriptors_response_e
     const struct mip_base_get_extended_descriptors_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_get_extended_descriptors_response_codec, value, builder);
 }
-
 /**
  * Continuous built-in test: command (0x01,0x08).
  *
@@ -632,7 +554,6 @@ MIP_CHECKED static inline mip_error mip_base_continuous_built_in_test_encode(
     const struct mip_base_continuous_built_in_test *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_continuous_built_in_test_codec, value, builder);
 }
-
 /**
  * Continuous built-in test response: response (0x01,0x88).
  *
@@ -673,33 +594,6 @@ MIP_CHECKED static inline mip_error mip_base_continuous_built_in_test_response_e
     const struct mip_base_continuous_built_in_test_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_continuous_built_in_test_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_base_continuous_built_in_test_response_decode_inline(
-    struct mip_base_continuous_built_in_test_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x01, 0x88, 16);
-    if (error != MIP_OK || sizeof(*value) != 16) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    memcpy(value->result, field->data, 16);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_base_continuous_built_in_test_response_encode_inline(
-    const struct mip_base_continuous_built_in_test_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x01, 0x88, 16, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    memcpy(data, value->result, 16);
-    return MIP_OK;
-}
-
 /**
  * Comm port speed: command (0x01,0x09).
  *
@@ -761,22 +655,21 @@ static inline mip_error mip_base_comm_speed_decode(struct mip_base_comm_speed *v
 MIP_CHECKED static inline mip_error
 mip_base_comm_speed_encode(const struct mip_base_comm_speed *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_comm_speed_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - port: Port id of the device; 0 means all ports, and is for save, load and default only. On the
- *   3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: values of enum
- *   mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1 and
- *   MIP_COMM_INTERFACE_USB_1. On the 3DM-CV7-GNSS/INS: values of enum mip_comm_interface. On the
- *   3DM-CV7-INS and 3DM-CX7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
- *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2, MIP_COMM_INTERFACE_UART_3 and
- *   MIP_COMM_INTERFACE_USB_1. On the 3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one. On
- *   the 3DM-GV7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
- *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2 and MIP_COMM_INTERFACE_USB_1. On the
- *   3DM-RTK: the values are not known.
- * - baud: Baud rate; one that the port supports. Unit: Bd. Required for write.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - port: Port id of the device; 0 means all ports, and is for save, load and default only. On
+   * the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: values of
+   * enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1 and
+   *   MIP_COMM_INTERFACE_USB_1. On the 3DM-CV7-GNSS/INS: values of enum mip_comm_interface. On the
+   *   3DM-CV7-INS and 3DM-CX7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
+   *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2, MIP_COMM_INTERFACE_UART_3 and
+   *   MIP_COMM_INTERFACE_USB_1. On the 3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one.
+   * On the 3DM-GV7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
+   *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2 and MIP_COMM_INTERFACE_USB_1. On the
+   *   3DM-RTK: the values are not known.
+   * - baud: Baud rate; one that the port supports. Unit: Bd. Required for write.
+   */
 static inline struct mip_base_comm_speed *
 mip_base_comm_speed_write(struct mip_base_comm_speed *command, uint8_t port, uint32_t baud) {
     memset(command, 0, sizeof(*command));
@@ -917,35 +810,6 @@ MIP_CHECKED static inline mip_error mip_base_comm_speed_response_encode(
     const struct mip_base_comm_speed_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_comm_speed_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_base_comm_speed_response_decode_inline(
-    struct mip_base_comm_speed_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x01, 0x89, 5);
-    if (error != MIP_OK || sizeof(*value) != 5) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->port = mip_get_8(field->data);
-    value->baud = mip_get_32(field->data + 1);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_base_comm_speed_response_encode_inline(
-    const struct mip_base_comm_speed_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x01, 0x89, 5, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->port);
-    mip_put_32(data + 1, value->baud);
-    return MIP_OK;
-}
-
 /**
  * GPS time update: command (0x01,0x72).
  *
@@ -1013,15 +877,14 @@ static inline mip_error mip_base_gps_time_update_decode(struct mip_base_gps_time
 MIP_CHECKED static inline mip_error mip_base_gps_time_update_encode(
     const struct mip_base_gps_time_update *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_gps_time_update_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - field_id: Meaning of the value. A value of enum mip_base_gps_time_field.
- * - value: Time, as `field_id` says. Required for write and apply. If field_id is
- *   MIP_BASE_GPS_TIME_FIELD_WEEK_NUMBER: unit week. GPS week number since 6 January 1980. If
- *   field_id is MIP_BASE_GPS_TIME_FIELD_TOW: unit s. Whole seconds of the GPS week.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - field_id: Meaning of the value. A value of enum mip_base_gps_time_field.
+   * - value: Time, as `field_id` says. Required for write and apply. If field_id is
+   *   MIP_BASE_GPS_TIME_FIELD_WEEK_NUMBER: unit week. GPS week number since 6 January 1980. If
+   *   field_id is MIP_BASE_GPS_TIME_FIELD_TOW: unit s. Whole seconds of the GPS week.
+   */
 static inline struct mip_base_gps_time_update *
 mip_base_gps_time_update_write(struct mip_base_gps_time_update *command,
                                enum mip_base_gps_time_field field_id, uint32_t value) {
@@ -1103,34 +966,6 @@ MIP_CHECKED static inline mip_error mip_base_gps_time_update_week_number_respons
     struct mip_builder *builder) {
     return mip_encode(&mip_base_gps_time_update_week_number_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_base_gps_time_update_week_number_response_decode_inline(
-    struct mip_base_gps_time_update_week_number_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x01, 0x84, 4);
-    if (error != MIP_OK || sizeof(*value) != 4) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->week_number = mip_get_32(field->data);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_base_gps_time_update_week_number_response_encode_inline(
-    const struct mip_base_gps_time_update_week_number_response *value,
-    struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x01, 0x84, 4, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_32(data, value->week_number);
-    return MIP_OK;
-}
-
 /**
  * GPS time update, time of week: response (0x01,0x85).
  *
@@ -1170,33 +1005,6 @@ MIP_CHECKED static inline mip_error mip_base_gps_time_update_tow_response_encode
     const struct mip_base_gps_time_update_tow_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_gps_time_update_tow_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_base_gps_time_update_tow_response_decode_inline(
-    struct mip_base_gps_time_update_tow_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x01, 0x85, 4);
-    if (error != MIP_OK || sizeof(*value) != 4) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->tow = mip_get_32(field->data);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_base_gps_time_update_tow_response_encode_inline(
-    const struct mip_base_gps_time_update_tow_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x01, 0x85, 4, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_32(data, value->tow);
-    return MIP_OK;
-}
-
 /**
  * Reset device: command (0x01,0x7E).
  *
@@ -1234,7 +1042,6 @@ MIP_CHECKED static inline mip_error
 mip_base_soft_reset_encode(const struct mip_base_soft_reset *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_soft_reset_codec, value, builder);
 }
-
 /** @} */
 
 #ifdef __cplusplus

@@ -133,12 +133,11 @@ static inline struct mip_sums vectors(const uint8_t *bytes, size_t size) {
     const __m128i zero = _mm_setzero_si128();
     const uint8_t *last = bytes + (size - 16);
     const size_t rest = size % 16;
-    __m128i done = zero;   /* sums of bytes by their place in a block */
-    __m128i before = zero; /* the sum of what the sums were before each block */
-    for (size_t left = size / 16; left > 0; left--) {
+    __m128i done = block(bytes); /* sums of bytes by their place in a block */
+    __m128i before = zero;       /* the sum of what the sums were before each block */
+    for (size_t at = 16; at + 16 <= size; at += 16) {
         before = _mm_add_epi8(before, done);
-        done = _mm_add_epi8(done, block(bytes));
-        bytes += 16;
+        done = _mm_add_epi8(done, block(bytes + at));
     }
     const __m128i a = _mm_add_epi8(done, _mm_and_si128(block(mask(rest)), block(last)));
     const __m128i low = _mm_set_epi16(9, 10, 11, 12, 13, 14, 15, 16);
@@ -148,12 +147,12 @@ static inline struct mip_sums vectors(const uint8_t *bytes, size_t size) {
     const __m128i behind = _mm_mul_epu32(_mm_sad_epu8(done, zero), _mm_set1_epi32((int)rest));
     const __m128i b =
         _mm_add_epi32(_mm_add_epi32(inside, behind), _mm_slli_epi32(_mm_sad_epu8(before, zero), 4));
-    /* Both sums in one number: b has less than 20 bits. */
-    __m128i both = _mm_add_epi32(b, _mm_slli_epi32(_mm_sad_epu8(a, zero), 20));
-    both = _mm_add_epi32(both, _mm_unpackhi_epi64(both, both));
-    both = _mm_add_epi32(both, _mm_srli_epi64(both, 32));
+    /* Both sums in one number: b has less than 20 bits, and of a only eight count. */
+    __m128i both = _mm_add_epi32(b, _mm_slli_epi32(_mm_sad_epu8(a, zero), 24));
+    both = _mm_add_epi32(both, _mm_shuffle_epi32(both, _MM_SHUFFLE(1, 0, 3, 2)));
+    both = _mm_add_epi32(both, _mm_shuffle_epi32(both, _MM_SHUFFLE(2, 3, 0, 1)));
     const uint32_t result = (uint32_t)_mm_cvtsi128_si32(both);
-    const struct mip_sums sums = {result >> 20, result};
+    const struct mip_sums sums = {result >> 24, result};
     return sums;
 }
 

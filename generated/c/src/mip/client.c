@@ -8,52 +8,37 @@ void mip_client_init(struct mip_client *client) {
     client->timeout = MIP_DEFAULT_TIMEOUT;
 }
 
-/** Does the data of a command fulfil a condition? */
-static bool holds(const uint8_t *condition, const uint8_t *data, size_t size) {
-    bool all = true;
-    for (; *condition != MIP_WHEN_END; condition += 3) {
-        const uint8_t byte = condition[1] < size ? data[condition[1]] : 0;
-        if (*condition == 3) {
-            if (all) {
-                break;
-            }
-            all = true;
-        } else if (*condition == 2 ? byte == 0 : byte != condition[2]) {
-            all = false;
+/** Does a command fulfil a condition? */
+static bool holds(const uint8_t *condition, const uint8_t *field) {
+    for (; condition != NULL && *condition != MIP_WHEN_END; condition += 3) {
+        const size_t at = *condition + 2U; /* behind its length and descriptor */
+        const uint8_t byte = at < field[0] ? field[at] : 0;
+        if (byte < condition[1] || byte > condition[2]) {
+            return false;
         }
     }
-    return all;
+    return true;
 }
 
-/** The next response under the same condition: another layout. */
-static const struct mip_response *another(const struct mip_response *r) {
-    const struct mip_response *next = r + 1;
-    return next->descriptor != 0 && next->asked == r->asked ? next : NULL;
-}
-
-void mip_client_wait(struct mip_client *client, struct mip_request *request,
-                     const struct mip_builder *packet, const struct mip_exchange *exchange,
-                     size_t size, uint32_t now) {
-    const uint8_t *data = packet->buffer + packet->length - size;
+void mip_client_wait(struct mip_client *client, struct mip_request *request, const uint8_t *field,
+                     uint32_t now) {
+    const struct mip_exchange *exchange = request->exchange;
     const struct mip_response *r = exchange->responses;
+    size_t left = exchange->response_count;
     uint32_t timeout = exchange->timeout > client->timeout ? exchange->timeout : client->timeout;
     struct mip_request **end = &client->waiting;
     if (timeout > MIP_MAX_TIMEOUT) { /* or it would seem to be over */
         timeout = MIP_MAX_TIMEOUT;
     }
-    while (r != NULL && r->descriptor != 0 && r->asked != NULL && !holds(r->asked, data, size)) {
+    request->deadline = now + timeout;
+    for (; left > 0 && !holds(r->asked, field); left--) {
         r++;
     }
-    mip_client_cancel(client, request); /* it could still wait for an earlier answer */
-    memset(request, 0, sizeof(*request));
-    request->descriptor_set = packet->buffer[2];
-    request->exchange = exchange;
-    request->asked = r != NULL && r->descriptor != 0 ? r : NULL;
-    request->deadline = now + timeout;
-    if (exchange->silent != NULL && holds(exchange->silent, data, size)) {
+    if (left > 0 && r->descriptor == 0) {
         request->state = MIP_REQUEST_SILENT;
         return;
     }
+    request->asked = left > 0 ? r : NULL;
     while (*end != NULL) {
         end = &(*end)->next;
     }
@@ -75,28 +60,31 @@ mip_error mip_command_encode(const struct mip_command *command, const void *valu
 mip_error mip_client_add(struct mip_client *client, struct mip_request *request,
                          struct mip_builder *packet, const struct mip_command *command,
                          const void *value, uint32_t now) {
-    const size_t start = packet->length + 2;
+    const size_t start = packet->length;
     const mip_error error = mip_command_encode(command, value, packet);
+    mip_client_cancel(client, request); /* it could still wait for an earlier answer */
+    memset(request, 0, sizeof(*request));
+    request->exchange = command->exchange;
     if (error == MIP_OK) {
-        mip_client_wait(client, request, packet, command->exchange, packet->length - start, now);
+        mip_client_wait(client, request, packet->buffer + start, now);
     } else {
-        mip_client_cancel(client, request);
-        memset(request, 0, sizeof(*request));
         request->state = MIP_REQUEST_CANCELLED;
     }
     return error;
 }
 
 bool mip_client_expect(struct mip_request *request, const struct mip_codec *codec, void *response) {
+    const struct mip_response *r = request->asked;
+    bool more =
+        r != NULL && codec != NULL && codec->descriptor_set == request->exchange->descriptor_set;
     request->response = NULL;
-    for (const struct mip_response *r = request->asked; r != NULL; r = another(r)) {
-        if (codec != NULL && r->descriptor == codec->descriptor &&
-            codec->descriptor_set == request->descriptor_set &&
-            (r->layout == NULL || r->layout == codec)) {
+    for (; more; r++) {
+        if (r->descriptor == codec->descriptor && (r->layout == NULL || r->layout == codec)) {
             request->codec = codec;
             request->response = response;
             return true;
         }
+        more = r->more;
     }
     return false;
 }
@@ -113,29 +101,21 @@ mip_error mip_client_send(struct mip_client *client, struct mip_request *request
     return error;
 }
 
-/** Is this field a response to the command, for any values of the command? */
-static bool may_answer(const struct mip_exchange *exchange, uint8_t descriptor) {
-    const struct mip_response *r = exchange->responses;
-    while (r != NULL && r->descriptor != 0 && r->descriptor != descriptor) {
-        r++;
-    }
-    return r != NULL && r->descriptor != 0;
-}
-
-/** Decodes the response that a request expects. False if the field is not that response. */
-static bool respond(struct mip_request *request, const struct mip_field *field) {
+/** What a field, which is a response of the command, is for a request that has asked for one: a
+ * state; it still waits if it has not asked for this one. */
+static uint8_t respond(struct mip_request *request, const struct mip_field *field) {
     const struct mip_response *r = request->asked;
-    while (r != NULL && (r->descriptor != field->descriptor ||
-                         (r->layout != NULL && !mip_codec_matches(r->layout, field)))) {
-        r = another(r);
-    }
-    if (r == NULL) {
-        return false;
+    while (r->descriptor != field->descriptor ||
+           (r->layout != NULL && !mip_codec_matches(r->layout, field))) {
+        if (!r->more) {
+            return MIP_REQUEST_WAITING;
+        }
+        r++;
     }
     if (request->response != NULL) {
         const mip_error error = mip_decode(request->codec, request->response, field, NULL);
         if (error == MIP_ERROR_CONSTANT) {
-            return false; /* it answers something else */
+            return MIP_REQUEST_WAITING; /* it answers something else */
         }
         request->error = (uint8_t)error;
         request->responded = error == MIP_OK;
@@ -143,7 +123,22 @@ static bool respond(struct mip_request *request, const struct mip_field *field) 
     if (r->layout != NULL) {
         request->codec = r->layout;
     }
-    return true;
+    return request->error != MIP_OK ? MIP_REQUEST_UNDECODABLE : MIP_REQUEST_ACKNOWLEDGED;
+}
+
+/** What an acknowledge of its command, and the field behind that, are for a request: a state. */
+static uint8_t judge(struct mip_request *request, uint8_t code, const struct mip_field *behind) {
+    const struct mip_response *r = request->exchange->responses;
+    if (code != 0) {
+        return MIP_REQUEST_REFUSED;
+    }
+    for (size_t left = request->exchange->response_count; left > 0; left--) {
+        if (r->descriptor == behind->descriptor) {
+            return request->asked != NULL ? respond(request, behind) : MIP_REQUEST_WAITING;
+        }
+        r++;
+    }
+    return request->asked != NULL ? MIP_REQUEST_MISSING_RESPONSE : MIP_REQUEST_ACKNOWLEDGED;
 }
 
 /** Removes a request from the waiting list. */
@@ -163,8 +158,7 @@ bool mip_client_next(struct mip_client *client, struct mip_walk *walk,
                      struct mip_request **answered, struct mip_field *field) {
     struct mip_request **found = NULL;
     struct mip_request *r;
-    struct mip_field behind;
-    uint8_t state = MIP_REQUEST_MISSING_RESPONSE;
+    uint8_t state = MIP_REQUEST_WAITING;
     *answered = NULL;
     if (!mip_walk_next(walk, field)) {
         return false;
@@ -173,27 +167,22 @@ bool mip_client_next(struct mip_client *client, struct mip_walk *walk,
         return true;
     }
     struct mip_walk ahead = *walk;
-    if (!mip_walk_next(&ahead, &behind)) {
-        behind.descriptor = 0;
-    }
+    struct mip_field behind = *field; /* no response, if there is nothing */
+    mip_walk_next(&ahead, &behind);
     for (struct mip_request **at = &client->waiting; (r = *at) != NULL; at = &r->next) {
         if (r->exchange->descriptor != field->data[0] ||
-            r->descriptor_set != field->descriptor_set) {
+            r->exchange->descriptor_set != field->descriptor_set) {
             continue;
         }
-        const bool response = may_answer(r->exchange, behind.descriptor);
-        if (field->data[1] != 0) {
-            state = MIP_REQUEST_REFUSED;
-        } else if (r->asked == NULL ? !response : response && respond(r, &behind)) {
-            state = r->error != MIP_OK ? MIP_REQUEST_UNDECODABLE : MIP_REQUEST_ACKNOWLEDGED;
-        } else {
-            if (!response && found == NULL) {
-                found = at;
-            }
+        const uint8_t judged = judge(r, field->data[1], &behind);
+        if (judged == MIP_REQUEST_WAITING || (judged == MIP_REQUEST_MISSING_RESPONSE && found)) {
             continue;
         }
         found = at;
-        break;
+        state = judged;
+        if (state != MIP_REQUEST_MISSING_RESPONSE) {
+            break;
+        }
     }
     if (found == NULL) {
         return true;
@@ -201,10 +190,8 @@ bool mip_client_next(struct mip_client *client, struct mip_walk *walk,
     r = *found;
     leave(found, state);
     r->code = field->data[1];
-    if (r->asked != NULL &&
-        (state == MIP_REQUEST_ACKNOWLEDGED || state == MIP_REQUEST_UNDECODABLE)) {
-        *walk = ahead; /* after the response */
-        *field = behind;
+    if (r->asked != NULL && state != MIP_REQUEST_REFUSED && state != MIP_REQUEST_MISSING_RESPONSE) {
+        mip_walk_next(walk, field); /* its response */
     }
     *answered = r;
     return true;
@@ -229,20 +216,16 @@ bool mip_client_poll(struct mip_client *client, struct mip_parser *parser, uint3
                      struct mip_packet *packet) {
     const uint8_t *nothing = NULL;
     size_t none = 0;
-    bool late = false;
-    for (const struct mip_request *r = client->waiting; r != NULL; r = r->next) {
-        late = late || is_late(r, now);
-    }
-    /* Noise may hide an answer; the part of the next packet that has arrived is kept. */
-    if (parser != NULL && (late ? mip_parser_look_behind(parser, packet)
-                                : mip_parser_next(parser, &nothing, &none, packet))) {
+    if (parser != NULL && mip_parser_next(parser, &nothing, &none, packet)) {
         return true;
     }
     for (struct mip_request **at = &client->waiting; *at != NULL;) {
-        if (is_late(*at, now)) {
-            leave(at, MIP_REQUEST_TIMED_OUT);
-        } else {
+        if (!is_late(*at, now)) {
             at = &(*at)->next;
+        } else if (parser != NULL && mip_parser_look_behind(parser, packet)) {
+            return true; /* noise may hide an answer; the part of the next packet is kept */
+        } else {
+            leave(at, MIP_REQUEST_TIMED_OUT);
         }
     }
     return false;

@@ -264,10 +264,8 @@ struct mip_parser {
     uint32_t skipped;
     /** Bytes in the buffer. */
     uint16_t length;
-    /** How many of them are done with. */
+    /** How many of them are done with: the last packet, and what came before it. */
     uint16_t done;
-    /** How many more bytes are needed, at least, for a packet. */
-    uint16_t missing;
     /** The beginning of a packet whose end has not arrived yet. */
     uint8_t buffer[MIP_MAX_PACKET];
 };
@@ -280,8 +278,9 @@ MIP_API void mip_parser_init(struct mip_parser *parser);
  *
  *     while (mip_parser_next(&parser, &data, &size, &packet)) { ... }
  *
- * The packet is in the caller's bytes, or in the parser if their end has cut it: it is valid until
- * the parser is called again, and as long as these bytes are unchanged.
+ * The packet is in the caller's bytes, or in the parser if their end has cut it or the library was
+ * compiled for size: it is valid until the parser is called again, and as long as these bytes are
+ * unchanged.
  */
 MIP_API bool mip_parser_next(struct mip_parser *parser, const uint8_t **data, size_t *size,
                              struct mip_packet *packet);

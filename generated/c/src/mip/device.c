@@ -12,17 +12,12 @@
 
 void mip_device_init(struct mip_device *device, const struct mip_port *port,
                      const struct mip_handler *handlers, size_t handler_count) {
+    memset(device, 0, sizeof(*device)); /* so its parser, too, is at the beginning of a stream */
     device->port = *port;
     device->handlers = handlers;
     device->handler_count = handlers != NULL ? handler_count : 0;
     device->silence = MIP_DEFAULT_SILENCE;
-    device->heard = 0;
-    device->missed = 0;
-    device->owed = false;
-    device->packet = NULL;
-    device->observer = NULL;
-    mip_client_init(&device->client);
-    mip_parser_init(&device->parser);
+    device->client.timeout = MIP_DEFAULT_TIMEOUT;
 }
 
 const struct mip_codec mip_any_field = {0, 0, 0, 0, 0, 0, false, NULL, NULL};
@@ -53,9 +48,8 @@ static void handle(struct mip_device *device, const struct mip_packet *packet) {
     while (mip_client_next(&device->client, &walk, &answered, &field)) {
         const struct mip_handler *h = device->handlers;
         size_t left = answered == NULL ? device->handler_count : 0;
-        while (left > 0 && !is_for(h, &field)) {
+        for (; left > 0 && !is_for(h, &field); left--) {
             h++;
-            left--;
         }
         if (left > 0 && h->handle != NULL) {
             h->handle(h->user, &field, device->heard);
@@ -65,53 +59,56 @@ static void handle(struct mip_device *device, const struct mip_packet *packet) {
     device->packet = NULL;
 }
 
-/** Reads once, into these bytes, and updates the time; `*came`: was there anything? False if the
- * port is gone. */
-static bool update(struct mip_device *device, uint8_t *bytes, size_t room, bool *came) {
+/** What a read has shown: is the port there, has anything come? */
+#define OPEN 1U
+#define CAME 2U
+
+/** Reads once, into MIP_MAX_PACKET bytes, and updates the time. */
+static unsigned update(struct mip_device *device, uint8_t *bytes) {
     const struct mip_port *port = &device->port;
     const uint8_t *data = bytes;
     struct mip_packet packet;
     size_t size = 0;
-    bool open = port->read(port->user, bytes, room, &size);
-    const uint32_t now = port->now(port->user);
-    if (size > room) { /* what has been read is not known */
+    unsigned shown = port->read(port->user, bytes, MIP_MAX_PACKET, &size) ? OPEN : 0;
+    uint32_t now = port->now(port->user);
+    if (size > MIP_MAX_PACKET) { /* what has been read is not known */
         size = 0;
-        open = false;
+        shown = 0;
     }
-    *came = size > 0;
-    if (*came) {
+    if (size > 0) {
         device->heard = now;
+        shown |= CAME;
     }
-    const bool ended =
-        !open || (device->silence > 0 && (uint32_t)(now - device->heard) >= device->silence);
-    /* If there was no room for more, the answer may already be waiting after what was read. */
-    const uint32_t timeout = device->client.timeout;
-    const uint32_t grace = timeout < MIP_DEFAULT_TIMEOUT ? timeout : MIP_DEFAULT_TIMEOUT;
-    const uint32_t passed = size < room ? now : now - grace;
+    const bool ended = (shown & OPEN) == 0 ||
+                       (device->silence > 0 && (uint32_t)(now - device->heard) >= device->silence);
+    if (size == MIP_MAX_PACKET) { /* the answer may already be waiting after what was read */
+        const uint32_t timeout = device->client.timeout;
+        now -= timeout < MIP_DEFAULT_TIMEOUT ? timeout : MIP_DEFAULT_TIMEOUT;
+    }
     while (mip_parser_next(&device->parser, &data, &size, &packet) ||
            (ended && mip_parser_flush(&device->parser, &packet)) ||
-           mip_client_poll(&device->client, &device->parser, passed, &packet)) {
+           mip_client_poll(&device->client, &device->parser, now, &packet)) {
         handle(device, &packet);
     }
-    return open;
+    return shown;
 }
 
 bool mip_device_poll(struct mip_device *device) {
     uint8_t bytes[MIP_MAX_PACKET];
-    bool came;
-    return device->packet == NULL && update(device, bytes, sizeof(bytes), &came);
+    return device->packet == NULL && (update(device, bytes) & OPEN) != 0;
 }
 
+/* ------------------------------------------------------------------------------------- commands */
+
+/** The place of a command's data in its packet. */
+#define DATA (MIP_HEADER_SIZE + 2)
+
 /** Reads and handles what has arrived; not for ever, because more may be arriving. */
-static void catch_up(struct mip_device *device, uint8_t *bytes, size_t room) {
-    const struct mip_port *port = &device->port;
-    const uint32_t start = port->now(port->user);
+static void catch_up(struct mip_device *device, uint8_t *bytes, uint32_t start) {
     struct mip_packet packet;
     unsigned left = CATCH_UP_READS;
-    bool came = true;
-    bool open = true;
-    while (open && came && left > 0 && (uint32_t)(port->now(port->user) - start) < CATCH_UP_TIME) {
-        open = update(device, bytes, room, &came);
+    while (left > 0 && update(device, bytes) == (OPEN | CAME) &&
+           (uint32_t)(device->heard - start) < CATCH_UP_TIME) {
         left--;
     }
     while (mip_parser_look_behind(&device->parser, &packet)) {
@@ -119,94 +116,99 @@ static void catch_up(struct mip_device *device, uint8_t *bytes, size_t room) {
     }
 }
 
-static struct mip_result result_of(enum mip_outcome outcome, uint8_t code, mip_error error) {
-    struct mip_result result;
-    result.outcome = outcome;
-    result.code = code;
-    result.error = (uint8_t)error;
-    return result;
-}
-
-/** The answer to the command may still come. */
-static void owe(struct mip_device *device) {
-    device->missed = device->port.now(device->port.user);
-    device->owed = true;
-}
-
-/** Begins a packet in these bytes, after what has arrived is read if an old answer may be in it. */
-static bool begin(struct mip_device *device, struct mip_builder *builder, uint8_t *bytes,
-                  const struct mip_exchange *exchange) {
+/** Before a command: false in a handler. If the answer to an earlier one may still come, what has
+ * arrived is handled first. */
+static bool begin(struct mip_device *device, struct mip_request *request, uint8_t *bytes) {
+    if (request->response != NULL) {
+        memset(request->response, 0, request->codec->size);
+    }
     if (device->packet != NULL) {
+        request->state = MIP_BUSY;
         return false;
     }
     if (device->owed) {
-        device->owed = (uint32_t)(device->port.now(device->port.user) - device->missed) < LATE;
+        const uint32_t now = device->port.now(device->port.user);
+        device->owed = (uint32_t)(now - device->missed) < LATE;
         if (device->owed) {
-            catch_up(device, bytes, MIP_MAX_PACKET);
+            catch_up(device, bytes, now);
         }
     }
-    return mip_builder_start(builder, bytes, MIP_MAX_PACKET, exchange->descriptor_set) == MIP_OK;
+    return true;
 }
 
-/** Sends the packet of a command, unless there is an error, and waits for its answer. */
-static struct mip_result finish(struct mip_device *device, struct mip_builder *builder,
-                                const struct mip_exchange *exchange, mip_error error,
-                                const struct mip_codec *codec, void *response) {
+/** Sends a command, whose data are at their place in the packet, and waits for its answer. */
+static void carry_out(struct mip_device *device, struct mip_request *request, uint8_t *bytes,
+                      size_t size) {
     const struct mip_port *port = &device->port;
-    struct mip_request request;
-    if (response != NULL) {
-        memset(response, 0, codec->size);
-    }
-    if (device->packet != NULL) {
-        return result_of(MIP_BUSY, 0, MIP_OK);
-    }
-    if (error != MIP_OK) {
-        return result_of(MIP_NOT_SENT, 0, error);
-    }
-    mip_client_wait(&device->client, &request, builder, exchange,
-                    builder->length - MIP_HEADER_SIZE - 2, port->now(port->user));
-    if (response != NULL) {
-        mip_client_expect(&request, codec, response);
-    }
-    const struct mip_packet packet = mip_builder_finish(builder);
-    if (!port->write(port->user, packet.bytes, packet.size)) {
-        mip_client_cancel(&device->client, &request);
-        owe(device); /* a part of it may have been sent */
-        return result_of(MIP_NOT_SENT, 0, MIP_OK);
-    }
-    while (request.state == MIP_REQUEST_WAITING) {
-        bool came;
-        if (!update(device, builder->buffer, MIP_MAX_PACKET, &came)) { /* the packet is gone */
-            mip_client_cancel(&device->client, &request); /* unless the last bytes answered it */
+    const size_t end = DATA + size;
+    bytes[0] = MIP_SYNC_1;
+    bytes[1] = MIP_SYNC_2;
+    bytes[2] = request->exchange->descriptor_set;
+    bytes[3] = bytes[4] = (uint8_t)(size + 2);
+    bytes[5] = request->exchange->descriptor;
+    mip_put_16(bytes + end, mip_checksum(bytes, end));
+    if (port->write(port->user, bytes, end + MIP_CHECKSUM_SIZE)) {
+        mip_client_wait(&device->client, request, bytes + MIP_HEADER_SIZE, port->now(port->user));
+        while (request->state == MIP_REQUEST_WAITING) {
+            if ((update(device, bytes) & OPEN) == 0) {       /* the packet is gone */
+                mip_client_cancel(&device->client, request); /* unless the last bytes answered it */
+            }
         }
     }
-    if (request.state == MIP_REQUEST_TIMED_OUT || request.state == MIP_REQUEST_CANCELLED) {
-        owe(device);
+    if (request->state == MIP_NOT_SENT || /* a part may have been */
+        request->state == MIP_TIMED_OUT || request->state == MIP_CLOSED) {
+        device->missed = port->now(port->user);
+        device->owed = true;
     }
-    /* The states of a request are its outcomes. */
-    return result_of((enum mip_outcome)request.state, request.code, (mip_error)request.error);
+}
+
+/** The states of a request are its outcomes; one that never waited was not sent. */
+static struct mip_result result_of(const struct mip_request *request) {
+    struct mip_result result;
+    result.outcome = (enum mip_outcome)request->state;
+    result.code = request->code;
+    result.error = request->error;
+    return result;
 }
 
 struct mip_result mip_device_call(struct mip_device *device, const struct mip_command *command,
                                   const void *value, const struct mip_codec *codec,
                                   void *response) {
     uint8_t bytes[MIP_MAX_PACKET];
-    struct mip_builder builder;
-    mip_error error = MIP_OK;
-    if (begin(device, &builder, bytes, command->exchange)) {
-        error = mip_command_encode(command, value, &builder);
+    struct mip_request request;
+    memset(&request, 0, sizeof(request));
+    request.exchange = command->exchange;
+    request.codec = codec;
+    request.response = response;
+    if (begin(device, &request, bytes)) {
+        struct mip_builder builder;
+        mip_builder_start(&builder, bytes, sizeof(bytes), command->exchange->descriptor_set);
+        request.error = (uint8_t)mip_command_encode(command, value, &builder);
+        if (request.error == MIP_OK) {
+            carry_out(device, &request, bytes, builder.length - DATA);
+        }
     }
-    return finish(device, &builder, command->exchange, error, codec, response);
+    return result_of(&request);
 }
 
 struct mip_result mip_device_send(struct mip_device *device, const struct mip_exchange *exchange,
                                   const uint8_t *data, size_t size, const struct mip_codec *codec,
                                   void *response) {
     uint8_t bytes[MIP_MAX_PACKET];
-    struct mip_builder builder;
-    mip_error error = MIP_ERROR_COUNT;
-    if (size <= MIP_MAX_FIELD_DATA && begin(device, &builder, bytes, exchange)) {
-        error = mip_builder_add(&builder, exchange->descriptor, data, size);
+    struct mip_request request;
+    memset(&request, 0, sizeof(request));
+    request.exchange = exchange;
+    request.codec = codec;
+    request.response = response;
+    if (begin(device, &request, bytes)) {
+        if (size > MIP_MAX_FIELD_DATA) {
+            request.error = MIP_ERROR_COUNT;
+        } else {
+            if (size > 0) {
+                memcpy(bytes + DATA, data, size);
+            }
+            carry_out(device, &request, bytes, size);
+        }
     }
-    return finish(device, &builder, exchange, error, codec, response);
+    return result_of(&request);
 }

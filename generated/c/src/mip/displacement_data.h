@@ -59,33 +59,6 @@ MIP_CHECKED static inline mip_error mip_displacement_data_displacement_raw_encod
     const struct mip_displacement_data_displacement_raw *value, struct mip_builder *builder) {
     return mip_encode(&mip_displacement_data_displacement_raw_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_displacement_data_displacement_raw_decode_inline(
-    struct mip_displacement_data_displacement_raw *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x90, 0x01, 4);
-    if (error != MIP_OK || sizeof(*value) != 4) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->counts = mip_get_32(field->data);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_displacement_data_displacement_raw_encode_inline(
-    const struct mip_displacement_data_displacement_raw *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x90, 0x01, 4, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_32(data, value->counts);
-    return MIP_OK;
-}
-
 /**
  * Displacement: data (0x90,0x02).
  *
@@ -122,33 +95,6 @@ MIP_CHECKED static inline mip_error mip_displacement_data_displacement_encode(
     const struct mip_displacement_data_displacement *value, struct mip_builder *builder) {
     return mip_encode(&mip_displacement_data_displacement_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_displacement_data_displacement_decode_inline(
-    struct mip_displacement_data_displacement *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x90, 0x02, 4);
-    if (error != MIP_OK || sizeof(*value) != 4) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_get_float(&value->displacement, field->data);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_displacement_data_displacement_encode_inline(
-    const struct mip_displacement_data_displacement *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x90, 0x02, 4, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_float(data, &value->displacement);
-    return MIP_OK;
-}
-
 /** @} */
 
 #ifdef __cplusplus

@@ -10,7 +10,7 @@ static const uint8_t program_reset[] = {
 const struct mip_codec mip_filter_reset_codec = {
     0x0D, 0x01, MIP_COMMAND, 0, sizeof(struct mip_filter_reset), 0, false, program_reset, NULL};
 
-const struct mip_exchange mip_filter_reset_exchange = {0x0D, 0x01, 0, false, NULL, NULL};
+const struct mip_exchange mip_filter_reset_exchange = {0x0D, 0x01, 0, false, 0, NULL};
 
 const struct mip_command mip_filter_reset_command = {&mip_filter_reset_codec,
                                                      &mip_filter_reset_exchange};
@@ -32,7 +32,7 @@ const struct mip_codec mip_filter_set_initial_attitude_codec = {
     NULL};
 
 const struct mip_exchange mip_filter_set_initial_attitude_exchange = {0x0D,  0x02, 0,
-                                                                      false, NULL, NULL};
+                                                                      false, 0,    NULL};
 
 const struct mip_command mip_filter_set_initial_attitude_command = {
     &mip_filter_set_initial_attitude_codec, &mip_filter_set_initial_attitude_exchange};
@@ -53,8 +53,7 @@ const struct mip_codec mip_filter_set_initial_heading_codec = {
     program_set_initial_heading,
     NULL};
 
-const struct mip_exchange mip_filter_set_initial_heading_exchange = {0x0D,  0x03, 0,
-                                                                     false, NULL, NULL};
+const struct mip_exchange mip_filter_set_initial_heading_exchange = {0x0D, 0x03, 0, false, 0, NULL};
 
 const struct mip_command mip_filter_set_initial_heading_command = {
     &mip_filter_set_initial_heading_codec, &mip_filter_set_initial_heading_exchange};
@@ -76,7 +75,7 @@ const struct mip_codec mip_filter_set_initial_attitude_from_imu_codec = {
     NULL};
 
 const struct mip_exchange mip_filter_set_initial_attitude_from_imu_exchange = {0x0D,  0x04, 0,
-                                                                               false, NULL, NULL};
+                                                                               false, 0,    NULL};
 
 const struct mip_command mip_filter_set_initial_attitude_from_imu_command = {
     &mip_filter_set_initial_attitude_from_imu_codec,
@@ -89,7 +88,7 @@ static const uint8_t program_run[] = {
 const struct mip_codec mip_filter_run_codec = {
     0x0D, 0x05, MIP_COMMAND, 0, sizeof(struct mip_filter_run), 0, false, program_run, NULL};
 
-const struct mip_exchange mip_filter_run_exchange = {0x0D, 0x05, 0, false, NULL, NULL};
+const struct mip_exchange mip_filter_run_exchange = {0x0D, 0x05, 0, false, 0, NULL};
 
 const struct mip_command mip_filter_run_command = {&mip_filter_run_codec, &mip_filter_run_exchange};
 
@@ -114,12 +113,16 @@ const struct mip_codec mip_filter_vehicle_dynamics_mode_codec = {
 static const uint8_t asked_vehicle_dynamics_mode_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                         MIP_WHEN_END};
 static const struct mip_response responses_vehicle_dynamics_mode[] = {
-    {asked_vehicle_dynamics_mode_1, NULL, 0x80},
-    {NULL, NULL, 0},
+    {asked_vehicle_dynamics_mode_1, NULL, 0x80, false},
 };
 
 const struct mip_exchange mip_filter_vehicle_dynamics_mode_exchange = {
-    0x0D, 0x10, 0, true, NULL, responses_vehicle_dynamics_mode};
+    0x0D,
+    0x10,
+    0,
+    true,
+    sizeof(responses_vehicle_dynamics_mode) / sizeof(responses_vehicle_dynamics_mode[0]),
+    responses_vehicle_dynamics_mode};
 
 const struct mip_command mip_filter_vehicle_dynamics_mode_command = {
     &mip_filter_vehicle_dynamics_mode_codec, &mip_filter_vehicle_dynamics_mode_exchange};
@@ -165,12 +168,16 @@ const struct mip_codec mip_filter_sensor_to_vehicle_euler_codec = {
 static const uint8_t asked_sensor_to_vehicle_euler_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                           MIP_WHEN_END};
 static const struct mip_response responses_sensor_to_vehicle_euler[] = {
-    {asked_sensor_to_vehicle_euler_1, NULL, 0x81},
-    {NULL, NULL, 0},
+    {asked_sensor_to_vehicle_euler_1, NULL, 0x81, false},
 };
 
 const struct mip_exchange mip_filter_sensor_to_vehicle_euler_exchange = {
-    0x0D, 0x11, 0, true, NULL, responses_sensor_to_vehicle_euler};
+    0x0D,
+    0x11,
+    0,
+    true,
+    sizeof(responses_sensor_to_vehicle_euler) / sizeof(responses_sensor_to_vehicle_euler[0]),
+    responses_sensor_to_vehicle_euler};
 
 const struct mip_command mip_filter_sensor_to_vehicle_euler_command = {
     &mip_filter_sensor_to_vehicle_euler_codec, &mip_filter_sensor_to_vehicle_euler_exchange};
@@ -212,12 +219,16 @@ const struct mip_codec mip_filter_sensor_to_vehicle_offset_codec = {
 static const uint8_t asked_sensor_to_vehicle_offset_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                            MIP_WHEN_END};
 static const struct mip_response responses_sensor_to_vehicle_offset[] = {
-    {asked_sensor_to_vehicle_offset_1, NULL, 0x82},
-    {NULL, NULL, 0},
+    {asked_sensor_to_vehicle_offset_1, NULL, 0x82, false},
 };
 
 const struct mip_exchange mip_filter_sensor_to_vehicle_offset_exchange = {
-    0x0D, 0x12, 0, true, NULL, responses_sensor_to_vehicle_offset};
+    0x0D,
+    0x12,
+    0,
+    true,
+    sizeof(responses_sensor_to_vehicle_offset) / sizeof(responses_sensor_to_vehicle_offset[0]),
+    responses_sensor_to_vehicle_offset};
 
 const struct mip_command mip_filter_sensor_to_vehicle_offset_command = {
     &mip_filter_sensor_to_vehicle_offset_codec, &mip_filter_sensor_to_vehicle_offset_exchange};
@@ -258,12 +269,16 @@ const struct mip_codec mip_filter_antenna_offset_codec = {0x0D,
 static const uint8_t asked_antenna_offset_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                  MIP_WHEN_END};
 static const struct mip_response responses_antenna_offset[] = {
-    {asked_antenna_offset_1, NULL, 0x83},
-    {NULL, NULL, 0},
+    {asked_antenna_offset_1, NULL, 0x83, false},
 };
 
 const struct mip_exchange mip_filter_antenna_offset_exchange = {
-    0x0D, 0x13, 0, true, NULL, responses_antenna_offset};
+    0x0D,
+    0x13,
+    0,
+    true,
+    sizeof(responses_antenna_offset) / sizeof(responses_antenna_offset[0]),
+    responses_antenna_offset};
 
 const struct mip_command mip_filter_antenna_offset_command = {&mip_filter_antenna_offset_codec,
                                                               &mip_filter_antenna_offset_exchange};
@@ -305,12 +320,16 @@ const struct mip_codec mip_filter_estimation_control_codec = {
 static const uint8_t asked_estimation_control_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                      MIP_WHEN_END};
 static const struct mip_response responses_estimation_control[] = {
-    {asked_estimation_control_1, NULL, 0x84},
-    {NULL, NULL, 0},
+    {asked_estimation_control_1, NULL, 0x84, false},
 };
 
 const struct mip_exchange mip_filter_estimation_control_exchange = {
-    0x0D, 0x14, 0, true, NULL, responses_estimation_control};
+    0x0D,
+    0x14,
+    0,
+    true,
+    sizeof(responses_estimation_control) / sizeof(responses_estimation_control[0]),
+    responses_estimation_control};
 
 const struct mip_command mip_filter_estimation_control_command = {
     &mip_filter_estimation_control_codec, &mip_filter_estimation_control_exchange};
@@ -345,12 +364,16 @@ const struct mip_codec mip_filter_gnss_source_codec = {
 static const uint8_t asked_gnss_source_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                               MIP_WHEN_END};
 static const struct mip_response responses_gnss_source[] = {
-    {asked_gnss_source_1, NULL, 0x86},
-    {NULL, NULL, 0},
+    {asked_gnss_source_1, NULL, 0x86, false},
 };
 
-const struct mip_exchange mip_filter_gnss_source_exchange = {0x0D, 0x15, 0,
-                                                             true, NULL, responses_gnss_source};
+const struct mip_exchange mip_filter_gnss_source_exchange = {0x0D,
+                                                             0x15,
+                                                             0,
+                                                             true,
+                                                             sizeof(responses_gnss_source) /
+                                                                 sizeof(responses_gnss_source[0]),
+                                                             responses_gnss_source};
 
 const struct mip_command mip_filter_gnss_source_command = {&mip_filter_gnss_source_codec,
                                                            &mip_filter_gnss_source_exchange};
@@ -391,7 +414,7 @@ const struct mip_codec mip_filter_external_gnss_update_codec = {
     NULL};
 
 const struct mip_exchange mip_filter_external_gnss_update_exchange = {0x0D,  0x16, 0,
-                                                                      false, NULL, NULL};
+                                                                      false, 0,    NULL};
 
 const struct mip_command mip_filter_external_gnss_update_command = {
     &mip_filter_external_gnss_update_codec, &mip_filter_external_gnss_update_exchange};
@@ -414,7 +437,7 @@ const struct mip_codec mip_filter_external_heading_update_codec = {
     NULL};
 
 const struct mip_exchange mip_filter_external_heading_update_exchange = {0x0D,  0x17, 0,
-                                                                         false, NULL, NULL};
+                                                                         false, 0,    NULL};
 
 const struct mip_command mip_filter_external_heading_update_command = {
     &mip_filter_external_heading_update_codec, &mip_filter_external_heading_update_exchange};
@@ -439,12 +462,16 @@ const struct mip_codec mip_filter_heading_source_codec = {0x0D,
 static const uint8_t asked_heading_source_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                  MIP_WHEN_END};
 static const struct mip_response responses_heading_source[] = {
-    {asked_heading_source_1, NULL, 0x87},
-    {NULL, NULL, 0},
+    {asked_heading_source_1, NULL, 0x87, false},
 };
 
 const struct mip_exchange mip_filter_heading_source_exchange = {
-    0x0D, 0x18, 0, true, NULL, responses_heading_source};
+    0x0D,
+    0x18,
+    0,
+    true,
+    sizeof(responses_heading_source) / sizeof(responses_heading_source[0]),
+    responses_heading_source};
 
 const struct mip_command mip_filter_heading_source_command = {&mip_filter_heading_source_codec,
                                                               &mip_filter_heading_source_exchange};
@@ -486,12 +513,17 @@ const struct mip_codec mip_filter_auto_initialization_control_codec = {
 static const uint8_t asked_auto_initialization_control_1[] = {
     MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_auto_initialization_control[] = {
-    {asked_auto_initialization_control_1, NULL, 0x88},
-    {NULL, NULL, 0},
+    {asked_auto_initialization_control_1, NULL, 0x88, false},
 };
 
 const struct mip_exchange mip_filter_auto_initialization_control_exchange = {
-    0x0D, 0x19, 0, true, NULL, responses_auto_initialization_control};
+    0x0D,
+    0x19,
+    0,
+    true,
+    sizeof(responses_auto_initialization_control) /
+        sizeof(responses_auto_initialization_control[0]),
+    responses_auto_initialization_control};
 
 const struct mip_command mip_filter_auto_initialization_control_command = {
     &mip_filter_auto_initialization_control_codec,
@@ -527,12 +559,16 @@ const struct mip_codec mip_filter_accel_noise_codec = {
 static const uint8_t asked_accel_noise_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                               MIP_WHEN_END};
 static const struct mip_response responses_accel_noise[] = {
-    {asked_accel_noise_1, NULL, 0x89},
-    {NULL, NULL, 0},
+    {asked_accel_noise_1, NULL, 0x89, false},
 };
 
-const struct mip_exchange mip_filter_accel_noise_exchange = {0x0D, 0x1A, 0,
-                                                             true, NULL, responses_accel_noise};
+const struct mip_exchange mip_filter_accel_noise_exchange = {0x0D,
+                                                             0x1A,
+                                                             0,
+                                                             true,
+                                                             sizeof(responses_accel_noise) /
+                                                                 sizeof(responses_accel_noise[0]),
+                                                             responses_accel_noise};
 
 const struct mip_command mip_filter_accel_noise_command = {&mip_filter_accel_noise_codec,
                                                            &mip_filter_accel_noise_exchange};
@@ -566,12 +602,16 @@ const struct mip_codec mip_filter_gyro_noise_codec = {
 
 static const uint8_t asked_gyro_noise_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_gyro_noise[] = {
-    {asked_gyro_noise_1, NULL, 0x8A},
-    {NULL, NULL, 0},
+    {asked_gyro_noise_1, NULL, 0x8A, false},
 };
 
-const struct mip_exchange mip_filter_gyro_noise_exchange = {0x0D, 0x1B, 0,
-                                                            true, NULL, responses_gyro_noise};
+const struct mip_exchange mip_filter_gyro_noise_exchange = {0x0D,
+                                                            0x1B,
+                                                            0,
+                                                            true,
+                                                            sizeof(responses_gyro_noise) /
+                                                                sizeof(responses_gyro_noise[0]),
+                                                            responses_gyro_noise};
 
 const struct mip_command mip_filter_gyro_noise_command = {&mip_filter_gyro_noise_codec,
                                                           &mip_filter_gyro_noise_exchange};
@@ -615,12 +655,16 @@ const struct mip_codec mip_filter_accel_bias_model_codec = {
 static const uint8_t asked_accel_bias_model_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                    MIP_WHEN_END};
 static const struct mip_response responses_accel_bias_model[] = {
-    {asked_accel_bias_model_1, NULL, 0x8B},
-    {NULL, NULL, 0},
+    {asked_accel_bias_model_1, NULL, 0x8B, false},
 };
 
 const struct mip_exchange mip_filter_accel_bias_model_exchange = {
-    0x0D, 0x1C, 0, true, NULL, responses_accel_bias_model};
+    0x0D,
+    0x1C,
+    0,
+    true,
+    sizeof(responses_accel_bias_model) / sizeof(responses_accel_bias_model[0]),
+    responses_accel_bias_model};
 
 const struct mip_command mip_filter_accel_bias_model_command = {
     &mip_filter_accel_bias_model_codec, &mip_filter_accel_bias_model_exchange};
@@ -664,12 +708,16 @@ const struct mip_codec mip_filter_gyro_bias_model_codec = {
 static const uint8_t asked_gyro_bias_model_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                   MIP_WHEN_END};
 static const struct mip_response responses_gyro_bias_model[] = {
-    {asked_gyro_bias_model_1, NULL, 0x8C},
-    {NULL, NULL, 0},
+    {asked_gyro_bias_model_1, NULL, 0x8C, false},
 };
 
 const struct mip_exchange mip_filter_gyro_bias_model_exchange = {
-    0x0D, 0x1D, 0, true, NULL, responses_gyro_bias_model};
+    0x0D,
+    0x1D,
+    0,
+    true,
+    sizeof(responses_gyro_bias_model) / sizeof(responses_gyro_bias_model[0]),
+    responses_gyro_bias_model};
 
 const struct mip_command mip_filter_gyro_bias_model_command = {
     &mip_filter_gyro_bias_model_codec, &mip_filter_gyro_bias_model_exchange};
@@ -705,12 +753,16 @@ const struct mip_codec mip_filter_auto_zupt_codec = {
 
 static const uint8_t asked_auto_zupt_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_auto_zupt[] = {
-    {asked_auto_zupt_1, NULL, 0x8D},
-    {NULL, NULL, 0},
+    {asked_auto_zupt_1, NULL, 0x8D, false},
 };
 
-const struct mip_exchange mip_filter_auto_zupt_exchange = {0x0D, 0x1E, 0,
-                                                           true, NULL, responses_auto_zupt};
+const struct mip_exchange mip_filter_auto_zupt_exchange = {0x0D,
+                                                           0x1E,
+                                                           0,
+                                                           true,
+                                                           sizeof(responses_auto_zupt) /
+                                                               sizeof(responses_auto_zupt[0]),
+                                                           responses_auto_zupt};
 
 const struct mip_command mip_filter_auto_zupt_command = {&mip_filter_auto_zupt_codec,
                                                          &mip_filter_auto_zupt_exchange};
@@ -752,7 +804,7 @@ const struct mip_codec mip_filter_external_heading_update_with_time_codec = {
     NULL};
 
 const struct mip_exchange mip_filter_external_heading_update_with_time_exchange = {
-    0x0D, 0x1F, 0, false, NULL, NULL};
+    0x0D, 0x1F, 0, false, 0, NULL};
 
 const struct mip_command mip_filter_external_heading_update_with_time_command = {
     &mip_filter_external_heading_update_with_time_codec,
@@ -781,12 +833,16 @@ const struct mip_codec mip_filter_auto_angular_zupt_codec = {
 static const uint8_t asked_auto_angular_zupt_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                     MIP_WHEN_END};
 static const struct mip_response responses_auto_angular_zupt[] = {
-    {asked_auto_angular_zupt_1, NULL, 0x8E},
-    {NULL, NULL, 0},
+    {asked_auto_angular_zupt_1, NULL, 0x8E, false},
 };
 
 const struct mip_exchange mip_filter_auto_angular_zupt_exchange = {
-    0x0D, 0x20, 0, true, NULL, responses_auto_angular_zupt};
+    0x0D,
+    0x20,
+    0,
+    true,
+    sizeof(responses_auto_angular_zupt) / sizeof(responses_auto_angular_zupt[0]),
+    responses_auto_angular_zupt};
 
 const struct mip_command mip_filter_auto_angular_zupt_command = {
     &mip_filter_auto_angular_zupt_codec, &mip_filter_auto_angular_zupt_exchange};
@@ -829,12 +885,16 @@ const struct mip_codec mip_filter_tare_orientation_codec = {
 static const uint8_t asked_tare_orientation_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                    MIP_WHEN_END};
 static const struct mip_response responses_tare_orientation[] = {
-    {asked_tare_orientation_1, NULL, 0xA1},
-    {NULL, NULL, 0},
+    {asked_tare_orientation_1, NULL, 0xA1, false},
 };
 
 const struct mip_exchange mip_filter_tare_orientation_exchange = {
-    0x0D, 0x21, 0, true, NULL, responses_tare_orientation};
+    0x0D,
+    0x21,
+    0,
+    true,
+    sizeof(responses_tare_orientation) / sizeof(responses_tare_orientation[0]),
+    responses_tare_orientation};
 
 const struct mip_command mip_filter_tare_orientation_command = {
     &mip_filter_tare_orientation_codec, &mip_filter_tare_orientation_exchange};
@@ -869,7 +929,7 @@ const struct mip_codec mip_filter_commanded_zupt_codec = {0x0D,
                                                           program_commanded_zupt,
                                                           NULL};
 
-const struct mip_exchange mip_filter_commanded_zupt_exchange = {0x0D, 0x22, 0, false, NULL, NULL};
+const struct mip_exchange mip_filter_commanded_zupt_exchange = {0x0D, 0x22, 0, false, 0, NULL};
 
 const struct mip_command mip_filter_commanded_zupt_command = {&mip_filter_commanded_zupt_codec,
                                                               &mip_filter_commanded_zupt_exchange};
@@ -890,7 +950,7 @@ const struct mip_codec mip_filter_commanded_angular_zupt_codec = {
     NULL};
 
 const struct mip_exchange mip_filter_commanded_angular_zupt_exchange = {0x0D,  0x23, 0,
-                                                                        false, NULL, NULL};
+                                                                        false, 0,    NULL};
 
 const struct mip_command mip_filter_commanded_angular_zupt_command = {
     &mip_filter_commanded_angular_zupt_codec, &mip_filter_commanded_angular_zupt_exchange};
@@ -922,12 +982,16 @@ const struct mip_codec mip_filter_reference_position_codec = {
 static const uint8_t asked_reference_position_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                      MIP_WHEN_END};
 static const struct mip_response responses_reference_position[] = {
-    {asked_reference_position_1, NULL, 0x90},
-    {NULL, NULL, 0},
+    {asked_reference_position_1, NULL, 0x90, false},
 };
 
 const struct mip_exchange mip_filter_reference_position_exchange = {
-    0x0D, 0x26, 0, true, NULL, responses_reference_position};
+    0x0D,
+    0x26,
+    0,
+    true,
+    sizeof(responses_reference_position) / sizeof(responses_reference_position[0]),
+    responses_reference_position};
 
 const struct mip_command mip_filter_reference_position_command = {
     &mip_filter_reference_position_codec, &mip_filter_reference_position_exchange};
@@ -966,7 +1030,7 @@ const struct mip_codec mip_filter_mag_capture_auto_calibration_codec = {
     NULL};
 
 const struct mip_exchange mip_filter_mag_capture_auto_calibration_exchange = {0x0D, 0x27, 0,
-                                                                              true, NULL, NULL};
+                                                                              true, 0,    NULL};
 
 const struct mip_command mip_filter_mag_capture_auto_calibration_command = {
     &mip_filter_mag_capture_auto_calibration_codec,
@@ -986,12 +1050,16 @@ const struct mip_codec mip_filter_gravity_noise_codec = {
 static const uint8_t asked_gravity_noise_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                 MIP_WHEN_END};
 static const struct mip_response responses_gravity_noise[] = {
-    {asked_gravity_noise_1, NULL, 0x93},
-    {NULL, NULL, 0},
+    {asked_gravity_noise_1, NULL, 0x93, false},
 };
 
-const struct mip_exchange mip_filter_gravity_noise_exchange = {0x0D, 0x28, 0,
-                                                               true, NULL, responses_gravity_noise};
+const struct mip_exchange mip_filter_gravity_noise_exchange = {
+    0x0D,
+    0x28,
+    0,
+    true,
+    sizeof(responses_gravity_noise) / sizeof(responses_gravity_noise[0]),
+    responses_gravity_noise};
 
 const struct mip_command mip_filter_gravity_noise_command = {&mip_filter_gravity_noise_codec,
                                                              &mip_filter_gravity_noise_exchange};
@@ -1033,12 +1101,16 @@ const struct mip_codec mip_filter_pressure_altitude_noise_codec = {
 static const uint8_t asked_pressure_altitude_noise_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                           MIP_WHEN_END};
 static const struct mip_response responses_pressure_altitude_noise[] = {
-    {asked_pressure_altitude_noise_1, NULL, 0x94},
-    {NULL, NULL, 0},
+    {asked_pressure_altitude_noise_1, NULL, 0x94, false},
 };
 
 const struct mip_exchange mip_filter_pressure_altitude_noise_exchange = {
-    0x0D, 0x29, 0, true, NULL, responses_pressure_altitude_noise};
+    0x0D,
+    0x29,
+    0,
+    true,
+    sizeof(responses_pressure_altitude_noise) / sizeof(responses_pressure_altitude_noise[0]),
+    responses_pressure_altitude_noise};
 
 const struct mip_command mip_filter_pressure_altitude_noise_command = {
     &mip_filter_pressure_altitude_noise_codec, &mip_filter_pressure_altitude_noise_exchange};
@@ -1080,12 +1152,16 @@ const struct mip_codec mip_filter_hard_iron_offset_noise_codec = {
 static const uint8_t asked_hard_iron_offset_noise_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                          MIP_WHEN_END};
 static const struct mip_response responses_hard_iron_offset_noise[] = {
-    {asked_hard_iron_offset_noise_1, NULL, 0x96},
-    {NULL, NULL, 0},
+    {asked_hard_iron_offset_noise_1, NULL, 0x96, false},
 };
 
 const struct mip_exchange mip_filter_hard_iron_offset_noise_exchange = {
-    0x0D, 0x2B, 0, true, NULL, responses_hard_iron_offset_noise};
+    0x0D,
+    0x2B,
+    0,
+    true,
+    sizeof(responses_hard_iron_offset_noise) / sizeof(responses_hard_iron_offset_noise[0]),
+    responses_hard_iron_offset_noise};
 
 const struct mip_command mip_filter_hard_iron_offset_noise_command = {
     &mip_filter_hard_iron_offset_noise_codec, &mip_filter_hard_iron_offset_noise_exchange};
@@ -1127,12 +1203,16 @@ const struct mip_codec mip_filter_soft_iron_matrix_noise_codec = {
 static const uint8_t asked_soft_iron_matrix_noise_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                          MIP_WHEN_END};
 static const struct mip_response responses_soft_iron_matrix_noise[] = {
-    {asked_soft_iron_matrix_noise_1, NULL, 0x97},
-    {NULL, NULL, 0},
+    {asked_soft_iron_matrix_noise_1, NULL, 0x97, false},
 };
 
 const struct mip_exchange mip_filter_soft_iron_matrix_noise_exchange = {
-    0x0D, 0x2C, 0, true, NULL, responses_soft_iron_matrix_noise};
+    0x0D,
+    0x2C,
+    0,
+    true,
+    sizeof(responses_soft_iron_matrix_noise) / sizeof(responses_soft_iron_matrix_noise[0]),
+    responses_soft_iron_matrix_noise};
 
 const struct mip_command mip_filter_soft_iron_matrix_noise_command = {
     &mip_filter_soft_iron_matrix_noise_codec, &mip_filter_soft_iron_matrix_noise_exchange};
@@ -1174,12 +1254,16 @@ const struct mip_codec mip_filter_enable_measurements_codec = {
 static const uint8_t asked_enable_measurements_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                       MIP_WHEN_END};
 static const struct mip_response responses_enable_measurements[] = {
-    {asked_enable_measurements_1, NULL, 0xB0},
-    {NULL, NULL, 0},
+    {asked_enable_measurements_1, NULL, 0xB0, false},
 };
 
 const struct mip_exchange mip_filter_enable_measurements_exchange = {
-    0x0D, 0x41, 0, true, NULL, responses_enable_measurements};
+    0x0D,
+    0x41,
+    0,
+    true,
+    sizeof(responses_enable_measurements) / sizeof(responses_enable_measurements[0]),
+    responses_enable_measurements};
 
 const struct mip_command mip_filter_enable_measurements_command = {
     &mip_filter_enable_measurements_codec, &mip_filter_enable_measurements_exchange};
@@ -1213,12 +1297,16 @@ const struct mip_codec mip_filter_mag_noise_codec = {
 
 static const uint8_t asked_mag_noise_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_mag_noise[] = {
-    {asked_mag_noise_1, NULL, 0xB1},
-    {NULL, NULL, 0},
+    {asked_mag_noise_1, NULL, 0xB1, false},
 };
 
-const struct mip_exchange mip_filter_mag_noise_exchange = {0x0D, 0x42, 0,
-                                                           true, NULL, responses_mag_noise};
+const struct mip_exchange mip_filter_mag_noise_exchange = {0x0D,
+                                                           0x42,
+                                                           0,
+                                                           true,
+                                                           sizeof(responses_mag_noise) /
+                                                               sizeof(responses_mag_noise[0]),
+                                                           responses_mag_noise};
 
 const struct mip_command mip_filter_mag_noise_command = {&mip_filter_mag_noise_codec,
                                                          &mip_filter_mag_noise_exchange};
@@ -1262,12 +1350,17 @@ const struct mip_codec mip_filter_magnetic_declination_source_codec = {
 static const uint8_t asked_magnetic_declination_source_1[] = {
     MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_magnetic_declination_source[] = {
-    {asked_magnetic_declination_source_1, NULL, 0xB2},
-    {NULL, NULL, 0},
+    {asked_magnetic_declination_source_1, NULL, 0xB2, false},
 };
 
 const struct mip_exchange mip_filter_magnetic_declination_source_exchange = {
-    0x0D, 0x43, 0, true, NULL, responses_magnetic_declination_source};
+    0x0D,
+    0x43,
+    0,
+    true,
+    sizeof(responses_magnetic_declination_source) /
+        sizeof(responses_magnetic_declination_source[0]),
+    responses_magnetic_declination_source};
 
 const struct mip_command mip_filter_magnetic_declination_source_command = {
     &mip_filter_magnetic_declination_source_codec,
@@ -1323,12 +1416,16 @@ const struct mip_codec mip_filter_accel_magnitude_adaptive_codec = {
 static const uint8_t asked_accel_magnitude_adaptive_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                            MIP_WHEN_END};
 static const struct mip_response responses_accel_magnitude_adaptive[] = {
-    {asked_accel_magnitude_adaptive_1, NULL, 0xB3},
-    {NULL, NULL, 0},
+    {asked_accel_magnitude_adaptive_1, NULL, 0xB3, false},
 };
 
 const struct mip_exchange mip_filter_accel_magnitude_adaptive_exchange = {
-    0x0D, 0x44, 0, true, NULL, responses_accel_magnitude_adaptive};
+    0x0D,
+    0x44,
+    0,
+    true,
+    sizeof(responses_accel_magnitude_adaptive) / sizeof(responses_accel_magnitude_adaptive[0]),
+    responses_accel_magnitude_adaptive};
 
 const struct mip_command mip_filter_accel_magnitude_adaptive_command = {
     &mip_filter_accel_magnitude_adaptive_codec, &mip_filter_accel_magnitude_adaptive_exchange};
@@ -1384,12 +1481,16 @@ const struct mip_codec mip_filter_mag_magnitude_adaptive_codec = {
 static const uint8_t asked_mag_magnitude_adaptive_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                          MIP_WHEN_END};
 static const struct mip_response responses_mag_magnitude_adaptive[] = {
-    {asked_mag_magnitude_adaptive_1, NULL, 0xB4},
-    {NULL, NULL, 0},
+    {asked_mag_magnitude_adaptive_1, NULL, 0xB4, false},
 };
 
 const struct mip_exchange mip_filter_mag_magnitude_adaptive_exchange = {
-    0x0D, 0x45, 0, true, NULL, responses_mag_magnitude_adaptive};
+    0x0D,
+    0x45,
+    0,
+    true,
+    sizeof(responses_mag_magnitude_adaptive) / sizeof(responses_mag_magnitude_adaptive[0]),
+    responses_mag_magnitude_adaptive};
 
 const struct mip_command mip_filter_mag_magnitude_adaptive_command = {
     &mip_filter_mag_magnitude_adaptive_codec, &mip_filter_mag_magnitude_adaptive_exchange};
@@ -1440,12 +1541,16 @@ const struct mip_codec mip_filter_mag_dip_angle_adaptive_codec = {
 static const uint8_t asked_mag_dip_angle_adaptive_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                          MIP_WHEN_END};
 static const struct mip_response responses_mag_dip_angle_adaptive[] = {
-    {asked_mag_dip_angle_adaptive_1, NULL, 0xB5},
-    {NULL, NULL, 0},
+    {asked_mag_dip_angle_adaptive_1, NULL, 0xB5, false},
 };
 
 const struct mip_exchange mip_filter_mag_dip_angle_adaptive_exchange = {
-    0x0D, 0x46, 0, true, NULL, responses_mag_dip_angle_adaptive};
+    0x0D,
+    0x46,
+    0,
+    true,
+    sizeof(responses_mag_dip_angle_adaptive) / sizeof(responses_mag_dip_angle_adaptive[0]),
+    responses_mag_dip_angle_adaptive};
 
 const struct mip_command mip_filter_mag_dip_angle_adaptive_command = {
     &mip_filter_mag_dip_angle_adaptive_codec, &mip_filter_mag_dip_angle_adaptive_exchange};
@@ -1488,12 +1593,16 @@ const struct mip_codec mip_filter_altitude_aiding_codec = {
 static const uint8_t asked_altitude_aiding_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                   MIP_WHEN_END};
 static const struct mip_response responses_altitude_aiding[] = {
-    {asked_altitude_aiding_1, NULL, 0xB7},
-    {NULL, NULL, 0},
+    {asked_altitude_aiding_1, NULL, 0xB7, false},
 };
 
 const struct mip_exchange mip_filter_altitude_aiding_exchange = {
-    0x0D, 0x47, 0, true, NULL, responses_altitude_aiding};
+    0x0D,
+    0x47,
+    0,
+    true,
+    sizeof(responses_altitude_aiding) / sizeof(responses_altitude_aiding[0]),
+    responses_altitude_aiding};
 
 const struct mip_command mip_filter_altitude_aiding_command = {
     &mip_filter_altitude_aiding_codec, &mip_filter_altitude_aiding_exchange};
@@ -1535,12 +1644,16 @@ const struct mip_codec mip_filter_pitch_roll_aiding_codec = {
 static const uint8_t asked_pitch_roll_aiding_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                     MIP_WHEN_END};
 static const struct mip_response responses_pitch_roll_aiding[] = {
-    {asked_pitch_roll_aiding_1, NULL, 0xBB},
-    {NULL, NULL, 0},
+    {asked_pitch_roll_aiding_1, NULL, 0xBB, false},
 };
 
 const struct mip_exchange mip_filter_pitch_roll_aiding_exchange = {
-    0x0D, 0x4B, 0, true, NULL, responses_pitch_roll_aiding};
+    0x0D,
+    0x4B,
+    0,
+    true,
+    sizeof(responses_pitch_roll_aiding) / sizeof(responses_pitch_roll_aiding[0]),
+    responses_pitch_roll_aiding};
 
 const struct mip_command mip_filter_pitch_roll_aiding_command = {
     &mip_filter_pitch_roll_aiding_codec, &mip_filter_pitch_roll_aiding_exchange};
@@ -1584,12 +1697,17 @@ const struct mip_codec mip_filter_magnetic_inclination_source_codec = {
 static const uint8_t asked_magnetic_inclination_source_1[] = {
     MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_magnetic_inclination_source[] = {
-    {asked_magnetic_inclination_source_1, NULL, 0xBC},
-    {NULL, NULL, 0},
+    {asked_magnetic_inclination_source_1, NULL, 0xBC, false},
 };
 
 const struct mip_exchange mip_filter_magnetic_inclination_source_exchange = {
-    0x0D, 0x4C, 0, true, NULL, responses_magnetic_inclination_source};
+    0x0D,
+    0x4C,
+    0,
+    true,
+    sizeof(responses_magnetic_inclination_source) /
+        sizeof(responses_magnetic_inclination_source[0]),
+    responses_magnetic_inclination_source};
 
 const struct mip_command mip_filter_magnetic_inclination_source_command = {
     &mip_filter_magnetic_inclination_source_codec,
@@ -1635,12 +1753,16 @@ const struct mip_codec mip_filter_magnetic_magnitude_source_codec = {
 static const uint8_t asked_magnetic_magnitude_source_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                             MIP_WHEN_END};
 static const struct mip_response responses_magnetic_magnitude_source[] = {
-    {asked_magnetic_magnitude_source_1, NULL, 0xBD},
-    {NULL, NULL, 0},
+    {asked_magnetic_magnitude_source_1, NULL, 0xBD, false},
 };
 
 const struct mip_exchange mip_filter_magnetic_magnitude_source_exchange = {
-    0x0D, 0x4D, 0, true, NULL, responses_magnetic_magnitude_source};
+    0x0D,
+    0x4D,
+    0,
+    true,
+    sizeof(responses_magnetic_magnitude_source) / sizeof(responses_magnetic_magnitude_source[0]),
+    responses_magnetic_magnitude_source};
 
 const struct mip_command mip_filter_magnetic_magnitude_source_command = {
     &mip_filter_magnetic_magnitude_source_codec, &mip_filter_magnetic_magnitude_source_exchange};
@@ -1683,12 +1805,16 @@ const struct mip_codec mip_filter_sensor_to_vehicle_dcm_codec = {
 static const uint8_t asked_sensor_to_vehicle_dcm_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                         MIP_WHEN_END};
 static const struct mip_response responses_sensor_to_vehicle_dcm[] = {
-    {asked_sensor_to_vehicle_dcm_1, NULL, 0xBE},
-    {NULL, NULL, 0},
+    {asked_sensor_to_vehicle_dcm_1, NULL, 0xBE, false},
 };
 
 const struct mip_exchange mip_filter_sensor_to_vehicle_dcm_exchange = {
-    0x0D, 0x4E, 0, true, NULL, responses_sensor_to_vehicle_dcm};
+    0x0D,
+    0x4E,
+    0,
+    true,
+    sizeof(responses_sensor_to_vehicle_dcm) / sizeof(responses_sensor_to_vehicle_dcm[0]),
+    responses_sensor_to_vehicle_dcm};
 
 const struct mip_command mip_filter_sensor_to_vehicle_dcm_command = {
     &mip_filter_sensor_to_vehicle_dcm_codec, &mip_filter_sensor_to_vehicle_dcm_exchange};
@@ -1730,12 +1856,17 @@ const struct mip_codec mip_filter_sensor_to_vehicle_quaternion_codec = {
 static const uint8_t asked_sensor_to_vehicle_quaternion_1[] = {
     MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_sensor_to_vehicle_quaternion[] = {
-    {asked_sensor_to_vehicle_quaternion_1, NULL, 0xBF},
-    {NULL, NULL, 0},
+    {asked_sensor_to_vehicle_quaternion_1, NULL, 0xBF, false},
 };
 
 const struct mip_exchange mip_filter_sensor_to_vehicle_quaternion_exchange = {
-    0x0D, 0x4F, 0, true, NULL, responses_sensor_to_vehicle_quaternion};
+    0x0D,
+    0x4F,
+    0,
+    true,
+    sizeof(responses_sensor_to_vehicle_quaternion) /
+        sizeof(responses_sensor_to_vehicle_quaternion[0]),
+    responses_sensor_to_vehicle_quaternion};
 
 const struct mip_command mip_filter_sensor_to_vehicle_quaternion_command = {
     &mip_filter_sensor_to_vehicle_quaternion_codec,
@@ -1780,12 +1911,16 @@ const struct mip_codec mip_filter_aiding_measurement_enable_codec = {
 static const uint8_t asked_aiding_measurement_enable_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                             MIP_WHEN_END};
 static const struct mip_response responses_aiding_measurement_enable[] = {
-    {asked_aiding_measurement_enable_1, NULL, 0xD0},
-    {NULL, NULL, 0},
+    {asked_aiding_measurement_enable_1, NULL, 0xD0, false},
 };
 
 const struct mip_exchange mip_filter_aiding_measurement_enable_exchange = {
-    0x0D, 0x50, 0, true, NULL, responses_aiding_measurement_enable};
+    0x0D,
+    0x50,
+    0,
+    true,
+    sizeof(responses_aiding_measurement_enable) / sizeof(responses_aiding_measurement_enable[0]),
+    responses_aiding_measurement_enable};
 
 const struct mip_command mip_filter_aiding_measurement_enable_command = {
     &mip_filter_aiding_measurement_enable_codec, &mip_filter_aiding_measurement_enable_exchange};
@@ -1832,12 +1967,16 @@ const struct mip_codec mip_filter_kinematic_constraint_codec = {
 static const uint8_t asked_kinematic_constraint_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                        MIP_WHEN_END};
 static const struct mip_response responses_kinematic_constraint[] = {
-    {asked_kinematic_constraint_1, NULL, 0xD1},
-    {NULL, NULL, 0},
+    {asked_kinematic_constraint_1, NULL, 0xD1, false},
 };
 
 const struct mip_exchange mip_filter_kinematic_constraint_exchange = {
-    0x0D, 0x51, 0, true, NULL, responses_kinematic_constraint};
+    0x0D,
+    0x51,
+    0,
+    true,
+    sizeof(responses_kinematic_constraint) / sizeof(responses_kinematic_constraint[0]),
+    responses_kinematic_constraint};
 
 const struct mip_command mip_filter_kinematic_constraint_command = {
     &mip_filter_kinematic_constraint_codec, &mip_filter_kinematic_constraint_exchange};
@@ -1895,12 +2034,16 @@ const struct mip_codec mip_filter_initialization_config_codec = {
 static const uint8_t asked_initialization_config_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                         MIP_WHEN_END};
 static const struct mip_response responses_initialization_config[] = {
-    {asked_initialization_config_1, NULL, 0xD2},
-    {NULL, NULL, 0},
+    {asked_initialization_config_1, NULL, 0xD2, false},
 };
 
 const struct mip_exchange mip_filter_initialization_config_exchange = {
-    0x0D, 0x52, 0, true, NULL, responses_initialization_config};
+    0x0D,
+    0x52,
+    0,
+    true,
+    sizeof(responses_initialization_config) / sizeof(responses_initialization_config[0]),
+    responses_initialization_config};
 
 const struct mip_command mip_filter_initialization_config_command = {
     &mip_filter_initialization_config_codec, &mip_filter_initialization_config_exchange};
@@ -1947,12 +2090,16 @@ const struct mip_codec mip_filter_adaptive_filter_options_codec = {
 static const uint8_t asked_adaptive_filter_options_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                           MIP_WHEN_END};
 static const struct mip_response responses_adaptive_filter_options[] = {
-    {asked_adaptive_filter_options_1, NULL, 0xD3},
-    {NULL, NULL, 0},
+    {asked_adaptive_filter_options_1, NULL, 0xD3, false},
 };
 
 const struct mip_exchange mip_filter_adaptive_filter_options_exchange = {
-    0x0D, 0x53, 0, true, NULL, responses_adaptive_filter_options};
+    0x0D,
+    0x53,
+    0,
+    true,
+    sizeof(responses_adaptive_filter_options) / sizeof(responses_adaptive_filter_options[0]),
+    responses_adaptive_filter_options};
 
 const struct mip_command mip_filter_adaptive_filter_options_command = {
     &mip_filter_adaptive_filter_options_codec, &mip_filter_adaptive_filter_options_exchange};
@@ -1997,12 +2144,16 @@ const struct mip_codec mip_filter_multi_antenna_offset_codec = {
 static const uint8_t asked_multi_antenna_offset_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                        MIP_WHEN_END};
 static const struct mip_response responses_multi_antenna_offset[] = {
-    {asked_multi_antenna_offset_1, NULL, 0xD4},
-    {NULL, NULL, 0},
+    {asked_multi_antenna_offset_1, NULL, 0xD4, false},
 };
 
 const struct mip_exchange mip_filter_multi_antenna_offset_exchange = {
-    0x0D, 0x54, 0, true, NULL, responses_multi_antenna_offset};
+    0x0D,
+    0x54,
+    0,
+    true,
+    sizeof(responses_multi_antenna_offset) / sizeof(responses_multi_antenna_offset[0]),
+    responses_multi_antenna_offset};
 
 const struct mip_command mip_filter_multi_antenna_offset_command = {
     &mip_filter_multi_antenna_offset_codec, &mip_filter_multi_antenna_offset_exchange};
@@ -2049,12 +2200,16 @@ const struct mip_codec mip_filter_relative_position_config_codec = {
 static const uint8_t asked_relative_position_config_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                            MIP_WHEN_END};
 static const struct mip_response responses_relative_position_config[] = {
-    {asked_relative_position_config_1, NULL, 0xD5},
-    {NULL, NULL, 0},
+    {asked_relative_position_config_1, NULL, 0xD5, false},
 };
 
 const struct mip_exchange mip_filter_relative_position_config_exchange = {
-    0x0D, 0x55, 0, true, NULL, responses_relative_position_config};
+    0x0D,
+    0x55,
+    0,
+    true,
+    sizeof(responses_relative_position_config) / sizeof(responses_relative_position_config[0]),
+    responses_relative_position_config};
 
 const struct mip_command mip_filter_relative_position_config_command = {
     &mip_filter_relative_position_config_codec, &mip_filter_relative_position_config_exchange};
@@ -2100,12 +2255,16 @@ const struct mip_codec mip_filter_reference_point_lever_arm_codec = {
 static const uint8_t asked_reference_point_lever_arm_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                             MIP_WHEN_END};
 static const struct mip_response responses_reference_point_lever_arm[] = {
-    {asked_reference_point_lever_arm_1, NULL, 0xD6},
-    {NULL, NULL, 0},
+    {asked_reference_point_lever_arm_1, NULL, 0xD6, false},
 };
 
 const struct mip_exchange mip_filter_reference_point_lever_arm_exchange = {
-    0x0D, 0x56, 0, true, NULL, responses_reference_point_lever_arm};
+    0x0D,
+    0x56,
+    0,
+    true,
+    sizeof(responses_reference_point_lever_arm) / sizeof(responses_reference_point_lever_arm[0]),
+    responses_reference_point_lever_arm};
 
 const struct mip_command mip_filter_reference_point_lever_arm_command = {
     &mip_filter_reference_point_lever_arm_codec, &mip_filter_reference_point_lever_arm_exchange};
@@ -2144,8 +2303,7 @@ const struct mip_codec mip_filter_speed_measurement_codec = {
     program_speed_measurement,
     NULL};
 
-const struct mip_exchange mip_filter_speed_measurement_exchange = {0x0D,  0x60, 0,
-                                                                   false, NULL, NULL};
+const struct mip_exchange mip_filter_speed_measurement_exchange = {0x0D, 0x60, 0, false, 0, NULL};
 
 const struct mip_command mip_filter_speed_measurement_command = {
     &mip_filter_speed_measurement_codec, &mip_filter_speed_measurement_exchange};
@@ -2174,12 +2332,16 @@ const struct mip_codec mip_filter_speed_lever_arm_codec = {
 static const uint8_t asked_speed_lever_arm_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                   MIP_WHEN_END};
 static const struct mip_response responses_speed_lever_arm[] = {
-    {asked_speed_lever_arm_1, NULL, 0xE1},
-    {NULL, NULL, 0},
+    {asked_speed_lever_arm_1, NULL, 0xE1, false},
 };
 
 const struct mip_exchange mip_filter_speed_lever_arm_exchange = {
-    0x0D, 0x61, 0, true, NULL, responses_speed_lever_arm};
+    0x0D,
+    0x61,
+    0,
+    true,
+    sizeof(responses_speed_lever_arm) / sizeof(responses_speed_lever_arm[0]),
+    responses_speed_lever_arm};
 
 const struct mip_command mip_filter_speed_lever_arm_command = {
     &mip_filter_speed_lever_arm_codec, &mip_filter_speed_lever_arm_exchange};
@@ -2222,12 +2384,16 @@ const struct mip_codec mip_filter_vertical_gyro_constraint_codec = {
 static const uint8_t asked_vertical_gyro_constraint_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                            MIP_WHEN_END};
 static const struct mip_response responses_vertical_gyro_constraint[] = {
-    {asked_vertical_gyro_constraint_1, NULL, 0xE2},
-    {NULL, NULL, 0},
+    {asked_vertical_gyro_constraint_1, NULL, 0xE2, false},
 };
 
 const struct mip_exchange mip_filter_vertical_gyro_constraint_exchange = {
-    0x0D, 0x62, 0, true, NULL, responses_vertical_gyro_constraint};
+    0x0D,
+    0x62,
+    0,
+    true,
+    sizeof(responses_vertical_gyro_constraint) / sizeof(responses_vertical_gyro_constraint[0]),
+    responses_vertical_gyro_constraint};
 
 const struct mip_command mip_filter_vertical_gyro_constraint_command = {
     &mip_filter_vertical_gyro_constraint_codec, &mip_filter_vertical_gyro_constraint_exchange};
@@ -2269,12 +2435,16 @@ const struct mip_codec mip_filter_wheeled_vehicle_constraint_codec = {
 static const uint8_t asked_wheeled_vehicle_constraint_1[] = {
     MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_wheeled_vehicle_constraint[] = {
-    {asked_wheeled_vehicle_constraint_1, NULL, 0xE3},
-    {NULL, NULL, 0},
+    {asked_wheeled_vehicle_constraint_1, NULL, 0xE3, false},
 };
 
 const struct mip_exchange mip_filter_wheeled_vehicle_constraint_exchange = {
-    0x0D, 0x63, 0, true, NULL, responses_wheeled_vehicle_constraint};
+    0x0D,
+    0x63,
+    0,
+    true,
+    sizeof(responses_wheeled_vehicle_constraint) / sizeof(responses_wheeled_vehicle_constraint[0]),
+    responses_wheeled_vehicle_constraint};
 
 const struct mip_command mip_filter_wheeled_vehicle_constraint_command = {
     &mip_filter_wheeled_vehicle_constraint_codec, &mip_filter_wheeled_vehicle_constraint_exchange};
@@ -2318,12 +2488,16 @@ const struct mip_codec mip_filter_gnss_antenna_calibration_codec = {
 static const uint8_t asked_gnss_antenna_calibration_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                            MIP_WHEN_END};
 static const struct mip_response responses_gnss_antenna_calibration[] = {
-    {asked_gnss_antenna_calibration_1, NULL, 0xE4},
-    {NULL, NULL, 0},
+    {asked_gnss_antenna_calibration_1, NULL, 0xE4, false},
 };
 
 const struct mip_exchange mip_filter_gnss_antenna_calibration_exchange = {
-    0x0D, 0x64, 0, true, NULL, responses_gnss_antenna_calibration};
+    0x0D,
+    0x64,
+    0,
+    true,
+    sizeof(responses_gnss_antenna_calibration) / sizeof(responses_gnss_antenna_calibration[0]),
+    responses_gnss_antenna_calibration};
 
 const struct mip_command mip_filter_gnss_antenna_calibration_command = {
     &mip_filter_gnss_antenna_calibration_codec, &mip_filter_gnss_antenna_calibration_exchange};

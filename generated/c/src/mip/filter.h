@@ -368,7 +368,6 @@ MIP_CHECKED static inline mip_error mip_filter_reset_encode(const struct mip_fil
                                                             struct mip_builder *builder) {
     return mip_encode(&mip_filter_reset_codec, value, builder);
 }
-
 /**
  * Set initial attitude: command (0x0D,0x02).
  *
@@ -420,47 +419,16 @@ static inline mip_error mip_filter_set_initial_attitude_decode(
 MIP_CHECKED static inline mip_error mip_filter_set_initial_attitude_encode(
     const struct mip_filter_set_initial_attitude *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_set_initial_attitude_codec, value, builder);
-}
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_set_initial_attitude_decode_inline(
-    struct mip_filter_set_initial_attitude *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0D, 0x02, 12);
-    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_get_float(&value->roll, field->data);
-    mip_get_float(&value->pitch, field->data + 4);
-    mip_get_float(&value->heading, field->data + 8);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_filter_set_initial_attitude_encode_inline(
-    const struct mip_filter_set_initial_attitude *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0D, 0x02, 12, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_float(data, &value->roll);
-    mip_put_float(data + 4, &value->pitch);
-    mip_put_float(data + 8, &value->heading);
-    return MIP_OK;
-}
-/**
- * Set initial attitude. Fills the structure and returns its address.
- *
- * - roll: Roll angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793.
- *   Positive: right side down.
- * - pitch: Pitch angle. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966.
- *   Positive: nose up.
- * - heading: Heading (yaw) angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to
- *   3.141592653589793. Positive: clockwise seen from above.
- */
+} /**
+   * Set initial attitude. Fills the structure and returns its address.
+   *
+   * - roll: Roll angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793.
+   *   Positive: right side down.
+   * - pitch: Pitch angle. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966.
+   *   Positive: nose up.
+   * - heading: Heading (yaw) angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to
+   *   3.141592653589793. Positive: clockwise seen from above.
+   */
 static inline struct mip_filter_set_initial_attitude *mip_filter_set_initial_attitude_make(
     struct mip_filter_set_initial_attitude *command, float roll, float pitch, float heading) {
     memset(command, 0, sizeof(*command));
@@ -516,39 +484,12 @@ static inline mip_error mip_filter_set_initial_heading_decode(
 MIP_CHECKED static inline mip_error mip_filter_set_initial_heading_encode(
     const struct mip_filter_set_initial_heading *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_set_initial_heading_codec, value, builder);
-}
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_set_initial_heading_decode_inline(
-    struct mip_filter_set_initial_heading *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0D, 0x03, 4);
-    if (error != MIP_OK || sizeof(*value) != 4) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_get_float(&value->heading, field->data);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_filter_set_initial_heading_encode_inline(
-    const struct mip_filter_set_initial_heading *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0D, 0x03, 4, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_float(data, &value->heading);
-    return MIP_OK;
-}
-/**
- * Set initial heading. Fills the structure and returns its address.
- *
- * - heading: Initial heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to
- *   3.141592653589793. Positive: clockwise seen from above.
- */
+} /**
+   * Set initial heading. Fills the structure and returns its address.
+   *
+   * - heading: Initial heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to
+   *   3.141592653589793. Positive: clockwise seen from above.
+   */
 static inline struct mip_filter_set_initial_heading *
 mip_filter_set_initial_heading_make(struct mip_filter_set_initial_heading *command, float heading) {
     memset(command, 0, sizeof(*command));
@@ -601,39 +542,12 @@ static inline mip_error mip_filter_set_initial_attitude_from_imu_decode(
 MIP_CHECKED static inline mip_error mip_filter_set_initial_attitude_from_imu_encode(
     const struct mip_filter_set_initial_attitude_from_imu *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_set_initial_attitude_from_imu_codec, value, builder);
-}
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_set_initial_attitude_from_imu_decode_inline(
-    struct mip_filter_set_initial_attitude_from_imu *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0D, 0x04, 4);
-    if (error != MIP_OK || sizeof(*value) != 4) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_get_float(&value->declination, field->data);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_filter_set_initial_attitude_from_imu_encode_inline(
-    const struct mip_filter_set_initial_attitude_from_imu *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0D, 0x04, 4, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_float(data, &value->declination);
-    return MIP_OK;
-}
-/**
- * Set initial attitude from IMU. Fills the structure and returns its address.
- *
- * - declination: Local declination of the magnetic field. Unit: rad. Range: -3.141592653589793 to
- *   3.141592653589793.
- */
+} /**
+   * Set initial attitude from IMU. Fills the structure and returns its address.
+   *
+   * - declination: Local declination of the magnetic field. Unit: rad. Range: -3.141592653589793 to
+   *   3.141592653589793.
+   */
 static inline struct mip_filter_set_initial_attitude_from_imu *
 mip_filter_set_initial_attitude_from_imu_make(
     struct mip_filter_set_initial_attitude_from_imu *command, float declination) {
@@ -680,7 +594,6 @@ MIP_CHECKED static inline mip_error mip_filter_run_encode(const struct mip_filte
                                                           struct mip_builder *builder) {
     return mip_encode(&mip_filter_run_codec, value, builder);
 }
-
 /**
  * Vehicle dynamics mode: command (0x0D,0x10).
  *
@@ -729,14 +642,13 @@ static inline mip_error mip_filter_vehicle_dynamics_mode_decode(
 MIP_CHECKED static inline mip_error mip_filter_vehicle_dynamics_mode_encode(
     const struct mip_filter_vehicle_dynamics_mode *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_vehicle_dynamics_mode_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - mode: Kind of vehicle. A value of enum mip_filter_dynamics_mode. Required for write. On the
- *   3DM-GX3-45: only MIP_FILTER_DYNAMICS_MODE_PORTABLE, MIP_FILTER_DYNAMICS_MODE_AUTOMOTIVE and
- *   MIP_FILTER_DYNAMICS_MODE_AIRBORNE.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - mode: Kind of vehicle. A value of enum mip_filter_dynamics_mode. Required for write. On the
+   *   3DM-GX3-45: only MIP_FILTER_DYNAMICS_MODE_PORTABLE, MIP_FILTER_DYNAMICS_MODE_AUTOMOTIVE and
+   *   MIP_FILTER_DYNAMICS_MODE_AIRBORNE.
+   */
 static inline struct mip_filter_vehicle_dynamics_mode *mip_filter_vehicle_dynamics_mode_write(
     struct mip_filter_vehicle_dynamics_mode *command, enum mip_filter_dynamics_mode mode) {
     memset(command, 0, sizeof(*command));
@@ -808,33 +720,6 @@ MIP_CHECKED static inline mip_error mip_filter_vehicle_dynamics_mode_response_en
     const struct mip_filter_vehicle_dynamics_mode_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_vehicle_dynamics_mode_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_vehicle_dynamics_mode_response_decode_inline(
-    struct mip_filter_vehicle_dynamics_mode_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0D, 0x80, 1);
-    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->mode = mip_get_8(field->data);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_filter_vehicle_dynamics_mode_response_encode_inline(
-    const struct mip_filter_vehicle_dynamics_mode_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0D, 0x80, 1, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->mode);
-    return MIP_OK;
-}
-
 /**
  * Sensor to vehicle frame transformation: command (0x0D,0x11).
  *
@@ -894,14 +779,13 @@ static inline mip_error mip_filter_sensor_to_vehicle_euler_decode(
 MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_euler_encode(
     const struct mip_filter_sensor_to_vehicle_euler *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_sensor_to_vehicle_euler_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - roll: Roll angle. Unit: rad. Required for write.
- * - pitch: Pitch angle. Unit: rad. Required for write.
- * - yaw: Yaw angle. Unit: rad. Required for write.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - roll: Roll angle. Unit: rad. Required for write.
+   * - pitch: Pitch angle. Unit: rad. Required for write.
+   * - yaw: Yaw angle. Unit: rad. Required for write.
+   */
 static inline struct mip_filter_sensor_to_vehicle_euler *mip_filter_sensor_to_vehicle_euler_write(
     struct mip_filter_sensor_to_vehicle_euler *command, float roll, float pitch, float yaw) {
     memset(command, 0, sizeof(*command));
@@ -981,37 +865,6 @@ MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_euler_response_
     const struct mip_filter_sensor_to_vehicle_euler_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_sensor_to_vehicle_euler_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_sensor_to_vehicle_euler_response_decode_inline(
-    struct mip_filter_sensor_to_vehicle_euler_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0D, 0x81, 12);
-    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_get_float(&value->roll, field->data);
-    mip_get_float(&value->pitch, field->data + 4);
-    mip_get_float(&value->yaw, field->data + 8);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_euler_response_encode_inline(
-    const struct mip_filter_sensor_to_vehicle_euler_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0D, 0x81, 12, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_float(data, &value->roll);
-    mip_put_float(data + 4, &value->pitch);
-    mip_put_float(data + 8, &value->yaw);
-    return MIP_OK;
-}
-
 /**
  * Sensor to vehicle offset: command (0x0D,0x12).
  *
@@ -1062,13 +915,12 @@ static inline mip_error mip_filter_sensor_to_vehicle_offset_decode(
 MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_offset_encode(
     const struct mip_filter_sensor_to_vehicle_offset *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_sensor_to_vehicle_offset_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - offset: From the sensor to the origin of the vehicle frame. Elements: x, y, z. Unit: m. Frame:
- *   sensor. Range: magnitude at most 10. Required for write.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - offset: From the sensor to the origin of the vehicle frame. Elements: x, y, z. Unit: m.
+   * Frame: sensor. Range: magnitude at most 10. Required for write.
+   */
 static inline struct mip_filter_sensor_to_vehicle_offset *mip_filter_sensor_to_vehicle_offset_write(
     struct mip_filter_sensor_to_vehicle_offset *command, const float offset[3]) {
     memset(command, 0, sizeof(*command));
@@ -1143,37 +995,6 @@ MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_offset_response
     const struct mip_filter_sensor_to_vehicle_offset_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_sensor_to_vehicle_offset_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_sensor_to_vehicle_offset_response_decode_inline(
-    struct mip_filter_sensor_to_vehicle_offset_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0D, 0x82, 12);
-    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    for (size_t i = 0; i < 3; i++) {
-        mip_get_float(&value->offset[i], field->data + 4 * i);
-    }
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_offset_response_encode_inline(
-    const struct mip_filter_sensor_to_vehicle_offset_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0D, 0x82, 12, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    for (size_t i = 0; i < 3; i++) {
-        mip_put_float(data + 4 * i, &value->offset[i]);
-    }
-    return MIP_OK;
-}
-
 /**
  * GNSS antenna offset: command (0x0D,0x13).
  *
@@ -1227,14 +1048,13 @@ static inline mip_error mip_filter_antenna_offset_decode(struct mip_filter_anten
 MIP_CHECKED static inline mip_error mip_filter_antenna_offset_encode(
     const struct mip_filter_antenna_offset *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_antenna_offset_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - offset: From the sensor origin to the phase centre of the antenna. Elements: x, y, z. Unit: m.
- *   Frame: vehicle. Range: magnitude at most 10. Required for write. On the 3DM-GX5-45: frame
- *   sensor.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - offset: From the sensor origin to the phase centre of the antenna. Elements: x, y, z. Unit:
+   * m. Frame: vehicle. Range: magnitude at most 10. Required for write. On the 3DM-GX5-45: frame
+   *   sensor.
+   */
 static inline struct mip_filter_antenna_offset *
 mip_filter_antenna_offset_write(struct mip_filter_antenna_offset *command, const float offset[3]) {
     memset(command, 0, sizeof(*command));
@@ -1308,37 +1128,6 @@ MIP_CHECKED static inline mip_error mip_filter_antenna_offset_response_encode(
     const struct mip_filter_antenna_offset_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_antenna_offset_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_antenna_offset_response_decode_inline(
-    struct mip_filter_antenna_offset_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0D, 0x83, 12);
-    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    for (size_t i = 0; i < 3; i++) {
-        mip_get_float(&value->offset[i], field->data + 4 * i);
-    }
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_filter_antenna_offset_response_encode_inline(
-    const struct mip_filter_antenna_offset_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0D, 0x83, 12, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    for (size_t i = 0; i < 3; i++) {
-        mip_put_float(data + 4 * i, &value->offset[i]);
-    }
-    return MIP_OK;
-}
-
 /**
  * Estimation control flags: command (0x0D,0x14).
  *
@@ -1403,23 +1192,23 @@ static inline mip_error mip_filter_estimation_control_decode(
 MIP_CHECKED static inline mip_error mip_filter_estimation_control_encode(
     const struct mip_filter_estimation_control *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_estimation_control_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - flags: States to estimate. Required for write. On the 3DM-CL5-15, 3DM-CV5-15, 3DM-CX5-15,
- *   3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25 and 3DM-GX5-15: only MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS.
- *   On the 3DM-CL5-25, 3DM-CV5-25, 3DM-CX5-25 and 3DM-GX5-25: only
- *   MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS, MIP_FILTER_ESTIMATED_STATES_AUTO_HARD_IRON and
- *   MIP_FILTER_ESTIMATED_STATES_AUTO_SOFT_IRON. On the 3DM-CV5-45: only
- *   MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS, MIP_FILTER_ESTIMATED_STATES_ACCEL_BIAS,
- *   MIP_FILTER_ESTIMATED_STATES_GYRO_SCALE_FACTOR, MIP_FILTER_ESTIMATED_STATES_ACCEL_SCALE_FACTOR,
- *   MIP_FILTER_ESTIMATED_STATES_ANTENNA_OFFSET, MIP_FILTER_ESTIMATED_STATES_AUTO_HARD_IRON and
- *   MIP_FILTER_ESTIMATED_STATES_AUTO_SOFT_IRON. On the 3DM-GQ4-45, 3DM-GX4-45, 3DM-RQ1-45-LT and
- *   3DM-RQ1-45-ST: only MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS,
- *   MIP_FILTER_ESTIMATED_STATES_ACCEL_BIAS, MIP_FILTER_ESTIMATED_STATES_GYRO_SCALE_FACTOR,
- *   MIP_FILTER_ESTIMATED_STATES_ACCEL_SCALE_FACTOR and MIP_FILTER_ESTIMATED_STATES_ANTENNA_OFFSET.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - flags: States to estimate. Required for write. On the 3DM-CL5-15, 3DM-CV5-15, 3DM-CX5-15,
+   *   3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25 and 3DM-GX5-15: only
+   * MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS. On the 3DM-CL5-25, 3DM-CV5-25, 3DM-CX5-25 and
+   * 3DM-GX5-25: only MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS,
+   * MIP_FILTER_ESTIMATED_STATES_AUTO_HARD_IRON and MIP_FILTER_ESTIMATED_STATES_AUTO_SOFT_IRON. On
+   * the 3DM-CV5-45: only MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS,
+   * MIP_FILTER_ESTIMATED_STATES_ACCEL_BIAS, MIP_FILTER_ESTIMATED_STATES_GYRO_SCALE_FACTOR,
+   * MIP_FILTER_ESTIMATED_STATES_ACCEL_SCALE_FACTOR, MIP_FILTER_ESTIMATED_STATES_ANTENNA_OFFSET,
+   * MIP_FILTER_ESTIMATED_STATES_AUTO_HARD_IRON and MIP_FILTER_ESTIMATED_STATES_AUTO_SOFT_IRON. On
+   * the 3DM-GQ4-45, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only
+   * MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS, MIP_FILTER_ESTIMATED_STATES_ACCEL_BIAS,
+   * MIP_FILTER_ESTIMATED_STATES_GYRO_SCALE_FACTOR, MIP_FILTER_ESTIMATED_STATES_ACCEL_SCALE_FACTOR
+   * and MIP_FILTER_ESTIMATED_STATES_ANTENNA_OFFSET.
+   */
 static inline struct mip_filter_estimation_control *mip_filter_estimation_control_write(
     struct mip_filter_estimation_control *command, mip_filter_estimated_states flags) {
     memset(command, 0, sizeof(*command));
@@ -1490,33 +1279,6 @@ MIP_CHECKED static inline mip_error mip_filter_estimation_control_response_encod
     const struct mip_filter_estimation_control_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_estimation_control_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_estimation_control_response_decode_inline(
-    struct mip_filter_estimation_control_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0D, 0x84, 2);
-    if (error != MIP_OK || sizeof(*value) != 2) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->flags = mip_get_16(field->data);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_filter_estimation_control_response_encode_inline(
-    const struct mip_filter_estimation_control_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0D, 0x84, 2, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_16(data, value->flags);
-    return MIP_OK;
-}
-
 /**
  * GNSS aiding source: command (0x0D,0x15).
  *
@@ -1569,14 +1331,13 @@ static inline mip_error mip_filter_gnss_source_decode(struct mip_filter_gnss_sou
 MIP_CHECKED static inline mip_error mip_filter_gnss_source_encode(
     const struct mip_filter_gnss_source *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_gnss_source_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - source: Source of the GNSS data. A value of enum mip_filter_gnss_aiding_source. Required for
- *   write. On the 3DM-GX5-45: only MIP_FILTER_GNSS_AIDING_SOURCE_ALL_INTERNAL and
- *   MIP_FILTER_GNSS_AIDING_SOURCE_EXTERNAL.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - source: Source of the GNSS data. A value of enum mip_filter_gnss_aiding_source. Required for
+   *   write. On the 3DM-GX5-45: only MIP_FILTER_GNSS_AIDING_SOURCE_ALL_INTERNAL and
+   *   MIP_FILTER_GNSS_AIDING_SOURCE_EXTERNAL.
+   */
 static inline struct mip_filter_gnss_source *mip_filter_gnss_source_write(
     struct mip_filter_gnss_source *command, enum mip_filter_gnss_aiding_source source) {
     memset(command, 0, sizeof(*command));
@@ -1647,33 +1408,6 @@ MIP_CHECKED static inline mip_error mip_filter_gnss_source_response_encode(
     const struct mip_filter_gnss_source_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_gnss_source_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_gnss_source_response_decode_inline(
-    struct mip_filter_gnss_source_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0D, 0x86, 1);
-    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->source = mip_get_8(field->data);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_filter_gnss_source_response_encode_inline(
-    const struct mip_filter_gnss_source_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0D, 0x86, 1, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->source);
-    return MIP_OK;
-}
-
 /**
  * External GNSS update: command (0x0D,0x16).
  *
@@ -1733,73 +1467,20 @@ static inline mip_error mip_filter_external_gnss_update_decode(
 MIP_CHECKED static inline mip_error mip_filter_external_gnss_update_encode(
     const struct mip_filter_external_gnss_update *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_external_gnss_update_codec, value, builder);
-}
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_external_gnss_update_decode_inline(
-    struct mip_filter_external_gnss_update *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0D, 0x16, 70);
-    if (error != MIP_OK || sizeof(*value) != 70) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_get_double(&value->tow, field->data);
-    value->week_number = mip_get_16(field->data + 8);
-    mip_get_double(&value->latitude, field->data + 10);
-    mip_get_double(&value->longitude, field->data + 18);
-    mip_get_double(&value->height, field->data + 26);
-    for (size_t i = 0; i < 3; i++) {
-        mip_get_float(&value->velocity[i], field->data + 34 + 4 * i);
-    }
-    for (size_t i = 0; i < 3; i++) {
-        mip_get_float(&value->position_uncertainty[i], field->data + 46 + 4 * i);
-    }
-    for (size_t i = 0; i < 3; i++) {
-        mip_get_float(&value->velocity_uncertainty[i], field->data + 58 + 4 * i);
-    }
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_filter_external_gnss_update_encode_inline(
-    const struct mip_filter_external_gnss_update *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0D, 0x16, 70, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_double(data, &value->tow);
-    mip_put_16(data + 8, value->week_number);
-    mip_put_double(data + 10, &value->latitude);
-    mip_put_double(data + 18, &value->longitude);
-    mip_put_double(data + 26, &value->height);
-    for (size_t i = 0; i < 3; i++) {
-        mip_put_float(data + 34 + 4 * i, &value->velocity[i]);
-    }
-    for (size_t i = 0; i < 3; i++) {
-        mip_put_float(data + 46 + 4 * i, &value->position_uncertainty[i]);
-    }
-    for (size_t i = 0; i < 3; i++) {
-        mip_put_float(data + 58 + 4 * i, &value->velocity_uncertainty[i]);
-    }
-    return MIP_OK;
-}
-/**
- * External GNSS update. Fills the structure and returns its address.
- *
- * - tow: GPS time of week. Unit: s. Range: at least 0, less than 604800.
- * - week_number: GPS week, counted without rollover. Unit: week.
- * - latitude: Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north.
- * - longitude: Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east.
- * - height: Height above the ellipsoid. Unit: m. Frame: llh.
- * - velocity: Velocity of the antenna. Elements: north, east, down. Unit: m/s. Frame: ned.
- * - position_uncertainty: Standard deviation of the position. Elements: north, east, down. Unit: m.
- *   Frame: ned. Range: at least 0.
- * - velocity_uncertainty: Standard deviation of the velocity. Elements: north, east, down. Unit:
- *   m/s. Frame: ned. Range: at least 0.
- */
+} /**
+   * External GNSS update. Fills the structure and returns its address.
+   *
+   * - tow: GPS time of week. Unit: s. Range: at least 0, less than 604800.
+   * - week_number: GPS week, counted without rollover. Unit: week.
+   * - latitude: Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north.
+   * - longitude: Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east.
+   * - height: Height above the ellipsoid. Unit: m. Frame: llh.
+   * - velocity: Velocity of the antenna. Elements: north, east, down. Unit: m/s. Frame: ned.
+   * - position_uncertainty: Standard deviation of the position. Elements: north, east, down. Unit:
+   * m. Frame: ned. Range: at least 0.
+   * - velocity_uncertainty: Standard deviation of the velocity. Elements: north, east, down. Unit:
+   *   m/s. Frame: ned. Range: at least 0.
+   */
 static inline struct mip_filter_external_gnss_update *mip_filter_external_gnss_update_make(
     struct mip_filter_external_gnss_update *command, double tow, uint16_t week_number,
     double latitude, double longitude, double height, const float velocity[3],
@@ -1872,46 +1553,15 @@ static inline mip_error mip_filter_external_heading_update_decode(
 MIP_CHECKED static inline mip_error mip_filter_external_heading_update_encode(
     const struct mip_filter_external_heading_update *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_external_heading_update_codec, value, builder);
-}
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_external_heading_update_decode_inline(
-    struct mip_filter_external_heading_update *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0D, 0x17, 9);
-    if (error != MIP_OK || sizeof(*value) != 9) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_get_float(&value->heading, field->data);
-    mip_get_float(&value->heading_uncertainty, field->data + 4);
-    value->type = mip_get_8(field->data + 8);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_filter_external_heading_update_encode_inline(
-    const struct mip_filter_external_heading_update *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0D, 0x17, 9, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_float(data, &value->heading);
-    mip_put_float(data + 4, &value->heading_uncertainty);
-    mip_put_8(data + 8, value->type);
-    return MIP_OK;
-}
-/**
- * External heading update. Fills the structure and returns its address.
- *
- * - heading: Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range:
- *   -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above.
- * - heading_uncertainty: Standard deviation; the device refuses a value out of bounds. Unit: rad.
- *   Range: greater than 0.
- * - type: North that the heading refers to. A value of enum mip_filter_heading_type.
- */
+} /**
+   * External heading update. Fills the structure and returns its address.
+   *
+   * - heading: Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range:
+   *   -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above.
+   * - heading_uncertainty: Standard deviation; the device refuses a value out of bounds. Unit: rad.
+   *   Range: greater than 0.
+   * - type: North that the heading refers to. A value of enum mip_filter_heading_type.
+   */
 static inline struct mip_filter_external_heading_update *mip_filter_external_heading_update_make(
     struct mip_filter_external_heading_update *command, float heading, float heading_uncertainty,
     enum mip_filter_heading_type type) {
@@ -1983,27 +1633,26 @@ static inline mip_error mip_filter_heading_source_decode(struct mip_filter_headi
 MIP_CHECKED static inline mip_error mip_filter_heading_source_encode(
     const struct mip_filter_heading_source *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_heading_source_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - source: Source of the heading. A value of enum mip_filter_heading_update_source. Required for
- *   write. On the 3DM-CL5-15, 3DM-CV5-15, 3DM-CX5-15 and 3DM-GX5-15: only
- *   MIP_FILTER_HEADING_UPDATE_SOURCE_NONE and MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL. On the
- *   3DM-CL5-25, 3DM-CV5-25, 3DM-CX5-25, 3DM-GX4-25 and 3DM-GX5-25: only
- *   MIP_FILTER_HEADING_UPDATE_SOURCE_NONE, MIP_FILTER_HEADING_UPDATE_SOURCE_MAG and
- *   MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL. On the 3DM-CV5-45: only
- *   MIP_FILTER_HEADING_UPDATE_SOURCE_NONE, MIP_FILTER_HEADING_UPDATE_SOURCE_MAG,
- *   MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY, MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL,
- *   MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY_AND_MAG,
- *   MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY_AND_EXTERNAL,
- *   MIP_FILTER_HEADING_UPDATE_SOURCE_MAG_AND_EXTERNAL and MIP_FILTER_HEADING_UPDATE_SOURCE_ALL. On
- *   the 3DM-GQ4-45, 3DM-GX3-45 and 3DM-GX4-45: only MIP_FILTER_HEADING_UPDATE_SOURCE_NONE,
- *   MIP_FILTER_HEADING_UPDATE_SOURCE_MAG, MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY and
- *   MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL. On the 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only
- *   MIP_FILTER_HEADING_UPDATE_SOURCE_NONE, MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY and
- *   MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - source: Source of the heading. A value of enum mip_filter_heading_update_source. Required for
+   *   write. On the 3DM-CL5-15, 3DM-CV5-15, 3DM-CX5-15 and 3DM-GX5-15: only
+   *   MIP_FILTER_HEADING_UPDATE_SOURCE_NONE and MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL. On the
+   *   3DM-CL5-25, 3DM-CV5-25, 3DM-CX5-25, 3DM-GX4-25 and 3DM-GX5-25: only
+   *   MIP_FILTER_HEADING_UPDATE_SOURCE_NONE, MIP_FILTER_HEADING_UPDATE_SOURCE_MAG and
+   *   MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL. On the 3DM-CV5-45: only
+   *   MIP_FILTER_HEADING_UPDATE_SOURCE_NONE, MIP_FILTER_HEADING_UPDATE_SOURCE_MAG,
+   *   MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY, MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL,
+   *   MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY_AND_MAG,
+   *   MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY_AND_EXTERNAL,
+   *   MIP_FILTER_HEADING_UPDATE_SOURCE_MAG_AND_EXTERNAL and MIP_FILTER_HEADING_UPDATE_SOURCE_ALL.
+   * On the 3DM-GQ4-45, 3DM-GX3-45 and 3DM-GX4-45: only MIP_FILTER_HEADING_UPDATE_SOURCE_NONE,
+   *   MIP_FILTER_HEADING_UPDATE_SOURCE_MAG, MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY and
+   *   MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL. On the 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only
+   *   MIP_FILTER_HEADING_UPDATE_SOURCE_NONE, MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY and
+   *   MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL.
+   */
 static inline struct mip_filter_heading_source *mip_filter_heading_source_write(
     struct mip_filter_heading_source *command, enum mip_filter_heading_update_source source) {
     memset(command, 0, sizeof(*command));
@@ -2074,33 +1723,6 @@ MIP_CHECKED static inline mip_error mip_filter_heading_source_response_encode(
     const struct mip_filter_heading_source_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_heading_source_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_heading_source_response_decode_inline(
-    struct mip_filter_heading_source_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0D, 0x87, 1);
-    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->source = mip_get_8(field->data);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_filter_heading_source_response_encode_inline(
-    const struct mip_filter_heading_source_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0D, 0x87, 1, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->source);
-    return MIP_OK;
-}
-
 /**
  * Automatic initialization: command (0x0D,0x19).
  *
@@ -2146,12 +1768,11 @@ static inline mip_error mip_filter_auto_initialization_control_decode(
 MIP_CHECKED static inline mip_error mip_filter_auto_initialization_control_encode(
     const struct mip_filter_auto_initialization_control *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_auto_initialization_control_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
+   */
 static inline struct mip_filter_auto_initialization_control *
 mip_filter_auto_initialization_control_write(struct mip_filter_auto_initialization_control *command,
                                              uint8_t enable) {
@@ -2230,34 +1851,6 @@ MIP_CHECKED static inline mip_error mip_filter_auto_initialization_control_respo
     struct mip_builder *builder) {
     return mip_encode(&mip_filter_auto_initialization_control_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_auto_initialization_control_response_decode_inline(
-    struct mip_filter_auto_initialization_control_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0D, 0x88, 1);
-    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->enable = mip_get_8(field->data);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_filter_auto_initialization_control_response_encode_inline(
-    const struct mip_filter_auto_initialization_control_response *value,
-    struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0D, 0x88, 1, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->enable);
-    return MIP_OK;
-}
-
 /**
  * Accelerometer noise: command (0x0D,0x1A).
  *
@@ -2309,13 +1902,12 @@ static inline mip_error mip_filter_accel_noise_decode(struct mip_filter_accel_no
 MIP_CHECKED static inline mip_error mip_filter_accel_noise_encode(
     const struct mip_filter_accel_noise *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_accel_noise_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - noise: Standard deviation per axis. Elements: x, y, z. Unit: m/s^2. Range: greater than 0.
- *   Required for write.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - noise: Standard deviation per axis. Elements: x, y, z. Unit: m/s^2. Range: greater than 0.
+   *   Required for write.
+   */
 static inline struct mip_filter_accel_noise *
 mip_filter_accel_noise_write(struct mip_filter_accel_noise *command, const float noise[3]) {
     memset(command, 0, sizeof(*command));
@@ -2387,37 +1979,6 @@ MIP_CHECKED static inline mip_error mip_filter_accel_noise_response_encode(
     const struct mip_filter_accel_noise_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_accel_noise_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_accel_noise_response_decode_inline(
-    struct mip_filter_accel_noise_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0D, 0x89, 12);
-    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    for (size_t i = 0; i < 3; i++) {
-        mip_get_float(&value->noise[i], field->data + 4 * i);
-    }
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_filter_accel_noise_response_encode_inline(
-    const struct mip_filter_accel_noise_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0D, 0x89, 12, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    for (size_t i = 0; i < 3; i++) {
-        mip_put_float(data + 4 * i, &value->noise[i]);
-    }
-    return MIP_OK;
-}
-
 /**
  * Gyroscope noise: command (0x0D,0x1B).
  *
@@ -2468,13 +2029,12 @@ static inline mip_error mip_filter_gyro_noise_decode(struct mip_filter_gyro_nois
 MIP_CHECKED static inline mip_error mip_filter_gyro_noise_encode(
     const struct mip_filter_gyro_noise *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_gyro_noise_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - noise: Standard deviation per axis. Elements: x, y, z. Unit: rad/s. Range: greater than 0.
- *   Required for write.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - noise: Standard deviation per axis. Elements: x, y, z. Unit: rad/s. Range: greater than 0.
+   *   Required for write.
+   */
 static inline struct mip_filter_gyro_noise *
 mip_filter_gyro_noise_write(struct mip_filter_gyro_noise *command, const float noise[3]) {
     memset(command, 0, sizeof(*command));
@@ -2546,37 +2106,6 @@ MIP_CHECKED static inline mip_error mip_filter_gyro_noise_response_encode(
     const struct mip_filter_gyro_noise_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_gyro_noise_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_gyro_noise_response_decode_inline(
-    struct mip_filter_gyro_noise_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0D, 0x8A, 12);
-    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    for (size_t i = 0; i < 3; i++) {
-        mip_get_float(&value->noise[i], field->data + 4 * i);
-    }
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_filter_gyro_noise_response_encode_inline(
-    const struct mip_filter_gyro_noise_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0D, 0x8A, 12, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    for (size_t i = 0; i < 3; i++) {
-        mip_put_float(data + 4 * i, &value->noise[i]);
-    }
-    return MIP_OK;
-}
-
 /**
  * Accelerometer bias model: command (0x0D,0x1C).
  *
@@ -2628,15 +2157,14 @@ static inline mip_error mip_filter_accel_bias_model_decode(
 MIP_CHECKED static inline mip_error mip_filter_accel_bias_model_encode(
     const struct mip_filter_accel_bias_model *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_accel_bias_model_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - beta: Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s. Required for
- *   write.
- * - noise: Standard deviation of the noise per axis. Elements: x, y, z. Unit: m/s^2. Range: greater
- *   than 0. Required for write.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - beta: Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s. Required for
+   *   write.
+   * - noise: Standard deviation of the noise per axis. Elements: x, y, z. Unit: m/s^2. Range:
+   * greater than 0. Required for write.
+   */
 static inline struct mip_filter_accel_bias_model *mip_filter_accel_bias_model_write(
     struct mip_filter_accel_bias_model *command, const float beta[3], const float noise[3]) {
     memset(command, 0, sizeof(*command));
@@ -2713,43 +2241,6 @@ MIP_CHECKED static inline mip_error mip_filter_accel_bias_model_response_encode(
     const struct mip_filter_accel_bias_model_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_accel_bias_model_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_accel_bias_model_response_decode_inline(
-    struct mip_filter_accel_bias_model_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0D, 0x8B, 24);
-    if (error != MIP_OK || sizeof(*value) != 24) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    for (size_t i = 0; i < 3; i++) {
-        mip_get_float(&value->beta[i], field->data + 4 * i);
-    }
-    for (size_t i = 0; i < 3; i++) {
-        mip_get_float(&value->noise[i], field->data + 12 + 4 * i);
-    }
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_filter_accel_bias_model_response_encode_inline(
-    const struct mip_filter_accel_bias_model_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0D, 0x8B, 24, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    for (size_t i = 0; i < 3; i++) {
-        mip_put_float(data + 4 * i, &value->beta[i]);
-    }
-    for (size_t i = 0; i < 3; i++) {
-        mip_put_float(data + 12 + 4 * i, &value->noise[i]);
-    }
-    return MIP_OK;
-}
-
 /**
  * Gyroscope bias model: command (0x0D,0x1D).
  *
@@ -2802,15 +2293,14 @@ static inline mip_error mip_filter_gyro_bias_model_decode(struct mip_filter_gyro
 MIP_CHECKED static inline mip_error mip_filter_gyro_bias_model_encode(
     const struct mip_filter_gyro_bias_model *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_gyro_bias_model_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - beta: Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s. Required for
- *   write.
- * - noise: Standard deviation of the noise per axis. Elements: x, y, z. Unit: rad/s. Range: greater
- *   than 0. Required for write.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - beta: Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s. Required for
+   *   write.
+   * - noise: Standard deviation of the noise per axis. Elements: x, y, z. Unit: rad/s. Range:
+   * greater than 0. Required for write.
+   */
 static inline struct mip_filter_gyro_bias_model *mip_filter_gyro_bias_model_write(
     struct mip_filter_gyro_bias_model *command, const float beta[3], const float noise[3]) {
     memset(command, 0, sizeof(*command));
@@ -2888,43 +2378,6 @@ MIP_CHECKED static inline mip_error mip_filter_gyro_bias_model_response_encode(
     const struct mip_filter_gyro_bias_model_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_gyro_bias_model_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_gyro_bias_model_response_decode_inline(
-    struct mip_filter_gyro_bias_model_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0D, 0x8C, 24);
-    if (error != MIP_OK || sizeof(*value) != 24) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    for (size_t i = 0; i < 3; i++) {
-        mip_get_float(&value->beta[i], field->data + 4 * i);
-    }
-    for (size_t i = 0; i < 3; i++) {
-        mip_get_float(&value->noise[i], field->data + 12 + 4 * i);
-    }
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_filter_gyro_bias_model_response_encode_inline(
-    const struct mip_filter_gyro_bias_model_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0D, 0x8C, 24, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    for (size_t i = 0; i < 3; i++) {
-        mip_put_float(data + 4 * i, &value->beta[i]);
-    }
-    for (size_t i = 0; i < 3; i++) {
-        mip_put_float(data + 12 + 4 * i, &value->noise[i]);
-    }
-    return MIP_OK;
-}
-
 /**
  * Automatic zero velocity update: command (0x0D,0x1E).
  *
@@ -2973,14 +2426,13 @@ static inline mip_error mip_filter_auto_zupt_decode(struct mip_filter_auto_zupt 
 MIP_CHECKED static inline mip_error
 mip_filter_auto_zupt_encode(const struct mip_filter_auto_zupt *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_auto_zupt_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
- * - threshold: Highest speed that is treated as zero. Unit: m/s. Range: at least 0. Required for
- *   write.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
+   * - threshold: Highest speed that is treated as zero. Unit: m/s. Range: at least 0. Required for
+   *   write.
+   */
 static inline struct mip_filter_auto_zupt *
 mip_filter_auto_zupt_write(struct mip_filter_auto_zupt *command, uint8_t enable, float threshold) {
     memset(command, 0, sizeof(*command));
@@ -3055,35 +2507,6 @@ MIP_CHECKED static inline mip_error mip_filter_auto_zupt_response_encode(
     const struct mip_filter_auto_zupt_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_auto_zupt_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_auto_zupt_response_decode_inline(
-    struct mip_filter_auto_zupt_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0D, 0x8D, 5);
-    if (error != MIP_OK || sizeof(*value) != 5) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->enable = mip_get_8(field->data);
-    mip_get_float(&value->threshold, field->data + 1);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_filter_auto_zupt_response_encode_inline(
-    const struct mip_filter_auto_zupt_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0D, 0x8D, 5, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->enable);
-    mip_put_float(data + 1, &value->threshold);
-    return MIP_OK;
-}
-
 /**
  * External heading update with time: command (0x0D,0x1F).
  *
@@ -3145,52 +2568,17 @@ static inline mip_error mip_filter_external_heading_update_with_time_decode(
 MIP_CHECKED static inline mip_error mip_filter_external_heading_update_with_time_encode(
     const struct mip_filter_external_heading_update_with_time *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_external_heading_update_with_time_codec, value, builder);
-}
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_external_heading_update_with_time_decode_inline(
-    struct mip_filter_external_heading_update_with_time *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0D, 0x1F, 19);
-    if (error != MIP_OK || sizeof(*value) != 19) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_get_double(&value->tow, field->data);
-    value->week_number = mip_get_16(field->data + 8);
-    mip_get_float(&value->heading, field->data + 10);
-    mip_get_float(&value->heading_uncertainty, field->data + 14);
-    value->type = mip_get_8(field->data + 18);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_filter_external_heading_update_with_time_encode_inline(
-    const struct mip_filter_external_heading_update_with_time *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0D, 0x1F, 19, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_double(data, &value->tow);
-    mip_put_16(data + 8, value->week_number);
-    mip_put_float(data + 10, &value->heading);
-    mip_put_float(data + 14, &value->heading_uncertainty);
-    mip_put_8(data + 18, value->type);
-    return MIP_OK;
-}
-/**
- * External heading update with time. Fills the structure and returns its address.
- *
- * - tow: GPS time of week of the measurement. Unit: s. Range: at least 0, less than 604800.
- * - week_number: GPS week, counted without rollover. Unit: week.
- * - heading: Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range:
- *   -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above.
- * - heading_uncertainty: Standard deviation; the device refuses a value out of bounds. Unit: rad.
- *   Range: greater than 0.
- * - type: North that the heading refers to. A value of enum mip_filter_heading_type.
- */
+} /**
+   * External heading update with time. Fills the structure and returns its address.
+   *
+   * - tow: GPS time of week of the measurement. Unit: s. Range: at least 0, less than 604800.
+   * - week_number: GPS week, counted without rollover. Unit: week.
+   * - heading: Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range:
+   *   -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above.
+   * - heading_uncertainty: Standard deviation; the device refuses a value out of bounds. Unit: rad.
+   *   Range: greater than 0.
+   * - type: North that the heading refers to. A value of enum mip_filter_heading_type.
+   */
 static inline struct mip_filter_external_heading_update_with_time *
 mip_filter_external_heading_update_with_time_make(
     struct mip_filter_external_heading_update_with_time *command, double tow, uint16_t week_number,
@@ -3257,14 +2645,13 @@ static inline mip_error mip_filter_auto_angular_zupt_decode(
 MIP_CHECKED static inline mip_error mip_filter_auto_angular_zupt_encode(
     const struct mip_filter_auto_angular_zupt *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_auto_angular_zupt_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
- * - threshold: Highest angular rate that is treated as zero. Unit: rad/s. Range: at least 0.
- *   Required for write.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
+   * - threshold: Highest angular rate that is treated as zero. Unit: rad/s. Range: at least 0.
+   *   Required for write.
+   */
 static inline struct mip_filter_auto_angular_zupt *mip_filter_auto_angular_zupt_write(
     struct mip_filter_auto_angular_zupt *command, uint8_t enable, float threshold) {
     memset(command, 0, sizeof(*command));
@@ -3340,35 +2727,6 @@ MIP_CHECKED static inline mip_error mip_filter_auto_angular_zupt_response_encode
     const struct mip_filter_auto_angular_zupt_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_auto_angular_zupt_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_auto_angular_zupt_response_decode_inline(
-    struct mip_filter_auto_angular_zupt_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0D, 0x8E, 5);
-    if (error != MIP_OK || sizeof(*value) != 5) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->enable = mip_get_8(field->data);
-    mip_get_float(&value->threshold, field->data + 1);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_filter_auto_angular_zupt_response_encode_inline(
-    const struct mip_filter_auto_angular_zupt_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0D, 0x8E, 5, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->enable);
-    mip_put_float(data + 1, &value->threshold);
-    return MIP_OK;
-}
-
 /**
  * Tare orientation: command (0x0D,0x21).
  *
@@ -3419,12 +2777,11 @@ static inline mip_error mip_filter_tare_orientation_decode(
 MIP_CHECKED static inline mip_error mip_filter_tare_orientation_encode(
     const struct mip_filter_tare_orientation *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_tare_orientation_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - axes: Axes to tare; 0 resets all axes. Required for write.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - axes: Axes to tare; 0 resets all axes. Required for write.
+   */
 static inline struct mip_filter_tare_orientation *mip_filter_tare_orientation_write(
     struct mip_filter_tare_orientation *command, mip_filter_tare_axes axes) {
     memset(command, 0, sizeof(*command));
@@ -3498,33 +2855,6 @@ MIP_CHECKED static inline mip_error mip_filter_tare_orientation_response_encode(
     const struct mip_filter_tare_orientation_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_tare_orientation_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_tare_orientation_response_decode_inline(
-    struct mip_filter_tare_orientation_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0D, 0xA1, 1);
-    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->axes = mip_get_8(field->data);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_filter_tare_orientation_response_encode_inline(
-    const struct mip_filter_tare_orientation_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0D, 0xA1, 1, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->axes);
-    return MIP_OK;
-}
-
 /**
  * Commanded zero velocity update: command (0x0D,0x22).
  *
@@ -3564,7 +2894,6 @@ MIP_CHECKED static inline mip_error mip_filter_commanded_zupt_encode(
     const struct mip_filter_commanded_zupt *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_commanded_zupt_codec, value, builder);
 }
-
 /**
  * Commanded zero angular rate update: command (0x0D,0x23).
  *
@@ -3605,7 +2934,6 @@ MIP_CHECKED static inline mip_error mip_filter_commanded_angular_zupt_encode(
     const struct mip_filter_commanded_angular_zupt *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_commanded_angular_zupt_codec, value, builder);
 }
-
 /**
  * Set reference position: command (0x0D,0x26).
  *
@@ -3666,19 +2994,18 @@ static inline mip_error mip_filter_reference_position_decode(
 MIP_CHECKED static inline mip_error mip_filter_reference_position_encode(
     const struct mip_filter_reference_position *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_reference_position_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
- * - latitude: Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Required
- *   for write.
- * - longitude: Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east.
- *   Required for write.
- * - altitude: Altitude of the reference position. Unit: m. Required for write. Uncertain: Whether
- *   it counts from the ellipsoid or from sea level. The manual does not say; its glossary counts
- *   altitudes from sea level.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
+   * - latitude: Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north.
+   * Required for write.
+   * - longitude: Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east.
+   *   Required for write.
+   * - altitude: Altitude of the reference position. Unit: m. Required for write. Uncertain: Whether
+   *   it counts from the ellipsoid or from sea level. The manual does not say; its glossary counts
+   *   altitudes from sea level.
+   */
 static inline struct mip_filter_reference_position *
 mip_filter_reference_position_write(struct mip_filter_reference_position *command, uint8_t enable,
                                     double latitude, double longitude, double altitude) {
@@ -3762,39 +3089,6 @@ MIP_CHECKED static inline mip_error mip_filter_reference_position_response_encod
     const struct mip_filter_reference_position_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_reference_position_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_reference_position_response_decode_inline(
-    struct mip_filter_reference_position_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0D, 0x90, 25);
-    if (error != MIP_OK || sizeof(*value) != 25) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->enable = mip_get_8(field->data);
-    mip_get_double(&value->latitude, field->data + 1);
-    mip_get_double(&value->longitude, field->data + 9);
-    mip_get_double(&value->altitude, field->data + 17);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_filter_reference_position_response_encode_inline(
-    const struct mip_filter_reference_position_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0D, 0x90, 25, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->enable);
-    mip_put_double(data + 1, &value->latitude);
-    mip_put_double(data + 9, &value->longitude);
-    mip_put_double(data + 17, &value->altitude);
-    return MIP_OK;
-}
-
 /**
  * Capture automatic magnetometer calibration: command (0x0D,0x27).
  *
@@ -3837,34 +3131,7 @@ static inline mip_error mip_filter_mag_capture_auto_calibration_decode(
 MIP_CHECKED static inline mip_error mip_filter_mag_capture_auto_calibration_encode(
     const struct mip_filter_mag_capture_auto_calibration *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_mag_capture_auto_calibration_codec, value, builder);
-}
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_mag_capture_auto_calibration_decode_inline(
-    struct mip_filter_mag_capture_auto_calibration *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0D, 0x27, 1);
-    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->function = mip_get_8(field->data);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_filter_mag_capture_auto_calibration_encode_inline(
-    const struct mip_filter_mag_capture_auto_calibration *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0D, 0x27, 1, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->function);
-    return MIP_OK;
-}
-/** Apply the new setting. Fills the structure and returns its address. */
+} /** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_mag_capture_auto_calibration *
 mip_filter_mag_capture_auto_calibration_write(
     struct mip_filter_mag_capture_auto_calibration *command) {
@@ -3931,13 +3198,12 @@ static inline mip_error mip_filter_gravity_noise_decode(struct mip_filter_gravit
 MIP_CHECKED static inline mip_error mip_filter_gravity_noise_encode(
     const struct mip_filter_gravity_noise *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_gravity_noise_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - noise: Standard deviation per axis. Elements: x, y, z. Unit: g. Range: greater than 0. Required
- *   for write.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - noise: Standard deviation per axis. Elements: x, y, z. Unit: g. Range: greater than 0.
+   * Required for write.
+   */
 static inline struct mip_filter_gravity_noise *
 mip_filter_gravity_noise_write(struct mip_filter_gravity_noise *command, const float noise[3]) {
     memset(command, 0, sizeof(*command));
@@ -4009,37 +3275,6 @@ MIP_CHECKED static inline mip_error mip_filter_gravity_noise_response_encode(
     const struct mip_filter_gravity_noise_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_gravity_noise_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_gravity_noise_response_decode_inline(
-    struct mip_filter_gravity_noise_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0D, 0x93, 12);
-    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    for (size_t i = 0; i < 3; i++) {
-        mip_get_float(&value->noise[i], field->data + 4 * i);
-    }
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_filter_gravity_noise_response_encode_inline(
-    const struct mip_filter_gravity_noise_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0D, 0x93, 12, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    for (size_t i = 0; i < 3; i++) {
-        mip_put_float(data + 4 * i, &value->noise[i]);
-    }
-    return MIP_OK;
-}
-
 /**
  * Pressure altitude noise: command (0x0D,0x29).
  *
@@ -4088,12 +3323,11 @@ static inline mip_error mip_filter_pressure_altitude_noise_decode(
 MIP_CHECKED static inline mip_error mip_filter_pressure_altitude_noise_encode(
     const struct mip_filter_pressure_altitude_noise *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_pressure_altitude_noise_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - noise: Standard deviation. Unit: m. Range: greater than 0. Required for write.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - noise: Standard deviation. Unit: m. Range: greater than 0. Required for write.
+   */
 static inline struct mip_filter_pressure_altitude_noise *mip_filter_pressure_altitude_noise_write(
     struct mip_filter_pressure_altitude_noise *command, float noise) {
     memset(command, 0, sizeof(*command));
@@ -4165,33 +3399,6 @@ MIP_CHECKED static inline mip_error mip_filter_pressure_altitude_noise_response_
     const struct mip_filter_pressure_altitude_noise_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_pressure_altitude_noise_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_pressure_altitude_noise_response_decode_inline(
-    struct mip_filter_pressure_altitude_noise_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0D, 0x94, 4);
-    if (error != MIP_OK || sizeof(*value) != 4) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_get_float(&value->noise, field->data);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_filter_pressure_altitude_noise_response_encode_inline(
-    const struct mip_filter_pressure_altitude_noise_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0D, 0x94, 4, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_float(data, &value->noise);
-    return MIP_OK;
-}
-
 /**
  * Hard iron offset noise: command (0x0D,0x2B).
  *
@@ -4240,13 +3447,12 @@ static inline mip_error mip_filter_hard_iron_offset_noise_decode(
 MIP_CHECKED static inline mip_error mip_filter_hard_iron_offset_noise_encode(
     const struct mip_filter_hard_iron_offset_noise *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_hard_iron_offset_noise_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - noise: Standard deviation per axis. Elements: x, y, z. Unit: gauss. Range: greater than 0.
- *   Required for write.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - noise: Standard deviation per axis. Elements: x, y, z. Unit: gauss. Range: greater than 0.
+   *   Required for write.
+   */
 static inline struct mip_filter_hard_iron_offset_noise *mip_filter_hard_iron_offset_noise_write(
     struct mip_filter_hard_iron_offset_noise *command, const float noise[3]) {
     memset(command, 0, sizeof(*command));
@@ -4318,37 +3524,6 @@ MIP_CHECKED static inline mip_error mip_filter_hard_iron_offset_noise_response_e
     const struct mip_filter_hard_iron_offset_noise_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_hard_iron_offset_noise_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_hard_iron_offset_noise_response_decode_inline(
-    struct mip_filter_hard_iron_offset_noise_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0D, 0x96, 12);
-    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    for (size_t i = 0; i < 3; i++) {
-        mip_get_float(&value->noise[i], field->data + 4 * i);
-    }
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_filter_hard_iron_offset_noise_response_encode_inline(
-    const struct mip_filter_hard_iron_offset_noise_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0D, 0x96, 12, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    for (size_t i = 0; i < 3; i++) {
-        mip_put_float(data + 4 * i, &value->noise[i]);
-    }
-    return MIP_OK;
-}
-
 /**
  * Soft iron matrix noise: command (0x0D,0x2C).
  *
@@ -4397,13 +3572,12 @@ static inline mip_error mip_filter_soft_iron_matrix_noise_decode(
 MIP_CHECKED static inline mip_error mip_filter_soft_iron_matrix_noise_encode(
     const struct mip_filter_soft_iron_matrix_noise *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_soft_iron_matrix_noise_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - noise: Standard deviation per element. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
- *   Unit: 1. Range: greater than 0. Required for write.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - noise: Standard deviation per element. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
+   *   Unit: 1. Range: greater than 0. Required for write.
+   */
 static inline struct mip_filter_soft_iron_matrix_noise *mip_filter_soft_iron_matrix_noise_write(
     struct mip_filter_soft_iron_matrix_noise *command, const float noise[9]) {
     memset(command, 0, sizeof(*command));
@@ -4478,37 +3652,6 @@ MIP_CHECKED static inline mip_error mip_filter_soft_iron_matrix_noise_response_e
     const struct mip_filter_soft_iron_matrix_noise_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_soft_iron_matrix_noise_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_soft_iron_matrix_noise_response_decode_inline(
-    struct mip_filter_soft_iron_matrix_noise_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0D, 0x97, 36);
-    if (error != MIP_OK || sizeof(*value) != 36) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    for (size_t i = 0; i < 9; i++) {
-        mip_get_float(&value->noise[i], field->data + 4 * i);
-    }
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_filter_soft_iron_matrix_noise_response_encode_inline(
-    const struct mip_filter_soft_iron_matrix_noise_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0D, 0x97, 36, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    for (size_t i = 0; i < 9; i++) {
-        mip_put_float(data + 4 * i, &value->noise[i]);
-    }
-    return MIP_OK;
-}
-
 /**
  * Enable or disable measurements: command (0x0D,0x41).
  *
@@ -4558,13 +3701,12 @@ static inline mip_error mip_filter_enable_measurements_decode(
 MIP_CHECKED static inline mip_error mip_filter_enable_measurements_encode(
     const struct mip_filter_enable_measurements *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_enable_measurements_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - control: Measurements to use. Required for write. On the 3DM-GX5-15: only
- *   MIP_FILTER_MEASUREMENT_FLAGS_ACCEL.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - control: Measurements to use. Required for write. On the 3DM-GX5-15: only
+   *   MIP_FILTER_MEASUREMENT_FLAGS_ACCEL.
+   */
 static inline struct mip_filter_enable_measurements *mip_filter_enable_measurements_write(
     struct mip_filter_enable_measurements *command, mip_filter_measurement_flags control) {
     memset(command, 0, sizeof(*command));
@@ -4635,33 +3777,6 @@ MIP_CHECKED static inline mip_error mip_filter_enable_measurements_response_enco
     const struct mip_filter_enable_measurements_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_enable_measurements_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_enable_measurements_response_decode_inline(
-    struct mip_filter_enable_measurements_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0D, 0xB0, 2);
-    if (error != MIP_OK || sizeof(*value) != 2) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->control = mip_get_16(field->data);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_filter_enable_measurements_response_encode_inline(
-    const struct mip_filter_enable_measurements_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0D, 0xB0, 2, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_16(data, value->control);
-    return MIP_OK;
-}
-
 /**
  * Magnetometer noise: command (0x0D,0x42).
  *
@@ -4710,13 +3825,12 @@ static inline mip_error mip_filter_mag_noise_decode(struct mip_filter_mag_noise 
 MIP_CHECKED static inline mip_error
 mip_filter_mag_noise_encode(const struct mip_filter_mag_noise *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_mag_noise_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - noise: Standard deviation per axis. Elements: x, y, z. Unit: gauss. Range: greater than 0.
- *   Required for write.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - noise: Standard deviation per axis. Elements: x, y, z. Unit: gauss. Range: greater than 0.
+   *   Required for write.
+   */
 static inline struct mip_filter_mag_noise *
 mip_filter_mag_noise_write(struct mip_filter_mag_noise *command, const float noise[3]) {
     memset(command, 0, sizeof(*command));
@@ -4787,37 +3901,6 @@ MIP_CHECKED static inline mip_error mip_filter_mag_noise_response_encode(
     const struct mip_filter_mag_noise_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_mag_noise_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_mag_noise_response_decode_inline(
-    struct mip_filter_mag_noise_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0D, 0xB1, 12);
-    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    for (size_t i = 0; i < 3; i++) {
-        mip_get_float(&value->noise[i], field->data + 4 * i);
-    }
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_filter_mag_noise_response_encode_inline(
-    const struct mip_filter_mag_noise_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0D, 0xB1, 12, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    for (size_t i = 0; i < 3; i++) {
-        mip_put_float(data + 4 * i, &value->noise[i]);
-    }
-    return MIP_OK;
-}
-
 /**
  * Magnetic declination source: command (0x0D,0x43).
  *
@@ -4880,20 +3963,19 @@ static inline mip_error mip_filter_magnetic_declination_source_decode(
 MIP_CHECKED static inline mip_error mip_filter_magnetic_declination_source_encode(
     const struct mip_filter_magnetic_declination_source *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_magnetic_declination_source_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - source: Source of the declination. A value of enum mip_filter_mag_parameter_source. Required
- *   for write. On the 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: only
- *   MIP_FILTER_MAG_PARAMETER_SOURCE_NONE and MIP_FILTER_MAG_PARAMETER_SOURCE_MANUAL. On the
- *   3DM-GQ7-GNSS/INS: only MIP_FILTER_MAG_PARAMETER_SOURCE_WMM and
- *   MIP_FILTER_MAG_PARAMETER_SOURCE_MANUAL.
- * - declination: Declination; used only if `source` is manual. Unit: rad. Range: -3.141592653589793
- *   to 3.141592653589793. Required for write. Uncertain: Whether it may be left out if `source` is
- *   not manual. The manuals, that of the 3DM-GQ7 included, require it only if it is, but give one
- *   length, with the value. Sending it always fits both.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - source: Source of the declination. A value of enum mip_filter_mag_parameter_source. Required
+   *   for write. On the 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: only
+   *   MIP_FILTER_MAG_PARAMETER_SOURCE_NONE and MIP_FILTER_MAG_PARAMETER_SOURCE_MANUAL. On the
+   *   3DM-GQ7-GNSS/INS: only MIP_FILTER_MAG_PARAMETER_SOURCE_WMM and
+   *   MIP_FILTER_MAG_PARAMETER_SOURCE_MANUAL.
+   * - declination: Declination; used only if `source` is manual. Unit: rad. Range:
+   * -3.141592653589793 to 3.141592653589793. Required for write. Uncertain: Whether it may be left
+   * out if `source` is not manual. The manuals, that of the 3DM-GQ7 included, require it only if it
+   * is, but give one length, with the value. Sending it always fits both.
+   */
 static inline struct mip_filter_magnetic_declination_source *
 mip_filter_magnetic_declination_source_write(struct mip_filter_magnetic_declination_source *command,
                                              enum mip_filter_mag_parameter_source source,
@@ -4982,36 +4064,6 @@ MIP_CHECKED static inline mip_error mip_filter_magnetic_declination_source_respo
     struct mip_builder *builder) {
     return mip_encode(&mip_filter_magnetic_declination_source_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_magnetic_declination_source_response_decode_inline(
-    struct mip_filter_magnetic_declination_source_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0D, 0xB2, 5);
-    if (error != MIP_OK || sizeof(*value) != 5) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->source = mip_get_8(field->data);
-    mip_get_float(&value->declination, field->data + 1);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_filter_magnetic_declination_source_response_encode_inline(
-    const struct mip_filter_magnetic_declination_source_response *value,
-    struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0D, 0xB2, 5, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->source);
-    mip_put_float(data + 1, &value->declination);
-    return MIP_OK;
-}
-
 /**
  * Gravity magnitude error adaptive measurement: command (0x0D,0x44).
  *
@@ -5100,16 +4152,15 @@ static inline mip_error mip_filter_accel_magnitude_adaptive_decode(
 MIP_CHECKED static inline mip_error mip_filter_accel_magnitude_adaptive_encode(
     const struct mip_filter_accel_magnitude_adaptive *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_accel_magnitude_adaptive_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - adaptive_measurement: Kind of adaptation. A value of enum
- *   mip_filter_adaptive_measurement_selector. Required for write. On the 3DM-GQ4-45, 3DM-GX3-45,
- *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only
- *   MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_DISABLED and
- *   MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_FIXED.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - adaptive_measurement: Kind of adaptation. A value of enum
+   *   mip_filter_adaptive_measurement_selector. Required for write. On the 3DM-GQ4-45, 3DM-GX3-45,
+   *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only
+   *   MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_DISABLED and
+   *   MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_FIXED.
+   */
 static inline struct mip_filter_accel_magnitude_adaptive *mip_filter_accel_magnitude_adaptive_write(
     struct mip_filter_accel_magnitude_adaptive *command,
     enum mip_filter_adaptive_measurement_selector adaptive_measurement) {
@@ -5196,45 +4247,6 @@ MIP_CHECKED static inline mip_error mip_filter_accel_magnitude_adaptive_response
     const struct mip_filter_accel_magnitude_adaptive_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_accel_magnitude_adaptive_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_accel_magnitude_adaptive_response_decode_inline(
-    struct mip_filter_accel_magnitude_adaptive_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0D, 0xB3, 25);
-    if (error != MIP_OK || sizeof(*value) != 25) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->adaptive_measurement = mip_get_8(field->data);
-    mip_get_float(&value->frequency, field->data + 1);
-    mip_get_float(&value->low_limit, field->data + 5);
-    mip_get_float(&value->high_limit, field->data + 9);
-    mip_get_float(&value->low_limit_uncertainty, field->data + 13);
-    mip_get_float(&value->high_limit_uncertainty, field->data + 17);
-    mip_get_float(&value->minimum_uncertainty, field->data + 21);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_filter_accel_magnitude_adaptive_response_encode_inline(
-    const struct mip_filter_accel_magnitude_adaptive_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0D, 0xB3, 25, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->adaptive_measurement);
-    mip_put_float(data + 1, &value->frequency);
-    mip_put_float(data + 5, &value->low_limit);
-    mip_put_float(data + 9, &value->high_limit);
-    mip_put_float(data + 13, &value->low_limit_uncertainty);
-    mip_put_float(data + 17, &value->high_limit_uncertainty);
-    mip_put_float(data + 21, &value->minimum_uncertainty);
-    return MIP_OK;
-}
-
 /**
  * Magnetometer magnitude error adaptive measurement: command (0x0D,0x45).
  *
@@ -5328,33 +4340,32 @@ static inline mip_error mip_filter_mag_magnitude_adaptive_decode(
 MIP_CHECKED static inline mip_error mip_filter_mag_magnitude_adaptive_encode(
     const struct mip_filter_mag_magnitude_adaptive *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_mag_magnitude_adaptive_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - adaptive_measurement: Kind of adaptation. A value of enum
- *   mip_filter_adaptive_measurement_selector. Required for write. On the 3DM-GQ4-45, 3DM-GX3-45,
- *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only
- *   MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_DISABLED and
- *   MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_FIXED.
- * - frequency: Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required for
- *   write.
- * - low_limit: Lower limit of the error. Unit: gauss. Required for write. Uncertain: The unit. The
- *   SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the
- *   response.
- * - high_limit: Upper limit of the error. Unit: gauss. Required for write. Uncertain: The unit. The
- *   SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the
- *   response.
- * - low_limit_uncertainty: Standard deviation at the lower limit. Unit: gauss. Range: at least 0.
- *   Required for write. Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives
- *   m/s^2 in the command and gauss in the response.
- * - high_limit_uncertainty: Standard deviation at the upper limit. Unit: gauss. Range: at least 0.
- *   Required for write. Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives
- *   m/s^2 in the command and gauss in the response.
- * - minimum_uncertainty: Smallest standard deviation. Unit: gauss. Range: at least 0. Required for
- *   write. Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the
- *   command and gauss in the response.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - adaptive_measurement: Kind of adaptation. A value of enum
+   *   mip_filter_adaptive_measurement_selector. Required for write. On the 3DM-GQ4-45, 3DM-GX3-45,
+   *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only
+   *   MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_DISABLED and
+   *   MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_FIXED.
+   * - frequency: Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required
+   * for write.
+   * - low_limit: Lower limit of the error. Unit: gauss. Required for write. Uncertain: The unit.
+   * The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the
+   *   response.
+   * - high_limit: Upper limit of the error. Unit: gauss. Required for write. Uncertain: The unit.
+   * The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the
+   *   response.
+   * - low_limit_uncertainty: Standard deviation at the lower limit. Unit: gauss. Range: at least 0.
+   *   Required for write. Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45
+   * gives m/s^2 in the command and gauss in the response.
+   * - high_limit_uncertainty: Standard deviation at the upper limit. Unit: gauss. Range: at least
+   * 0. Required for write. Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45
+   * gives m/s^2 in the command and gauss in the response.
+   * - minimum_uncertainty: Smallest standard deviation. Unit: gauss. Range: at least 0. Required
+   * for write. Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in
+   * the command and gauss in the response.
+   */
 static inline struct mip_filter_mag_magnitude_adaptive *mip_filter_mag_magnitude_adaptive_write(
     struct mip_filter_mag_magnitude_adaptive *command,
     enum mip_filter_adaptive_measurement_selector adaptive_measurement, float frequency,
@@ -5467,45 +4478,6 @@ MIP_CHECKED static inline mip_error mip_filter_mag_magnitude_adaptive_response_e
     const struct mip_filter_mag_magnitude_adaptive_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_mag_magnitude_adaptive_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_mag_magnitude_adaptive_response_decode_inline(
-    struct mip_filter_mag_magnitude_adaptive_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0D, 0xB4, 25);
-    if (error != MIP_OK || sizeof(*value) != 25) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->adaptive_measurement = mip_get_8(field->data);
-    mip_get_float(&value->frequency, field->data + 1);
-    mip_get_float(&value->low_limit, field->data + 5);
-    mip_get_float(&value->high_limit, field->data + 9);
-    mip_get_float(&value->low_limit_uncertainty, field->data + 13);
-    mip_get_float(&value->high_limit_uncertainty, field->data + 17);
-    mip_get_float(&value->minimum_uncertainty, field->data + 21);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_filter_mag_magnitude_adaptive_response_encode_inline(
-    const struct mip_filter_mag_magnitude_adaptive_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0D, 0xB4, 25, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->adaptive_measurement);
-    mip_put_float(data + 1, &value->frequency);
-    mip_put_float(data + 5, &value->low_limit);
-    mip_put_float(data + 9, &value->high_limit);
-    mip_put_float(data + 13, &value->low_limit_uncertainty);
-    mip_put_float(data + 17, &value->high_limit_uncertainty);
-    mip_put_float(data + 21, &value->minimum_uncertainty);
-    return MIP_OK;
-}
-
 /**
  * Magnetometer dip angle error adaptive measurement: command (0x0D,0x46).
  *
@@ -5579,21 +4551,20 @@ static inline mip_error mip_filter_mag_dip_angle_adaptive_decode(
 MIP_CHECKED static inline mip_error mip_filter_mag_dip_angle_adaptive_encode(
     const struct mip_filter_mag_dip_angle_adaptive *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_mag_dip_angle_adaptive_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - enable: Whether the adaptation is on. Required for write.
- * - frequency: Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required for
- *   write.
- * - high_limit: Upper limit of the error. Unit: rad. Required for write. Uncertain: The unit. The
- *   SDK gives m/s^2; rad is inferred from the quantity.
- * - high_limit_uncertainty: Standard deviation at the upper limit. Unit: rad. Range: at least 0.
- *   Required for write. Uncertain: The unit. The SDK gives m/s^2; rad is inferred from the
- *   quantity.
- * - minimum_uncertainty: Smallest standard deviation. Unit: rad. Range: at least 0. Required for
- *   write. Uncertain: The unit. The SDK gives m/s^2; rad is inferred from the quantity.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - enable: Whether the adaptation is on. Required for write.
+   * - frequency: Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required
+   * for write.
+   * - high_limit: Upper limit of the error. Unit: rad. Required for write. Uncertain: The unit. The
+   *   SDK gives m/s^2; rad is inferred from the quantity.
+   * - high_limit_uncertainty: Standard deviation at the upper limit. Unit: rad. Range: at least 0.
+   *   Required for write. Uncertain: The unit. The SDK gives m/s^2; rad is inferred from the
+   *   quantity.
+   * - minimum_uncertainty: Smallest standard deviation. Unit: rad. Range: at least 0. Required for
+   *   write. Uncertain: The unit. The SDK gives m/s^2; rad is inferred from the quantity.
+   */
 static inline struct mip_filter_mag_dip_angle_adaptive *mip_filter_mag_dip_angle_adaptive_write(
     struct mip_filter_mag_dip_angle_adaptive *command, mip_bool enable, float frequency,
     float high_limit, float high_limit_uncertainty, float minimum_uncertainty) {
@@ -5690,41 +4661,6 @@ MIP_CHECKED static inline mip_error mip_filter_mag_dip_angle_adaptive_response_e
     const struct mip_filter_mag_dip_angle_adaptive_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_mag_dip_angle_adaptive_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_mag_dip_angle_adaptive_response_decode_inline(
-    struct mip_filter_mag_dip_angle_adaptive_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0D, 0xB5, 17);
-    if (error != MIP_OK || sizeof(*value) != 17) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->enable = mip_get_8(field->data);
-    mip_get_float(&value->frequency, field->data + 1);
-    mip_get_float(&value->high_limit, field->data + 5);
-    mip_get_float(&value->high_limit_uncertainty, field->data + 9);
-    mip_get_float(&value->minimum_uncertainty, field->data + 13);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_filter_mag_dip_angle_adaptive_response_encode_inline(
-    const struct mip_filter_mag_dip_angle_adaptive_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0D, 0xB5, 17, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->enable);
-    mip_put_float(data + 1, &value->frequency);
-    mip_put_float(data + 5, &value->high_limit);
-    mip_put_float(data + 9, &value->high_limit_uncertainty);
-    mip_put_float(data + 13, &value->minimum_uncertainty);
-    return MIP_OK;
-}
-
 /**
  * Altitude aiding: command (0x0D,0x47).
  *
@@ -5774,13 +4710,12 @@ static inline mip_error mip_filter_altitude_aiding_decode(struct mip_filter_alti
 MIP_CHECKED static inline mip_error mip_filter_altitude_aiding_encode(
     const struct mip_filter_altitude_aiding *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_altitude_aiding_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - selector: Source of the aiding. A value of enum mip_filter_altitude_aiding_source. Required for
- *   write.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - selector: Source of the aiding. A value of enum mip_filter_altitude_aiding_source. Required
+   * for write.
+   */
 static inline struct mip_filter_altitude_aiding *mip_filter_altitude_aiding_write(
     struct mip_filter_altitude_aiding *command, enum mip_filter_altitude_aiding_source selector) {
     memset(command, 0, sizeof(*command));
@@ -5852,33 +4787,6 @@ MIP_CHECKED static inline mip_error mip_filter_altitude_aiding_response_encode(
     const struct mip_filter_altitude_aiding_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_altitude_aiding_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_altitude_aiding_response_decode_inline(
-    struct mip_filter_altitude_aiding_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0D, 0xB7, 1);
-    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->selector = mip_get_8(field->data);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_filter_altitude_aiding_response_encode_inline(
-    const struct mip_filter_altitude_aiding_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0D, 0xB7, 1, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->selector);
-    return MIP_OK;
-}
-
 /**
  * Pitch and roll aiding: command (0x0D,0x4B).
  *
@@ -5927,13 +4835,12 @@ static inline mip_error mip_filter_pitch_roll_aiding_decode(
 MIP_CHECKED static inline mip_error mip_filter_pitch_roll_aiding_encode(
     const struct mip_filter_pitch_roll_aiding *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_pitch_roll_aiding_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - aiding: Source of the aiding. A value of enum mip_filter_pitch_roll_aiding_source. Required for
- *   write.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - aiding: Source of the aiding. A value of enum mip_filter_pitch_roll_aiding_source. Required
+   * for write.
+   */
 static inline struct mip_filter_pitch_roll_aiding *mip_filter_pitch_roll_aiding_write(
     struct mip_filter_pitch_roll_aiding *command, enum mip_filter_pitch_roll_aiding_source aiding) {
     memset(command, 0, sizeof(*command));
@@ -6004,33 +4911,6 @@ MIP_CHECKED static inline mip_error mip_filter_pitch_roll_aiding_response_encode
     const struct mip_filter_pitch_roll_aiding_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_pitch_roll_aiding_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_pitch_roll_aiding_response_decode_inline(
-    struct mip_filter_pitch_roll_aiding_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0D, 0xBB, 1);
-    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->aiding = mip_get_8(field->data);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_filter_pitch_roll_aiding_response_encode_inline(
-    const struct mip_filter_pitch_roll_aiding_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0D, 0xBB, 1, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->aiding);
-    return MIP_OK;
-}
-
 /**
  * Magnetic inclination source: command (0x0D,0x4C).
  *
@@ -6089,17 +4969,16 @@ static inline mip_error mip_filter_magnetic_inclination_source_decode(
 MIP_CHECKED static inline mip_error mip_filter_magnetic_inclination_source_encode(
     const struct mip_filter_magnetic_inclination_source *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_magnetic_inclination_source_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - source: Source of the inclination. A value of enum mip_filter_mag_parameter_source. Required
- *   for write.
- * - inclination: Inclination; used only if `source` is manual. Unit: rad. Range:
- *   -1.5707963267948966 to 1.5707963267948966. Required for write. Uncertain: Whether it may be
- *   left out if `source` is not manual, as the manuals state for
- *   mip_filter_magnetic_declination_source. The SDK always sends it.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - source: Source of the inclination. A value of enum mip_filter_mag_parameter_source. Required
+   *   for write.
+   * - inclination: Inclination; used only if `source` is manual. Unit: rad. Range:
+   *   -1.5707963267948966 to 1.5707963267948966. Required for write. Uncertain: Whether it may be
+   *   left out if `source` is not manual, as the manuals state for
+   *   mip_filter_magnetic_declination_source. The SDK always sends it.
+   */
 static inline struct mip_filter_magnetic_inclination_source *
 mip_filter_magnetic_inclination_source_write(struct mip_filter_magnetic_inclination_source *command,
                                              enum mip_filter_mag_parameter_source source,
@@ -6186,36 +5065,6 @@ MIP_CHECKED static inline mip_error mip_filter_magnetic_inclination_source_respo
     struct mip_builder *builder) {
     return mip_encode(&mip_filter_magnetic_inclination_source_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_magnetic_inclination_source_response_decode_inline(
-    struct mip_filter_magnetic_inclination_source_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0D, 0xBC, 5);
-    if (error != MIP_OK || sizeof(*value) != 5) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->source = mip_get_8(field->data);
-    mip_get_float(&value->inclination, field->data + 1);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_filter_magnetic_inclination_source_response_encode_inline(
-    const struct mip_filter_magnetic_inclination_source_response *value,
-    struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0D, 0xBC, 5, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->source);
-    mip_put_float(data + 1, &value->inclination);
-    return MIP_OK;
-}
-
 /**
  * Magnetic field magnitude source: command (0x0D,0x4D).
  *
@@ -6274,16 +5123,15 @@ static inline mip_error mip_filter_magnetic_magnitude_source_decode(
 MIP_CHECKED static inline mip_error mip_filter_magnetic_magnitude_source_encode(
     const struct mip_filter_magnetic_magnitude_source *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_magnetic_magnitude_source_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - source: Source of the magnitude. A value of enum mip_filter_mag_parameter_source. Required for
- *   write.
- * - magnitude: Magnitude; used only if `source` is manual. Unit: gauss. Range: at least 0. Required
- *   for write. Uncertain: Whether it may be left out if `source` is not manual, as the manuals
- *   state for mip_filter_magnetic_declination_source. The SDK always sends it.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - source: Source of the magnitude. A value of enum mip_filter_mag_parameter_source. Required
+   * for write.
+   * - magnitude: Magnitude; used only if `source` is manual. Unit: gauss. Range: at least 0.
+   * Required for write. Uncertain: Whether it may be left out if `source` is not manual, as the
+   * manuals state for mip_filter_magnetic_declination_source. The SDK always sends it.
+   */
 static inline struct mip_filter_magnetic_magnitude_source *
 mip_filter_magnetic_magnitude_source_write(struct mip_filter_magnetic_magnitude_source *command,
                                            enum mip_filter_mag_parameter_source source,
@@ -6366,36 +5214,6 @@ MIP_CHECKED static inline mip_error mip_filter_magnetic_magnitude_source_respons
     struct mip_builder *builder) {
     return mip_encode(&mip_filter_magnetic_magnitude_source_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_magnetic_magnitude_source_response_decode_inline(
-    struct mip_filter_magnetic_magnitude_source_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0D, 0xBD, 5);
-    if (error != MIP_OK || sizeof(*value) != 5) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->source = mip_get_8(field->data);
-    mip_get_float(&value->magnitude, field->data + 1);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_filter_magnetic_magnitude_source_response_encode_inline(
-    const struct mip_filter_magnetic_magnitude_source_response *value,
-    struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0D, 0xBD, 5, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->source);
-    mip_put_float(data + 1, &value->magnitude);
-    return MIP_OK;
-}
-
 /**
  * Sensor to vehicle rotation, matrix: command (0x0D,0x4E).
  *
@@ -6455,13 +5273,12 @@ static inline mip_error mip_filter_sensor_to_vehicle_dcm_decode(
 MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_dcm_encode(
     const struct mip_filter_sensor_to_vehicle_dcm *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_sensor_to_vehicle_dcm_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - dcm: Rotation matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
- *   Unit: 1. Required for write.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - dcm: Rotation matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32,
+   * m33. Unit: 1. Required for write.
+   */
 static inline struct mip_filter_sensor_to_vehicle_dcm *mip_filter_sensor_to_vehicle_dcm_write(
     struct mip_filter_sensor_to_vehicle_dcm *command, const float dcm[9]) {
     memset(command, 0, sizeof(*command));
@@ -6538,37 +5355,6 @@ MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_dcm_response_en
     const struct mip_filter_sensor_to_vehicle_dcm_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_sensor_to_vehicle_dcm_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_sensor_to_vehicle_dcm_response_decode_inline(
-    struct mip_filter_sensor_to_vehicle_dcm_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0D, 0xBE, 36);
-    if (error != MIP_OK || sizeof(*value) != 36) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    for (size_t i = 0; i < 9; i++) {
-        mip_get_float(&value->dcm[i], field->data + 4 * i);
-    }
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_dcm_response_encode_inline(
-    const struct mip_filter_sensor_to_vehicle_dcm_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0D, 0xBE, 36, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    for (size_t i = 0; i < 9; i++) {
-        mip_put_float(data + 4 * i, &value->dcm[i]);
-    }
-    return MIP_OK;
-}
-
 /**
  * Sensor to vehicle rotation, quaternion: command (0x0D,0x4F).
  *
@@ -6626,13 +5412,12 @@ static inline mip_error mip_filter_sensor_to_vehicle_quaternion_decode(
 MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_quaternion_encode(
     const struct mip_filter_sensor_to_vehicle_quaternion *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_sensor_to_vehicle_quaternion_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - q: Unit quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. Range: magnitude 0.999 to
- *   1.001. Required for write.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - q: Unit quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. Range: magnitude 0.999
+   * to 1.001. Required for write.
+   */
 static inline struct mip_filter_sensor_to_vehicle_quaternion *
 mip_filter_sensor_to_vehicle_quaternion_write(
     struct mip_filter_sensor_to_vehicle_quaternion *command, const float q[4]) {
@@ -6715,38 +5500,6 @@ MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_quaternion_resp
     struct mip_builder *builder) {
     return mip_encode(&mip_filter_sensor_to_vehicle_quaternion_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_sensor_to_vehicle_quaternion_response_decode_inline(
-    struct mip_filter_sensor_to_vehicle_quaternion_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0D, 0xBF, 16);
-    if (error != MIP_OK || sizeof(*value) != 16) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    for (size_t i = 0; i < 4; i++) {
-        mip_get_float(&value->q[i], field->data + 4 * i);
-    }
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_quaternion_response_encode_inline(
-    const struct mip_filter_sensor_to_vehicle_quaternion_response *value,
-    struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0D, 0xBF, 16, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    for (size_t i = 0; i < 4; i++) {
-        mip_put_float(data + 4 * i, &value->q[i]);
-    }
-    return MIP_OK;
-}
-
 /**
  * Aiding measurement control: command (0x0D,0x50).
  *
@@ -6808,26 +5561,25 @@ static inline mip_error mip_filter_aiding_measurement_enable_decode(
 MIP_CHECKED static inline mip_error mip_filter_aiding_measurement_enable_encode(
     const struct mip_filter_aiding_measurement_enable *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_aiding_measurement_enable_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - aiding_source: The source; `all` is for save, load and default. A value of
- *   mip_filter_aiding_source. On the 3DM-CV7-AHRS, 3DM-CX7-AHRS and 3DM-GV7-AHRS: only
- *   MIP_FILTER_AIDING_SOURCE_MAG, MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and
- *   MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-CV7-AR, 3DM-CX7-AR and 3DM-GV7-AR: only
- *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-CV7-INS,
- *   3DM-CX7-INS and 3DM-GV7-INS: only MIP_FILTER_AIDING_SOURCE_GNSS_POSITION_VELOCITY,
- *   MIP_FILTER_AIDING_SOURCE_ALTIMETER, MIP_FILTER_AIDING_SOURCE_MAG,
- *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING, MIP_FILTER_AIDING_SOURCE_EXTERNAL_ALTIMETER,
- *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_MAG, MIP_FILTER_AIDING_SOURCE_BODY_FRAME_VELOCITY and
- *   MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-GQ7-GNSS/INS: only
- *   MIP_FILTER_AIDING_SOURCE_GNSS_POSITION_VELOCITY, MIP_FILTER_AIDING_SOURCE_GNSS_HEADING,
- *   MIP_FILTER_AIDING_SOURCE_ALTIMETER, MIP_FILTER_AIDING_SOURCE_SPEED,
- *   MIP_FILTER_AIDING_SOURCE_MAG, MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and
- *   MIP_FILTER_AIDING_SOURCE_ALL.
- * - enable: Whether the filter uses the source. Required for write.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - aiding_source: The source; `all` is for save, load and default. A value of
+   *   mip_filter_aiding_source. On the 3DM-CV7-AHRS, 3DM-CX7-AHRS and 3DM-GV7-AHRS: only
+   *   MIP_FILTER_AIDING_SOURCE_MAG, MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and
+   *   MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-CV7-AR, 3DM-CX7-AR and 3DM-GV7-AR: only
+   *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL. On the
+   * 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS: only MIP_FILTER_AIDING_SOURCE_GNSS_POSITION_VELOCITY,
+   *   MIP_FILTER_AIDING_SOURCE_ALTIMETER, MIP_FILTER_AIDING_SOURCE_MAG,
+   *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING, MIP_FILTER_AIDING_SOURCE_EXTERNAL_ALTIMETER,
+   *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_MAG, MIP_FILTER_AIDING_SOURCE_BODY_FRAME_VELOCITY and
+   *   MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-GQ7-GNSS/INS: only
+   *   MIP_FILTER_AIDING_SOURCE_GNSS_POSITION_VELOCITY, MIP_FILTER_AIDING_SOURCE_GNSS_HEADING,
+   *   MIP_FILTER_AIDING_SOURCE_ALTIMETER, MIP_FILTER_AIDING_SOURCE_SPEED,
+   *   MIP_FILTER_AIDING_SOURCE_MAG, MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and
+   *   MIP_FILTER_AIDING_SOURCE_ALL.
+   * - enable: Whether the filter uses the source. Required for write.
+   */
 static inline struct mip_filter_aiding_measurement_enable *
 mip_filter_aiding_measurement_enable_write(struct mip_filter_aiding_measurement_enable *command,
                                            uint16_t aiding_source, mip_bool enable) {
@@ -6981,36 +5733,6 @@ MIP_CHECKED static inline mip_error mip_filter_aiding_measurement_enable_respons
     struct mip_builder *builder) {
     return mip_encode(&mip_filter_aiding_measurement_enable_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_aiding_measurement_enable_response_decode_inline(
-    struct mip_filter_aiding_measurement_enable_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0D, 0xD0, 3);
-    if (error != MIP_OK || sizeof(*value) != 3) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->aiding_source = mip_get_16(field->data);
-    value->enable = mip_get_8(field->data + 2);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_filter_aiding_measurement_enable_response_encode_inline(
-    const struct mip_filter_aiding_measurement_enable_response *value,
-    struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0D, 0xD0, 3, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_16(data, value->aiding_source);
-    mip_put_8(data + 2, value->enable);
-    return MIP_OK;
-}
-
 /**
  * Kinematic constraint: command (0x0D,0x51).
  *
@@ -7071,18 +5793,18 @@ static inline mip_error mip_filter_kinematic_constraint_decode(
 MIP_CHECKED static inline mip_error mip_filter_kinematic_constraint_encode(
     const struct mip_filter_kinematic_constraint *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_kinematic_constraint_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - accel_constraint: Assumption about the acceleration. A value of enum
- *   mip_filter_accel_constraint. Default: MIP_FILTER_ACCEL_CONSTRAINT_NONE. Required for write.
- * - velocity_constraint: Assumption about the velocity. A value of enum
- *   mip_filter_velocity_constraint. Default: MIP_FILTER_VELOCITY_CONSTRAINT_NONE. Required for
- *   write.
- * - angular_constraint: Assumption about the angular rate. A value of enum
- *   mip_filter_angular_constraint. Default: MIP_FILTER_ANGULAR_CONSTRAINT_NONE. Required for write.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - accel_constraint: Assumption about the acceleration. A value of enum
+   *   mip_filter_accel_constraint. Default: MIP_FILTER_ACCEL_CONSTRAINT_NONE. Required for write.
+   * - velocity_constraint: Assumption about the velocity. A value of enum
+   *   mip_filter_velocity_constraint. Default: MIP_FILTER_VELOCITY_CONSTRAINT_NONE. Required for
+   *   write.
+   * - angular_constraint: Assumption about the angular rate. A value of enum
+   *   mip_filter_angular_constraint. Default: MIP_FILTER_ANGULAR_CONSTRAINT_NONE. Required for
+   * write.
+   */
 static inline struct mip_filter_kinematic_constraint *
 mip_filter_kinematic_constraint_write(struct mip_filter_kinematic_constraint *command,
                                       enum mip_filter_accel_constraint accel_constraint,
@@ -7171,37 +5893,6 @@ MIP_CHECKED static inline mip_error mip_filter_kinematic_constraint_response_enc
     const struct mip_filter_kinematic_constraint_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_kinematic_constraint_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_kinematic_constraint_response_decode_inline(
-    struct mip_filter_kinematic_constraint_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0D, 0xD1, 3);
-    if (error != MIP_OK || sizeof(*value) != 3) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->accel_constraint = mip_get_8(field->data);
-    value->velocity_constraint = mip_get_8(field->data + 1);
-    value->angular_constraint = mip_get_8(field->data + 2);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_filter_kinematic_constraint_response_encode_inline(
-    const struct mip_filter_kinematic_constraint_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0D, 0xD1, 3, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->accel_constraint);
-    mip_put_8(data + 1, value->velocity_constraint);
-    mip_put_8(data + 2, value->angular_constraint);
-    return MIP_OK;
-}
-
 /**
  * Navigation filter initialization: command (0x0D,0x52).
  *
@@ -7297,34 +5988,33 @@ static inline mip_error mip_filter_initialization_config_decode(
 MIP_CHECKED static inline mip_error mip_filter_initialization_config_encode(
     const struct mip_filter_initialization_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_initialization_config_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - wait_for_run_command: 1: the filter starts only after mip_filter_run; 0: it starts as soon as
- *   it can. Range: 0 to 1. Required for write.
- * - initial_condition_source: Which initial conditions are automatic and which the user provides. A
- *   value of enum mip_filter_initial_condition_source. Required for write.
- * - auto_heading_alignment_selector: Methods by which the initial heading may be determined.
- *   Required for write. On the 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS: only
- *   MIP_FILTER_HEADING_ALIGNMENT_KINEMATIC, MIP_FILTER_HEADING_ALIGNMENT_MAG and
- *   MIP_FILTER_HEADING_ALIGNMENT_EXTERNAL. On the 3DM-GQ7-GNSS/INS: only
- *   MIP_FILTER_HEADING_ALIGNMENT_DUAL_ANTENNA, MIP_FILTER_HEADING_ALIGNMENT_KINEMATIC and
- *   MIP_FILTER_HEADING_ALIGNMENT_MAG.
- * - initial_heading: Initial heading that the user provides. Unit: deg. Required for write.
- * - initial_pitch: Initial pitch that the user provides. Unit: deg. Required for write.
- * - initial_roll: Initial roll that the user provides. Unit: deg. Required for write.
- * - initial_position: Initial position that the user provides. Elements: x, y, z. Required for
- *   write. If reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_ECEF: unit m; frame ecef. If
- *   reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_LLH: elements latitude, longitude,
- *   height; unit deg, deg, m; frame llh.
- * - initial_velocity: Initial velocity that the user provides. Elements: x, y, z. Unit: m/s.
- *   Required for write. If reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_ECEF: frame ecef.
- *   If reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_LLH: elements north, east, down;
- *   frame ned.
- * - reference_frame_selector: Frame of the initial position and velocity. A value of enum
- *   mip_filter_reference_frame. Required for write.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - wait_for_run_command: 1: the filter starts only after mip_filter_run; 0: it starts as soon as
+   *   it can. Range: 0 to 1. Required for write.
+   * - initial_condition_source: Which initial conditions are automatic and which the user provides.
+   * A value of enum mip_filter_initial_condition_source. Required for write.
+   * - auto_heading_alignment_selector: Methods by which the initial heading may be determined.
+   *   Required for write. On the 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS: only
+   *   MIP_FILTER_HEADING_ALIGNMENT_KINEMATIC, MIP_FILTER_HEADING_ALIGNMENT_MAG and
+   *   MIP_FILTER_HEADING_ALIGNMENT_EXTERNAL. On the 3DM-GQ7-GNSS/INS: only
+   *   MIP_FILTER_HEADING_ALIGNMENT_DUAL_ANTENNA, MIP_FILTER_HEADING_ALIGNMENT_KINEMATIC and
+   *   MIP_FILTER_HEADING_ALIGNMENT_MAG.
+   * - initial_heading: Initial heading that the user provides. Unit: deg. Required for write.
+   * - initial_pitch: Initial pitch that the user provides. Unit: deg. Required for write.
+   * - initial_roll: Initial roll that the user provides. Unit: deg. Required for write.
+   * - initial_position: Initial position that the user provides. Elements: x, y, z. Required for
+   *   write. If reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_ECEF: unit m; frame ecef. If
+   *   reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_LLH: elements latitude, longitude,
+   *   height; unit deg, deg, m; frame llh.
+   * - initial_velocity: Initial velocity that the user provides. Elements: x, y, z. Unit: m/s.
+   *   Required for write. If reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_ECEF: frame
+   * ecef. If reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_LLH: elements north, east,
+   * down; frame ned.
+   * - reference_frame_selector: Frame of the initial position and velocity. A value of enum
+   *   mip_filter_reference_frame. Required for write.
+   */
 static inline struct mip_filter_initialization_config *mip_filter_initialization_config_write(
     struct mip_filter_initialization_config *command, uint8_t wait_for_run_command,
     enum mip_filter_initial_condition_source initial_condition_source,
@@ -7440,57 +6130,6 @@ MIP_CHECKED static inline mip_error mip_filter_initialization_config_response_en
     const struct mip_filter_initialization_config_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_initialization_config_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_initialization_config_response_decode_inline(
-    struct mip_filter_initialization_config_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0D, 0xD2, 40);
-    if (error != MIP_OK || sizeof(*value) != 40) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->wait_for_run_command = mip_get_8(field->data);
-    value->initial_condition_source = mip_get_8(field->data + 1);
-    value->auto_heading_alignment_selector = mip_get_8(field->data + 2);
-    mip_get_float(&value->initial_heading, field->data + 3);
-    mip_get_float(&value->initial_pitch, field->data + 7);
-    mip_get_float(&value->initial_roll, field->data + 11);
-    for (size_t i = 0; i < 3; i++) {
-        mip_get_float(&value->initial_position[i], field->data + 15 + 4 * i);
-    }
-    for (size_t i = 0; i < 3; i++) {
-        mip_get_float(&value->initial_velocity[i], field->data + 27 + 4 * i);
-    }
-    value->reference_frame_selector = mip_get_8(field->data + 39);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_filter_initialization_config_response_encode_inline(
-    const struct mip_filter_initialization_config_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0D, 0xD2, 40, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->wait_for_run_command);
-    mip_put_8(data + 1, value->initial_condition_source);
-    mip_put_8(data + 2, value->auto_heading_alignment_selector);
-    mip_put_float(data + 3, &value->initial_heading);
-    mip_put_float(data + 7, &value->initial_pitch);
-    mip_put_float(data + 11, &value->initial_roll);
-    for (size_t i = 0; i < 3; i++) {
-        mip_put_float(data + 15 + 4 * i, &value->initial_position[i]);
-    }
-    for (size_t i = 0; i < 3; i++) {
-        mip_put_float(data + 27 + 4 * i, &value->initial_velocity[i]);
-    }
-    mip_put_8(data + 39, value->reference_frame_selector);
-    return MIP_OK;
-}
-
 /**
  * Adaptive filter control: command (0x0D,0x53).
  *
@@ -7544,16 +6183,15 @@ static inline mip_error mip_filter_adaptive_filter_options_decode(
 MIP_CHECKED static inline mip_error mip_filter_adaptive_filter_options_encode(
     const struct mip_filter_adaptive_filter_options *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_adaptive_filter_options_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - level: Strength of the adaptation. A value of enum mip_filter_adaptive_level. Default: 2.
- *   Required for write. On the 3DM-CV5-45 and 3DM-GX5-45: only MIP_FILTER_ADAPTIVE_LEVEL_OFF and
- *   MIP_FILTER_ADAPTIVE_LEVEL_MODERATE.
- * - time_limit: Longest time for which measurements are rejected before the filter recovers. Unit:
- *   ms. Required for write.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - level: Strength of the adaptation. A value of enum mip_filter_adaptive_level. Default: 2.
+   *   Required for write. On the 3DM-CV5-45 and 3DM-GX5-45: only MIP_FILTER_ADAPTIVE_LEVEL_OFF and
+   *   MIP_FILTER_ADAPTIVE_LEVEL_MODERATE.
+   * - time_limit: Longest time for which measurements are rejected before the filter recovers.
+   * Unit: ms. Required for write.
+   */
 static inline struct mip_filter_adaptive_filter_options *mip_filter_adaptive_filter_options_write(
     struct mip_filter_adaptive_filter_options *command, enum mip_filter_adaptive_level level,
     uint16_t time_limit) {
@@ -7628,35 +6266,6 @@ MIP_CHECKED static inline mip_error mip_filter_adaptive_filter_options_response_
     const struct mip_filter_adaptive_filter_options_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_adaptive_filter_options_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_adaptive_filter_options_response_decode_inline(
-    struct mip_filter_adaptive_filter_options_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0D, 0xD3, 3);
-    if (error != MIP_OK || sizeof(*value) != 3) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->level = mip_get_8(field->data);
-    value->time_limit = mip_get_16(field->data + 1);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_filter_adaptive_filter_options_response_encode_inline(
-    const struct mip_filter_adaptive_filter_options_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0D, 0xD3, 3, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->level);
-    mip_put_16(data + 1, value->time_limit);
-    return MIP_OK;
-}
-
 /**
  * GNSS multi-antenna offset: command (0x0D,0x54).
  *
@@ -7709,14 +6318,13 @@ static inline mip_error mip_filter_multi_antenna_offset_decode(
 MIP_CHECKED static inline mip_error mip_filter_multi_antenna_offset_encode(
     const struct mip_filter_multi_antenna_offset *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_multi_antenna_offset_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - receiver_id: Number of the receiver, from 1. Range: at least 1.
- * - antenna_offset: From the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle.
- *   Range: magnitude at most 10. Required for write.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - receiver_id: Number of the receiver, from 1. Range: at least 1.
+   * - antenna_offset: From the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle.
+   *   Range: magnitude at most 10. Required for write.
+   */
 static inline struct mip_filter_multi_antenna_offset *
 mip_filter_multi_antenna_offset_write(struct mip_filter_multi_antenna_offset *command,
                                       uint8_t receiver_id, const float antenna_offset[3]) {
@@ -7814,39 +6422,6 @@ MIP_CHECKED static inline mip_error mip_filter_multi_antenna_offset_response_enc
     const struct mip_filter_multi_antenna_offset_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_multi_antenna_offset_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_multi_antenna_offset_response_decode_inline(
-    struct mip_filter_multi_antenna_offset_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0D, 0xD4, 13);
-    if (error != MIP_OK || sizeof(*value) != 13) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->receiver_id = mip_get_8(field->data);
-    for (size_t i = 0; i < 3; i++) {
-        mip_get_float(&value->antenna_offset[i], field->data + 1 + 4 * i);
-    }
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_filter_multi_antenna_offset_response_encode_inline(
-    const struct mip_filter_multi_antenna_offset_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0D, 0xD4, 13, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->receiver_id);
-    for (size_t i = 0; i < 3; i++) {
-        mip_put_float(data + 1 + 4 * i, &value->antenna_offset[i]);
-    }
-    return MIP_OK;
-}
-
 /**
  * Relative position configuration: command (0x0D,0x55).
  *
@@ -7903,19 +6478,18 @@ static inline mip_error mip_filter_relative_position_config_decode(
 MIP_CHECKED static inline mip_error mip_filter_relative_position_config_encode(
     const struct mip_filter_relative_position_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_relative_position_config_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - source: Source of the reference point. A value of enum mip_filter_relative_position_source.
- *   Required for write.
- * - reference_frame_selector: Frame of the coordinates. A value of enum mip_filter_reference_frame.
- *   Required for write.
- * - reference_coordinates: Reference point. Elements: x, y, z. Required for write. If
- *   reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_ECEF: unit m; frame ecef. If
- *   reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_LLH: elements latitude, longitude,
- *   height; unit deg, deg, m; frame llh.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - source: Source of the reference point. A value of enum mip_filter_relative_position_source.
+   *   Required for write.
+   * - reference_frame_selector: Frame of the coordinates. A value of enum
+   * mip_filter_reference_frame. Required for write.
+   * - reference_coordinates: Reference point. Elements: x, y, z. Required for write. If
+   *   reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_ECEF: unit m; frame ecef. If
+   *   reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_LLH: elements latitude, longitude,
+   *   height; unit deg, deg, m; frame llh.
+   */
 static inline struct mip_filter_relative_position_config *
 mip_filter_relative_position_config_write(struct mip_filter_relative_position_config *command,
                                           enum mip_filter_relative_position_source source,
@@ -8002,41 +6576,6 @@ MIP_CHECKED static inline mip_error mip_filter_relative_position_config_response
     const struct mip_filter_relative_position_config_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_relative_position_config_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_relative_position_config_response_decode_inline(
-    struct mip_filter_relative_position_config_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0D, 0xD5, 26);
-    if (error != MIP_OK || sizeof(*value) != 26) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->source = mip_get_8(field->data);
-    value->reference_frame_selector = mip_get_8(field->data + 1);
-    for (size_t i = 0; i < 3; i++) {
-        mip_get_double(&value->reference_coordinates[i], field->data + 2 + 8 * i);
-    }
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_filter_relative_position_config_response_encode_inline(
-    const struct mip_filter_relative_position_config_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0D, 0xD5, 26, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->source);
-    mip_put_8(data + 1, value->reference_frame_selector);
-    for (size_t i = 0; i < 3; i++) {
-        mip_put_double(data + 2 + 8 * i, &value->reference_coordinates[i]);
-    }
-    return MIP_OK;
-}
-
 /**
  * Reference point lever arm: command (0x0D,0x56).
  *
@@ -8091,15 +6630,14 @@ static inline mip_error mip_filter_reference_point_lever_arm_decode(
 MIP_CHECKED static inline mip_error mip_filter_reference_point_lever_arm_encode(
     const struct mip_filter_reference_point_lever_arm *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_reference_point_lever_arm_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - reference_point: Point to move; it must be 1. A value of enum mip_filter_reference_point.
- *   Required for write.
- * - lever_arm_offset: From the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle.
- *   Range: magnitude at most 10. Required for write.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - reference_point: Point to move; it must be 1. A value of enum mip_filter_reference_point.
+   *   Required for write.
+   * - lever_arm_offset: From the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle.
+   *   Range: magnitude at most 10. Required for write.
+   */
 static inline struct mip_filter_reference_point_lever_arm *
 mip_filter_reference_point_lever_arm_write(struct mip_filter_reference_point_lever_arm *command,
                                            enum mip_filter_reference_point reference_point,
@@ -8181,40 +6719,6 @@ MIP_CHECKED static inline mip_error mip_filter_reference_point_lever_arm_respons
     struct mip_builder *builder) {
     return mip_encode(&mip_filter_reference_point_lever_arm_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_reference_point_lever_arm_response_decode_inline(
-    struct mip_filter_reference_point_lever_arm_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0D, 0xD6, 13);
-    if (error != MIP_OK || sizeof(*value) != 13) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->reference_point = mip_get_8(field->data);
-    for (size_t i = 0; i < 3; i++) {
-        mip_get_float(&value->lever_arm_offset[i], field->data + 1 + 4 * i);
-    }
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_filter_reference_point_lever_arm_response_encode_inline(
-    const struct mip_filter_reference_point_lever_arm_response *value,
-    struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0D, 0xD6, 13, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->reference_point);
-    for (size_t i = 0; i < 3; i++) {
-        mip_put_float(data + 1 + 4 * i, &value->lever_arm_offset[i]);
-    }
-    return MIP_OK;
-}
-
 /**
  * Speed measurement: command (0x0D,0x60).
  *
@@ -8263,47 +6767,14 @@ static inline mip_error mip_filter_speed_measurement_decode(
 MIP_CHECKED static inline mip_error mip_filter_speed_measurement_encode(
     const struct mip_filter_speed_measurement *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_speed_measurement_codec, value, builder);
-}
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_speed_measurement_decode_inline(
-    struct mip_filter_speed_measurement *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0D, 0x60, 13);
-    if (error != MIP_OK || sizeof(*value) != 13) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->source = mip_get_8(field->data);
-    mip_get_float(&value->tow, field->data + 1);
-    mip_get_float(&value->speed, field->data + 5);
-    mip_get_float(&value->speed_uncertainty, field->data + 9);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_filter_speed_measurement_encode_inline(
-    const struct mip_filter_speed_measurement *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0D, 0x60, 13, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->source);
-    mip_put_float(data + 1, &value->tow);
-    mip_put_float(data + 5, &value->speed);
-    mip_put_float(data + 9, &value->speed_uncertainty);
-    return MIP_OK;
-}
-/**
- * Speed measurement. Fills the structure and returns its address.
- *
- * - tow: GPS time of week of the measurement. Unit: s. Range: 0 to 604800. Uncertain: The unit; the
- *   SDK gives none.
- * - speed: Speed, negative in reverse. Unit: m/s. Frame: vehicle.
- * - speed_uncertainty: Standard deviation of the speed. Unit: m/s. Range: at least 0.
- */
+} /**
+   * Speed measurement. Fills the structure and returns its address.
+   *
+   * - tow: GPS time of week of the measurement. Unit: s. Range: 0 to 604800. Uncertain: The unit;
+   * the SDK gives none.
+   * - speed: Speed, negative in reverse. Unit: m/s. Frame: vehicle.
+   * - speed_uncertainty: Standard deviation of the speed. Unit: m/s. Range: at least 0.
+   */
 static inline struct mip_filter_speed_measurement *mip_filter_speed_measurement_make(
     struct mip_filter_speed_measurement *command, float tow, float speed, float speed_uncertainty) {
     memset(command, 0, sizeof(*command));
@@ -8364,13 +6835,12 @@ static inline mip_error mip_filter_speed_lever_arm_decode(struct mip_filter_spee
 MIP_CHECKED static inline mip_error mip_filter_speed_lever_arm_encode(
     const struct mip_filter_speed_lever_arm *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_speed_lever_arm_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - lever_arm_offset: From the sensor to the point of measurement. Elements: x, y, z. Unit: m.
- *   Frame: vehicle. Required for write.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - lever_arm_offset: From the sensor to the point of measurement. Elements: x, y, z. Unit: m.
+   *   Frame: vehicle. Required for write.
+   */
 static inline struct mip_filter_speed_lever_arm *mip_filter_speed_lever_arm_write(
     struct mip_filter_speed_lever_arm *command, const float lever_arm_offset[3]) {
     memset(command, 0, sizeof(*command));
@@ -8448,39 +6918,6 @@ MIP_CHECKED static inline mip_error mip_filter_speed_lever_arm_response_encode(
     const struct mip_filter_speed_lever_arm_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_speed_lever_arm_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_speed_lever_arm_response_decode_inline(
-    struct mip_filter_speed_lever_arm_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0D, 0xE1, 13);
-    if (error != MIP_OK || sizeof(*value) != 13) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->source = mip_get_8(field->data);
-    for (size_t i = 0; i < 3; i++) {
-        mip_get_float(&value->lever_arm_offset[i], field->data + 1 + 4 * i);
-    }
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_filter_speed_lever_arm_response_encode_inline(
-    const struct mip_filter_speed_lever_arm_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0D, 0xE1, 13, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->source);
-    for (size_t i = 0; i < 3; i++) {
-        mip_put_float(data + 1 + 4 * i, &value->lever_arm_offset[i]);
-    }
-    return MIP_OK;
-}
-
 /**
  * Vertical gyro constraint: command (0x0D,0x62).
  *
@@ -8531,12 +6968,11 @@ static inline mip_error mip_filter_vertical_gyro_constraint_decode(
 MIP_CHECKED static inline mip_error mip_filter_vertical_gyro_constraint_encode(
     const struct mip_filter_vertical_gyro_constraint *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_vertical_gyro_constraint_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
+   */
 static inline struct mip_filter_vertical_gyro_constraint *mip_filter_vertical_gyro_constraint_write(
     struct mip_filter_vertical_gyro_constraint *command, uint8_t enable) {
     memset(command, 0, sizeof(*command));
@@ -8610,33 +7046,6 @@ MIP_CHECKED static inline mip_error mip_filter_vertical_gyro_constraint_response
     const struct mip_filter_vertical_gyro_constraint_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_vertical_gyro_constraint_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_vertical_gyro_constraint_response_decode_inline(
-    struct mip_filter_vertical_gyro_constraint_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0D, 0xE2, 1);
-    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->enable = mip_get_8(field->data);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_filter_vertical_gyro_constraint_response_encode_inline(
-    const struct mip_filter_vertical_gyro_constraint_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0D, 0xE2, 1, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->enable);
-    return MIP_OK;
-}
-
 /**
  * Wheeled vehicle constraint: command (0x0D,0x63).
  *
@@ -8687,12 +7096,11 @@ static inline mip_error mip_filter_wheeled_vehicle_constraint_decode(
 MIP_CHECKED static inline mip_error mip_filter_wheeled_vehicle_constraint_encode(
     const struct mip_filter_wheeled_vehicle_constraint *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_wheeled_vehicle_constraint_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
+   */
 static inline struct mip_filter_wheeled_vehicle_constraint *
 mip_filter_wheeled_vehicle_constraint_write(struct mip_filter_wheeled_vehicle_constraint *command,
                                             uint8_t enable) {
@@ -8769,34 +7177,6 @@ MIP_CHECKED static inline mip_error mip_filter_wheeled_vehicle_constraint_respon
     struct mip_builder *builder) {
     return mip_encode(&mip_filter_wheeled_vehicle_constraint_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_wheeled_vehicle_constraint_response_decode_inline(
-    struct mip_filter_wheeled_vehicle_constraint_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0D, 0xE3, 1);
-    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->enable = mip_get_8(field->data);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_filter_wheeled_vehicle_constraint_response_encode_inline(
-    const struct mip_filter_wheeled_vehicle_constraint_response *value,
-    struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0D, 0xE3, 1, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->enable);
-    return MIP_OK;
-}
-
 /**
  * GNSS antenna offset calibration: command (0x0D,0x64).
  *
@@ -8851,14 +7231,13 @@ static inline mip_error mip_filter_gnss_antenna_calibration_decode(
 MIP_CHECKED static inline mip_error mip_filter_gnss_antenna_calibration_encode(
     const struct mip_filter_gnss_antenna_calibration *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_gnss_antenna_calibration_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
- * - max_offset: Largest absolute error that is tracked. Unit: m. Frame: vehicle. Range: at least 0.
- *   Required for write. On the 3DM-CV7-GNSS/INS: range 0 to 0.5; default 0.1.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
+   * - max_offset: Largest absolute error that is tracked. Unit: m. Frame: vehicle. Range: at least
+   * 0. Required for write. On the 3DM-CV7-GNSS/INS: range 0 to 0.5; default 0.1.
+   */
 static inline struct mip_filter_gnss_antenna_calibration *mip_filter_gnss_antenna_calibration_write(
     struct mip_filter_gnss_antenna_calibration *command, uint8_t enable, float max_offset) {
     memset(command, 0, sizeof(*command));
@@ -8937,35 +7316,6 @@ MIP_CHECKED static inline mip_error mip_filter_gnss_antenna_calibration_response
     const struct mip_filter_gnss_antenna_calibration_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_gnss_antenna_calibration_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_gnss_antenna_calibration_response_decode_inline(
-    struct mip_filter_gnss_antenna_calibration_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0D, 0xE4, 5);
-    if (error != MIP_OK || sizeof(*value) != 5) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->enable = mip_get_8(field->data);
-    mip_get_float(&value->max_offset, field->data + 1);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_filter_gnss_antenna_calibration_response_encode_inline(
-    const struct mip_filter_gnss_antenna_calibration_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0D, 0xE4, 5, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->enable);
-    mip_put_float(data + 1, &value->max_offset);
-    return MIP_OK;
-}
-
 /** @} */
 
 #ifdef __cplusplus

@@ -12,12 +12,16 @@ const struct mip_codec mip_gnss_receiver_info_codec = {
     0,    false, program_receiver_info, NULL};
 
 static const struct mip_response responses_receiver_info[] = {
-    {NULL, NULL, 0x81},
-    {NULL, NULL, 0},
+    {NULL, NULL, 0x81, false},
 };
 
-const struct mip_exchange mip_gnss_receiver_info_exchange = {0x0E,  0x01, 0,
-                                                             false, NULL, responses_receiver_info};
+const struct mip_exchange mip_gnss_receiver_info_exchange = {0x0E,
+                                                             0x01,
+                                                             0,
+                                                             false,
+                                                             sizeof(responses_receiver_info) /
+                                                                 sizeof(responses_receiver_info[0]),
+                                                             responses_receiver_info};
 
 const struct mip_command mip_gnss_receiver_info_command = {&mip_gnss_receiver_info_codec,
                                                            &mip_gnss_receiver_info_exchange};
@@ -66,12 +70,16 @@ const struct mip_codec mip_gnss_signal_config_codec = {
 static const uint8_t asked_signal_config_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                 MIP_WHEN_END};
 static const struct mip_response responses_signal_config[] = {
-    {asked_signal_config_1, NULL, 0x82},
-    {NULL, NULL, 0},
+    {asked_signal_config_1, NULL, 0x82, false},
 };
 
-const struct mip_exchange mip_gnss_signal_config_exchange = {0x0E, 0x02, 0,
-                                                             true, NULL, responses_signal_config};
+const struct mip_exchange mip_gnss_signal_config_exchange = {0x0E,
+                                                             0x02,
+                                                             0,
+                                                             true,
+                                                             sizeof(responses_signal_config) /
+                                                                 sizeof(responses_signal_config[0]),
+                                                             responses_signal_config};
 
 const struct mip_command mip_gnss_signal_config_command = {&mip_gnss_signal_config_codec,
                                                            &mip_gnss_signal_config_exchange};
@@ -107,7 +115,7 @@ const struct mip_codec mip_gnss_receiver_reset_codec = {0x0E,
                                                         program_receiver_reset,
                                                         NULL};
 
-const struct mip_exchange mip_gnss_receiver_reset_exchange = {0x0E, 0x03, 0, false, NULL, NULL};
+const struct mip_exchange mip_gnss_receiver_reset_exchange = {0x0E, 0x03, 0, false, 0, NULL};
 
 const struct mip_command mip_gnss_receiver_reset_command = {&mip_gnss_receiver_reset_codec,
                                                             &mip_gnss_receiver_reset_exchange};
@@ -127,12 +135,16 @@ const struct mip_codec mip_gnss_rtk_config_codec = {
 
 static const uint8_t asked_rtk_config_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_rtk_config[] = {
-    {asked_rtk_config_1, NULL, 0x84},
-    {NULL, NULL, 0},
+    {asked_rtk_config_1, NULL, 0x84, false},
 };
 
-const struct mip_exchange mip_gnss_rtk_config_exchange = {0x0E, 0x04, 0,
-                                                          true, NULL, responses_rtk_config};
+const struct mip_exchange mip_gnss_rtk_config_exchange = {0x0E,
+                                                          0x04,
+                                                          0,
+                                                          true,
+                                                          sizeof(responses_rtk_config) /
+                                                              sizeof(responses_rtk_config[0]),
+                                                          responses_rtk_config};
 
 const struct mip_command mip_gnss_rtk_config_command = {&mip_gnss_rtk_config_codec,
                                                         &mip_gnss_rtk_config_exchange};
@@ -176,12 +188,16 @@ const struct mip_codec mip_gnss_rtk_dongle_config_codec = {
 static const uint8_t asked_rtk_dongle_config_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                     MIP_WHEN_END};
 static const struct mip_response responses_rtk_dongle_config[] = {
-    {asked_rtk_dongle_config_1, NULL, 0x90},
-    {NULL, NULL, 0},
+    {asked_rtk_dongle_config_1, NULL, 0x90, false},
 };
 
 const struct mip_exchange mip_gnss_rtk_dongle_config_exchange = {
-    0x0E, 0x10, 0, true, NULL, responses_rtk_dongle_config};
+    0x0E,
+    0x10,
+    0,
+    true,
+    sizeof(responses_rtk_dongle_config) / sizeof(responses_rtk_dongle_config[0]),
+    responses_rtk_dongle_config};
 
 const struct mip_command mip_gnss_rtk_dongle_config_command = {
     &mip_gnss_rtk_dongle_config_codec, &mip_gnss_rtk_dongle_config_exchange};
@@ -231,12 +247,16 @@ const struct mip_codec mip_gnss_spartn_config_codec = {
 static const uint8_t asked_spartn_config_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                 MIP_WHEN_END};
 static const struct mip_response responses_spartn_config[] = {
-    {asked_spartn_config_1, NULL, 0xA0},
-    {NULL, NULL, 0},
+    {asked_spartn_config_1, NULL, 0xA0, false},
 };
 
-const struct mip_exchange mip_gnss_spartn_config_exchange = {0x0E, 0x20, 0,
-                                                             true, NULL, responses_spartn_config};
+const struct mip_exchange mip_gnss_spartn_config_exchange = {0x0E,
+                                                             0x20,
+                                                             0,
+                                                             true,
+                                                             sizeof(responses_spartn_config) /
+                                                                 sizeof(responses_spartn_config[0]),
+                                                             responses_spartn_config};
 
 const struct mip_command mip_gnss_spartn_config_command = {&mip_gnss_spartn_config_codec,
                                                            &mip_gnss_spartn_config_exchange};

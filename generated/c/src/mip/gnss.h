@@ -184,7 +184,6 @@ MIP_CHECKED static inline mip_error mip_gnss_receiver_info_encode(
     const struct mip_gnss_receiver_info *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_receiver_info_codec, value, builder);
 }
-
 /**
  * Receiver info response: response (0x0E,0x81).
  *
@@ -221,7 +220,6 @@ MIP_CHECKED static inline mip_error mip_gnss_receiver_info_response_encode(
     const struct mip_gnss_receiver_info_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_receiver_info_response_codec, value, builder);
 }
-
 /**
  * Signal configuration: command (0x0E,0x02).
  *
@@ -280,15 +278,14 @@ static inline mip_error mip_gnss_signal_config_decode(struct mip_gnss_signal_con
 MIP_CHECKED static inline mip_error mip_gnss_signal_config_encode(
     const struct mip_gnss_signal_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_signal_config_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - gps_enable: GPS signals. Required for write.
- * - glonass_enable: GLONASS signals. Required for write.
- * - galileo_enable: Galileo signals. Required for write.
- * - beidou_enable: BeiDou signals. Required for write.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - gps_enable: GPS signals. Required for write.
+   * - glonass_enable: GLONASS signals. Required for write.
+   * - galileo_enable: Galileo signals. Required for write.
+   * - beidou_enable: BeiDou signals. Required for write.
+   */
 static inline struct mip_gnss_signal_config *mip_gnss_signal_config_write(
     struct mip_gnss_signal_config *command, mip_gnss_gps_signals gps_enable,
     mip_gnss_glonass_signals glonass_enable, mip_gnss_galileo_signals galileo_enable,
@@ -374,41 +371,6 @@ MIP_CHECKED static inline mip_error mip_gnss_signal_config_response_encode(
     const struct mip_gnss_signal_config_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_signal_config_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_gnss_signal_config_response_decode_inline(
-    struct mip_gnss_signal_config_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0E, 0x82, 8);
-    if (error != MIP_OK || sizeof(*value) != 8) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->gps_enable = mip_get_8(field->data);
-    value->glonass_enable = mip_get_8(field->data + 1);
-    value->galileo_enable = mip_get_8(field->data + 2);
-    value->beidou_enable = mip_get_8(field->data + 3);
-    memcpy(value->reserved, field->data + 4, 4);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_gnss_signal_config_response_encode_inline(
-    const struct mip_gnss_signal_config_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0E, 0x82, 8, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->gps_enable);
-    mip_put_8(data + 1, value->glonass_enable);
-    mip_put_8(data + 2, value->galileo_enable);
-    mip_put_8(data + 3, value->beidou_enable);
-    memcpy(data + 4, value->reserved, 4);
-    return MIP_OK;
-}
-
 /**
  * Receiver reset: command (0x0E,0x03).
  *
@@ -450,41 +412,12 @@ static inline mip_error mip_gnss_receiver_reset_decode(struct mip_gnss_receiver_
 MIP_CHECKED static inline mip_error mip_gnss_receiver_reset_encode(
     const struct mip_gnss_receiver_reset *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_receiver_reset_codec, value, builder);
-}
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_gnss_receiver_reset_decode_inline(struct mip_gnss_receiver_reset *value,
-                                                              const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0E, 0x03, 2);
-    if (error != MIP_OK || sizeof(*value) != 2) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->receiver_id = mip_get_8(field->data);
-    value->reset_type = mip_get_8(field->data + 1);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_gnss_receiver_reset_encode_inline(
-    const struct mip_gnss_receiver_reset *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0E, 0x03, 2, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->receiver_id);
-    mip_put_8(data + 1, value->reset_type);
-    return MIP_OK;
-}
-/**
- * Receiver reset. Fills the structure and returns its address.
- *
- * - receiver_id: Receiver to reset. A value of enum mip_gnss_receiver_id.
- * - reset_type: How much restarts. A value of enum mip_gnss_receiver_reset_type.
- */
+} /**
+   * Receiver reset. Fills the structure and returns its address.
+   *
+   * - receiver_id: Receiver to reset. A value of enum mip_gnss_receiver_id.
+   * - reset_type: How much restarts. A value of enum mip_gnss_receiver_reset_type.
+   */
 static inline struct mip_gnss_receiver_reset *mip_gnss_receiver_reset_make(
     struct mip_gnss_receiver_reset *command, enum mip_gnss_receiver_id receiver_id,
     enum mip_gnss_receiver_reset_type reset_type) {
@@ -546,13 +479,12 @@ static inline mip_error mip_gnss_rtk_config_decode(struct mip_gnss_rtk_config *v
 MIP_CHECKED static inline mip_error
 mip_gnss_rtk_config_encode(const struct mip_gnss_rtk_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_rtk_config_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - ambiguity_fix_mode: How readily ambiguities are fixed. A value of enum
- *   mip_gnss_ambiguity_fix_mode. Required for write.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - ambiguity_fix_mode: How readily ambiguities are fixed. A value of enum
+   *   mip_gnss_ambiguity_fix_mode. Required for write.
+   */
 static inline struct mip_gnss_rtk_config *mip_gnss_rtk_config_write(
     struct mip_gnss_rtk_config *command, enum mip_gnss_ambiguity_fix_mode ambiguity_fix_mode) {
     memset(command, 0, sizeof(*command));
@@ -625,35 +557,6 @@ MIP_CHECKED static inline mip_error mip_gnss_rtk_config_response_encode(
     const struct mip_gnss_rtk_config_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_rtk_config_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_gnss_rtk_config_response_decode_inline(
-    struct mip_gnss_rtk_config_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0E, 0x84, 5);
-    if (error != MIP_OK || sizeof(*value) != 5) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->ambiguity_fix_mode = mip_get_8(field->data);
-    memcpy(value->reserved, field->data + 1, 4);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_gnss_rtk_config_response_encode_inline(
-    const struct mip_gnss_rtk_config_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0E, 0x84, 5, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->ambiguity_fix_mode);
-    memcpy(data + 1, value->reserved, 4);
-    return MIP_OK;
-}
-
 /**
  * RTK dongle configuration: command (0x0E,0x10).
  *
@@ -699,12 +602,11 @@ static inline mip_error mip_gnss_rtk_dongle_config_decode(struct mip_gnss_rtk_do
 MIP_CHECKED static inline mip_error mip_gnss_rtk_dongle_config_encode(
     const struct mip_gnss_rtk_dongle_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_rtk_dongle_config_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - enable: 1 enables the dongle, 0 disables it. Range: 0 to 1. Required for write.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - enable: 1 enables the dongle, 0 disables it. Range: 0 to 1. Required for write.
+   */
 static inline struct mip_gnss_rtk_dongle_config *
 mip_gnss_rtk_dongle_config_write(struct mip_gnss_rtk_dongle_config *command, uint8_t enable) {
     memset(command, 0, sizeof(*command));
@@ -778,35 +680,6 @@ MIP_CHECKED static inline mip_error mip_gnss_rtk_dongle_config_response_encode(
     const struct mip_gnss_rtk_dongle_config_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_rtk_dongle_config_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_gnss_rtk_dongle_config_response_decode_inline(
-    struct mip_gnss_rtk_dongle_config_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0E, 0x90, 4);
-    if (error != MIP_OK || sizeof(*value) != 4) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->enable = mip_get_8(field->data);
-    memcpy(value->reserved, field->data + 1, 3);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_gnss_rtk_dongle_config_response_encode_inline(
-    const struct mip_gnss_rtk_dongle_config_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0E, 0x90, 4, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->enable);
-    memcpy(data + 1, value->reserved, 3);
-    return MIP_OK;
-}
-
 /**
  * SPARTN configuration: command (0x0E,0x20).
  *
@@ -877,23 +750,23 @@ static inline mip_error mip_gnss_spartn_config_decode(struct mip_gnss_spartn_con
 MIP_CHECKED static inline mip_error mip_gnss_spartn_config_encode(
     const struct mip_gnss_spartn_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_spartn_config_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - enable: 1 enables SPARTN corrections, 0 disables them. Range: 0 to 1. Required for write.
- * - type: How the corrections are received. A value of enum mip_gnss_spartn_connection. Required
- *   for write.
- * - current_key_tow: GPS time of week until which the current key is valid. Unit: s. Required for
- *   write.
- * - current_key_week: GPS week number until which the current key is valid. Unit: week. Required
- *   for write.
- * - current_key: Current key in ASCII digits. Required for write.
- * - next_key_tow: GPS time of week until which the next key is valid. Unit: s. Required for write.
- * - next_key_week: GPS week number until which the next key is valid. Unit: week. Required for
- *   write.
- * - next_key: Next key in ASCII digits. Required for write.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - enable: 1 enables SPARTN corrections, 0 disables them. Range: 0 to 1. Required for write.
+   * - type: How the corrections are received. A value of enum mip_gnss_spartn_connection. Required
+   *   for write.
+   * - current_key_tow: GPS time of week until which the current key is valid. Unit: s. Required for
+   *   write.
+   * - current_key_week: GPS week number until which the current key is valid. Unit: week. Required
+   *   for write.
+   * - current_key: Current key in ASCII digits. Required for write.
+   * - next_key_tow: GPS time of week until which the next key is valid. Unit: s. Required for
+   * write.
+   * - next_key_week: GPS week number until which the next key is valid. Unit: week. Required for
+   *   write.
+   * - next_key: Next key in ASCII digits. Required for write.
+   */
 static inline struct mip_gnss_spartn_config *mip_gnss_spartn_config_write(
     struct mip_gnss_spartn_config *command, uint8_t enable, enum mip_gnss_spartn_connection type,
     uint32_t current_key_tow, uint16_t current_key_week, const uint8_t current_key[32],
@@ -990,47 +863,6 @@ MIP_CHECKED static inline mip_error mip_gnss_spartn_config_response_encode(
     const struct mip_gnss_spartn_config_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_spartn_config_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_gnss_spartn_config_response_decode_inline(
-    struct mip_gnss_spartn_config_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0E, 0xA0, 78);
-    if (error != MIP_OK || sizeof(*value) != 78) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->enable = mip_get_8(field->data);
-    value->type = mip_get_8(field->data + 1);
-    value->current_key_tow = mip_get_32(field->data + 2);
-    value->current_key_week = mip_get_16(field->data + 6);
-    memcpy(value->current_key, field->data + 8, 32);
-    value->next_key_tow = mip_get_32(field->data + 40);
-    value->next_key_week = mip_get_16(field->data + 44);
-    memcpy(value->next_key, field->data + 46, 32);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_gnss_spartn_config_response_encode_inline(
-    const struct mip_gnss_spartn_config_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0E, 0xA0, 78, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->enable);
-    mip_put_8(data + 1, value->type);
-    mip_put_32(data + 2, value->current_key_tow);
-    mip_put_16(data + 6, value->current_key_week);
-    memcpy(data + 8, value->current_key, 32);
-    mip_put_32(data + 40, value->next_key_tow);
-    mip_put_16(data + 44, value->next_key_week);
-    memcpy(data + 46, value->next_key, 32);
-    return MIP_OK;
-}
-
 /** @} */
 
 #ifdef __cplusplus

@@ -1,5 +1,6 @@
 /* The stream parser. A packet that lies wholly inside the caller's bytes is checked and returned
- * there; only a packet that their end cuts is assembled in the buffer. */
+ * there; only one that their end cuts is assembled in the buffer. If size matters more than speed,
+ * every packet is: search() is then the only way. */
 #include "mip/checksum.h"
 
 #include <string.h>
@@ -8,34 +9,47 @@ void mip_parser_init(struct mip_parser *parser) {
     parser->skipped = 0;
     parser->length = 0;
     parser->done = 0;
-    parser->missing = 0;
 }
 
-/** The size of the packet that may begin here; more than `size` if more bytes are needed to know
- * it, 0 if none begins here. */
-static size_t candidate(const uint8_t *bytes, size_t size) {
-    if (bytes[0] != MIP_SYNC_1 || (size > 1 && bytes[1] != MIP_SYNC_2) ||
+/** The size of the packet that may begin here, of which `size` bytes are known; more than these if
+ * more are needed to know it, 0 if none begins here. */
+MIP_QUICK size_t candidate(const uint8_t *bytes, size_t size) {
+    if ((size > 0 && bytes[0] != MIP_SYNC_1) || (size > 1 && bytes[1] != MIP_SYNC_2) ||
         (size > 2 && !mip_set_valid(bytes[2]))) {
         return 0;
     }
-    return size < MIP_HEADER_SIZE ? size + 1
+    return size < MIP_HEADER_SIZE ? MIP_HEADER_SIZE
                                   : (size_t)bytes[3] + MIP_HEADER_SIZE + MIP_CHECKSUM_SIZE;
 }
 
+/** Do these bytes have the checksum that follows them? */
+MIP_QUICK bool sound(const uint8_t *bytes, size_t size) {
+#ifdef __OPTIMIZE_SIZE__
+    return mip_checksum(bytes, size) == mip_get_16(bytes + size);
+#else
+    return mip_sum(bytes, size) == mip_get_16(bytes + size);
+#endif
+}
+
 /** Is this candidate, which is complete, a packet? Its header has been checked. */
-static bool is_packet(const uint8_t *bytes, size_t size, struct mip_packet *packet) {
+MIP_QUICK bool is_packet(const uint8_t *bytes, size_t size, struct mip_packet *packet) {
     packet->bytes = bytes;
     packet->size = size;
     packet->descriptor_set = bytes[2];
-    size -= MIP_CHECKSUM_SIZE;
-    return mip_checksum(bytes, size) == mip_get_16(bytes + size);
+    return sound(bytes, size - MIP_CHECKSUM_SIZE);
 }
 
-/** Removes bytes from the front of the buffer. */
-static void drop(struct mip_parser *parser, size_t size) {
-    parser->length = (uint16_t)(parser->length - size);
-    memmove(parser->buffer, parser->buffer + size, parser->length);
+/** Moves bytes of the caller to the end of the buffer. */
+static void take(struct mip_parser *parser, const uint8_t **data, size_t *size, size_t count) {
+    memcpy(parser->buffer + parser->length, *data, count);
+    parser->length = (uint16_t)(parser->length + count);
+    *data += count;
+    *size -= count;
 }
+
+#ifndef __OPTIMIZE_SIZE__
+/** The payload of a packet of which the checksum takes a block at once. */
+#define SHORTEST 12
 
 /** The first byte, and those up to the next that may start a packet. */
 static size_t garbage(const uint8_t *bytes, size_t size) {
@@ -43,195 +57,173 @@ static size_t garbage(const uint8_t *bytes, size_t size) {
     return sync == NULL ? size : (size_t)(sync - bytes);
 }
 
-static void skip(struct mip_parser *parser) {
-    const size_t count = garbage(parser->buffer, parser->length);
-    parser->skipped += (uint32_t)count;
-    drop(parser, count);
-}
-
-MIP_APART bool search(struct mip_parser *parser, const uint8_t **data, size_t *size,
-                      struct mip_packet *packet) {
+/** Looks for a packet in the caller's bytes; the buffer, which is empty, gets the beginning of one
+ * that their end cuts. */
+MIP_APART bool scan(struct mip_parser *parser, const uint8_t **data, size_t *size,
+                    struct mip_packet *packet) {
     const uint8_t *at = *data;
     size_t left = *size;
-    size_t wanted = parser->missing;
     bool found = false;
-    if (parser->done > 0) { /* the packet of the last call */
-        drop(parser, parser->done);
-        parser->done = 0;
-        wanted = 0;
-    }
-    for (;;) {
-        if (wanted > 0) { /* into the buffer */
-            const size_t count = left < wanted ? left : wanted;
-            if (count > 0) {
-                memcpy(parser->buffer + parser->length, at, count);
-                parser->length = (uint16_t)(parser->length + count);
-                at += count;
-                left -= count;
-                wanted -= count;
-            }
-            if (wanted > 0) {
-                break;
-            }
-        }
-        const bool buffered = parser->length > 0;
-        const uint8_t *bytes = buffered ? parser->buffer : at;
-        const size_t known = buffered ? parser->length : left;
-        if (known == 0) {
+    while (left > 0) {
+        const size_t goal = candidate(at, left);
+        if (goal > left) {
+            take(parser, &at, &left, left);
             break;
         }
-        const size_t goal = candidate(bytes, known);
-        if (goal > known) { /* the end of the caller's bytes cuts it */
-            wanted = buffered ? goal - known : known;
-            continue;
-        }
-        found = goal > 0 && is_packet(bytes, goal, packet);
-        const size_t count = found ? goal : garbage(bytes, known);
+        found = goal > 0 && is_packet(at, goal, packet);
+        const size_t count = found ? goal : garbage(at, left);
         parser->skipped += found ? 0 : (uint32_t)count;
-        if (buffered) {
-            if (found) {
-                parser->done = (uint16_t)count;
-            } else {
-                drop(parser, count);
-            }
-            /* Bytes after it that have just been copied are found again where they were. */
-            const size_t behind = parser->length - parser->done;
-            if (behind > 0 && behind <= *size - left) {
-                parser->length = parser->done;
-                at -= behind;
-                left += behind;
-            }
-        } else {
-            at += count;
-            left -= count;
-        }
+        at += count;
+        left -= count;
         if (found) {
             break;
         }
     }
-    parser->missing = (uint16_t)wanted;
     *data = at;
     *size = left;
     return found;
 }
+#endif
 
-#ifndef __OPTIMIZE_SIZE__
-
-/** Copies bytes into the buffer. */
-static void keep(struct mip_parser *parser, const uint8_t *bytes, size_t size) {
-    memcpy(parser->buffer + parser->length, bytes, size);
-    parser->length = (uint16_t)(parser->length + size);
+/** The same as candidate() for a place in the buffer, and 0 if the packet is there and not valid.
+ */
+static size_t examine(const struct mip_parser *parser, size_t at, struct mip_packet *packet) {
+    const uint8_t *bytes = parser->buffer + at;
+    const size_t size = parser->length - at;
+    const size_t goal = candidate(bytes, size);
+    return goal == 0 || goal > size || is_packet(bytes, goal, packet) ? goal : 0;
 }
 
-/** The beginning of a packet is in the buffer: waits for its end, and checks it. Bytes after it, or
- * an end that does not match, are left to search(). */
+/** Looks for a packet in the buffer, with as many of the caller's bytes as it needs. */
+static bool search(struct mip_parser *parser, const uint8_t **data, size_t *size,
+                   struct mip_packet *packet) {
+#ifndef __OPTIMIZE_SIZE__
+    const size_t given = *size;
+#endif
+    for (;;) {
+        const size_t left = (size_t)parser->length - parser->done;
+#ifndef __OPTIMIZE_SIZE__
+        if (left <= given - *size) { /* all of them are in the caller's bytes, too */
+            if (left > 0) {
+                *data -= left;
+                *size += left;
+            }
+            parser->length = 0;
+            parser->done = 0;
+            return scan(parser, data, size, packet);
+        }
+#endif
+        const size_t goal = examine(parser, parser->done, packet);
+        if (goal == 0) {
+            parser->done++;
+            parser->skipped++;
+        } else if (goal <= left) {
+            parser->done = (uint16_t)(parser->done + goal);
+            return true;
+        } else {
+            const size_t missing = goal - left;
+            memmove(parser->buffer, parser->buffer + parser->done, left);
+            parser->length = (uint16_t)left;
+            parser->done = 0;
+            if (*size == 0) {
+                return false;
+            }
+            take(parser, data, size, *size < missing ? *size : missing);
+        }
+    }
+}
+
+#ifndef __OPTIMIZE_SIZE__
+/** All of the caller's bytes belong to a packet that goes on: keeps them. */
+MIP_APART bool keep(struct mip_parser *parser, const uint8_t **data, size_t *size) {
+    take(parser, data, size, *size);
+    return false;
+}
+
+/** The buffer has a packet's beginning, most often with its header: takes the rest. */
 MIP_APART bool resume(struct mip_parser *parser, const uint8_t **data, size_t *size,
                       struct mip_packet *packet) {
-    const size_t missing = parser->missing;
-    if (*size == 0) {
-        return false;
+    const size_t length = parser->length;
+    if (parser->done > 0 || length < MIP_HEADER_SIZE) {
+        return search(parser, data, size, packet);
     }
-    if (*size < missing) {
-        keep(parser, *data, *size);
-        parser->missing = (uint16_t)(missing - *size);
-        *data += *size;
+    const size_t end = (size_t)parser->buffer[3] + MIP_HEADER_SIZE;
+    const size_t missing = end + MIP_CHECKSUM_SIZE - length;
+    if (*size == 1 && missing > 1) { /* byte by byte, as an interrupt feeds it */
+        parser->buffer[parser->length++] = *(*data)++;
         *size = 0;
         return false;
     }
-    if (parser->length >= MIP_HEADER_SIZE) {
-        keep(parser, *data, missing);
-        if (is_packet(parser->buffer, parser->length, packet)) {
-            parser->done = parser->length;
-            parser->missing = 0;
-            *data += missing;
-            *size -= missing;
-            return true;
-        }
-        parser->length = (uint16_t)(parser->length - missing);
+    if (*size < missing) {
+        return *size > 0 && keep(parser, data, size);
     }
-    return search(parser, data, size, packet);
+    memcpy(parser->buffer + length, *data, missing);
+    if (!sound(parser->buffer, end)) {
+        return search(parser, data, size, packet); /* copies it again */
+    }
+    parser->length = parser->done = (uint16_t)(end + MIP_CHECKSUM_SIZE);
+    packet->bytes = parser->buffer;
+    packet->size = end + MIP_CHECKSUM_SIZE;
+    packet->descriptor_set = parser->buffer[2];
+    *data += missing;
+    *size -= missing;
+    return true;
 }
-
-/** Packet after packet; whatever else there is, is left to search(). */
-MIP_APART bool next(struct mip_parser *parser, const uint8_t **data, size_t *size,
-                    struct mip_packet *packet) {
-    const uint8_t *bytes = *data;
-    const size_t left = *size;
-    if (parser->missing > 0) {
-        return resume(parser, data, size, packet);
-    }
-    if (parser->length == parser->done) {
-        parser->length = 0;
-        parser->done = 0;
-        if (left >= MIP_HEADER_SIZE && bytes[0] == MIP_SYNC_1 && bytes[1] == MIP_SYNC_2 &&
-            mip_set_valid(bytes[2])) {
-            const size_t end = (size_t)bytes[3] + MIP_HEADER_SIZE;
-            const size_t goal = end + MIP_CHECKSUM_SIZE;
-            if (goal > left) {
-                keep(parser, bytes, left);
-                parser->missing = (uint16_t)(goal - left);
-                *data = bytes + left;
-                *size = 0;
-                return false;
-            }
-            if (mip_sum(bytes, end) == mip_get_16(bytes + end)) {
-                packet->bytes = bytes;
-                packet->size = goal;
-                packet->descriptor_set = bytes[2];
-                *data = bytes + goal;
-                *size = left - goal;
-                return true;
-            }
-        }
-    }
-    return search(parser, data, size, packet);
-}
-
 #endif
 
 bool mip_parser_next(struct mip_parser *parser, const uint8_t **data, size_t *size,
                      struct mip_packet *packet) {
-#ifdef __OPTIMIZE_SIZE__
-    return search(parser, data, size, packet);
-#else
-    if (*size == 1 && parser->missing > 1) { /* byte by byte, as an interrupt feeds it */
-        parser->buffer[parser->length++] = *(*data)++;
-        parser->missing--;
-        *size = 0;
-        return false;
+#ifndef __OPTIMIZE_SIZE__
+    /* Packet after packet, without a call; the shortest ones apart, as they have no whole block. */
+    if (parser->length == parser->done) {
+        const uint8_t *bytes = *data;
+        parser->length = 0;
+        parser->done = 0;
+        if (*size >= MIP_HEADER_SIZE && mip_get_16(bytes) == (MIP_SYNC_1 << 8 | MIP_SYNC_2) &&
+            mip_set_valid(bytes[2]) && bytes[3] >= SHORTEST) {
+            const size_t end = (size_t)bytes[3] + MIP_HEADER_SIZE;
+            if (end + MIP_CHECKSUM_SIZE > *size) {
+                return keep(parser, data, size);
+            }
+            if (sound(bytes, end)) {
+                packet->bytes = bytes;
+                packet->size = end + MIP_CHECKSUM_SIZE;
+                packet->descriptor_set = bytes[2];
+                *data += packet->size;
+                *size -= packet->size;
+                return true;
+            }
+        }
+        return scan(parser, data, size, packet);
     }
-    return next(parser, data, size, packet);
+    return resume(parser, data, size, packet);
+#else
+    return search(parser, data, size, packet);
 #endif
 }
 
 bool mip_parser_look_behind(struct mip_parser *parser, struct mip_packet *packet) {
-    const uint8_t *data = parser->buffer;
-    size_t size = 0;
-    if (search(parser, &data, &size, packet)) {
+    const uint8_t *nothing = parser->buffer;
+    size_t none = 0;
+    if (mip_parser_next(parser, &nothing, &none, packet)) {
         return true;
     }
-    for (size_t at = 1; at + MIP_HEADER_SIZE < parser->length; at++) {
-        const size_t left = parser->length - at;
-        const size_t goal = candidate(parser->buffer + at, left);
-        if (goal > 0 && goal <= left && is_packet(parser->buffer + at, goal, packet)) {
+    for (size_t at = 1; at < parser->length; at++) {
+        const size_t goal = examine(parser, at, packet);
+        if (goal > 0 && goal <= parser->length - at) {
             parser->skipped += (uint32_t)at;
-            drop(parser, at);
-            parser->missing = 0;
-            return search(parser, &data, &size, packet);
+            parser->done = (uint16_t)(at + goal);
+            return true;
         }
     }
     return false;
 }
 
 bool mip_parser_flush(struct mip_parser *parser, struct mip_packet *packet) {
-    const uint8_t *data = parser->buffer;
-    size_t size = 0;
-    while (!search(parser, &data, &size, packet)) {
-        if (parser->length == 0) {
-            return false;
-        }
-        skip(parser);
-        parser->missing = 0;
+    const bool found = mip_parser_look_behind(parser, packet);
+    if (!found) {
+        parser->skipped += parser->length;
+        parser->length = 0;
     }
-    return true;
+    return found;
 }

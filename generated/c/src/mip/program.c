@@ -281,6 +281,9 @@ static mip_error read_field(const struct mip_codec *codec, void *value,
         const bool empty = s.optional && s.at == s.mark; /* an empty union: same as absent */
         *(uint8_t *)value = s.stopped || empty ? s.present : s.last;
     }
+    if (s.error != MIP_OK) {
+        memset(value, 0, codec->size);
+    }
     *trailing = (size_t)(data + field->size - s.at);
     return (mip_error)s.error;
 }

@@ -73,35 +73,6 @@ MIP_CHECKED static inline mip_error mip_protocol_acknowledge_encode(
     const struct mip_protocol_acknowledge *value, struct mip_builder *builder) {
     return mip_encode(&mip_protocol_acknowledge_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_protocol_acknowledge_decode_inline(
-    struct mip_protocol_acknowledge *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x00, 0xF1, 2);
-    if (error != MIP_OK || sizeof(*value) != 2) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->command = mip_get_8(field->data);
-    value->code = mip_get_8(field->data + 1);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_protocol_acknowledge_encode_inline(
-    const struct mip_protocol_acknowledge *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x00, 0xF1, 2, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->command);
-    mip_put_8(data + 1, value->code);
-    return MIP_OK;
-}
-
 #ifdef __cplusplus
 }
 #endif

@@ -18,12 +18,16 @@ const struct mip_codec mip_rtk_get_status_flags_codec = {0x0F,
                                                          NULL};
 
 static const struct mip_response responses_get_status_flags[] = {
-    {NULL, NULL, 0x81},
-    {NULL, NULL, 0},
+    {NULL, NULL, 0x81, false},
 };
 
 const struct mip_exchange mip_rtk_get_status_flags_exchange = {
-    0x0F, 0x01, 0, false, NULL, responses_get_status_flags};
+    0x0F,
+    0x01,
+    0,
+    false,
+    sizeof(responses_get_status_flags) / sizeof(responses_get_status_flags[0]),
+    responses_get_status_flags};
 
 const struct mip_command mip_rtk_get_status_flags_command = {&mip_rtk_get_status_flags_codec,
                                                              &mip_rtk_get_status_flags_exchange};
@@ -52,12 +56,16 @@ const struct mip_codec mip_rtk_get_imei_codec = {
     0x0F, 0x02, MIP_COMMAND, 0, sizeof(struct mip_rtk_get_imei), 0, false, program_get_imei, NULL};
 
 static const struct mip_response responses_get_imei[] = {
-    {NULL, NULL, 0x82},
-    {NULL, NULL, 0},
+    {NULL, NULL, 0x82, false},
 };
 
-const struct mip_exchange mip_rtk_get_imei_exchange = {0x0F,  0x02, 0,
-                                                       false, NULL, responses_get_imei};
+const struct mip_exchange mip_rtk_get_imei_exchange = {0x0F,
+                                                       0x02,
+                                                       0,
+                                                       false,
+                                                       sizeof(responses_get_imei) /
+                                                           sizeof(responses_get_imei[0]),
+                                                       responses_get_imei};
 
 const struct mip_command mip_rtk_get_imei_command = {&mip_rtk_get_imei_codec,
                                                      &mip_rtk_get_imei_exchange};
@@ -85,12 +93,16 @@ const struct mip_codec mip_rtk_get_imsi_codec = {
     0x0F, 0x03, MIP_COMMAND, 0, sizeof(struct mip_rtk_get_imsi), 0, false, program_get_imsi, NULL};
 
 static const struct mip_response responses_get_imsi[] = {
-    {NULL, NULL, 0x83},
-    {NULL, NULL, 0},
+    {NULL, NULL, 0x83, false},
 };
 
-const struct mip_exchange mip_rtk_get_imsi_exchange = {0x0F,  0x03, 0,
-                                                       false, NULL, responses_get_imsi};
+const struct mip_exchange mip_rtk_get_imsi_exchange = {0x0F,
+                                                       0x03,
+                                                       0,
+                                                       false,
+                                                       sizeof(responses_get_imsi) /
+                                                           sizeof(responses_get_imsi[0]),
+                                                       responses_get_imsi};
 
 const struct mip_command mip_rtk_get_imsi_command = {&mip_rtk_get_imsi_codec,
                                                      &mip_rtk_get_imsi_exchange};
@@ -119,12 +131,16 @@ const struct mip_codec mip_rtk_get_iccid_codec = {
     0,    false, program_get_iccid, NULL};
 
 static const struct mip_response responses_get_iccid[] = {
-    {NULL, NULL, 0x84},
-    {NULL, NULL, 0},
+    {NULL, NULL, 0x84, false},
 };
 
-const struct mip_exchange mip_rtk_get_iccid_exchange = {0x0F,  0x04, 0,
-                                                        false, NULL, responses_get_iccid};
+const struct mip_exchange mip_rtk_get_iccid_exchange = {0x0F,
+                                                        0x04,
+                                                        0,
+                                                        false,
+                                                        sizeof(responses_get_iccid) /
+                                                            sizeof(responses_get_iccid[0]),
+                                                        responses_get_iccid};
 
 const struct mip_command mip_rtk_get_iccid_command = {&mip_rtk_get_iccid_codec,
                                                       &mip_rtk_get_iccid_exchange};
@@ -153,12 +169,16 @@ const struct mip_codec mip_rtk_get_rssi_codec = {
     0x0F, 0x05, MIP_COMMAND, 0, sizeof(struct mip_rtk_get_rssi), 0, false, program_get_rssi, NULL};
 
 static const struct mip_response responses_get_rssi[] = {
-    {NULL, NULL, 0x85},
-    {NULL, NULL, 0},
+    {NULL, NULL, 0x85, false},
 };
 
-const struct mip_exchange mip_rtk_get_rssi_exchange = {0x0F,  0x05, 0,
-                                                       false, NULL, responses_get_rssi};
+const struct mip_exchange mip_rtk_get_rssi_exchange = {0x0F,
+                                                       0x05,
+                                                       0,
+                                                       false,
+                                                       sizeof(responses_get_rssi) /
+                                                           sizeof(responses_get_rssi[0]),
+                                                       responses_get_rssi};
 
 const struct mip_command mip_rtk_get_rssi_command = {&mip_rtk_get_rssi_codec,
                                                      &mip_rtk_get_rssi_exchange};
@@ -200,12 +220,16 @@ const struct mip_codec mip_rtk_connected_device_type_codec = {
 static const uint8_t asked_connected_device_type_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                         MIP_WHEN_END};
 static const struct mip_response responses_connected_device_type[] = {
-    {asked_connected_device_type_1, NULL, 0x86},
-    {NULL, NULL, 0},
+    {asked_connected_device_type_1, NULL, 0x86, false},
 };
 
 const struct mip_exchange mip_rtk_connected_device_type_exchange = {
-    0x0F, 0x06, 0, true, NULL, responses_connected_device_type};
+    0x0F,
+    0x06,
+    0,
+    true,
+    sizeof(responses_connected_device_type) / sizeof(responses_connected_device_type[0]),
+    responses_connected_device_type};
 
 const struct mip_command mip_rtk_connected_device_type_command = {
     &mip_rtk_connected_device_type_codec, &mip_rtk_connected_device_type_exchange};
@@ -242,12 +266,16 @@ const struct mip_codec mip_rtk_get_activation_code_codec = {
     NULL};
 
 static const struct mip_response responses_get_activation_code[] = {
-    {NULL, NULL, 0x87},
-    {NULL, NULL, 0},
+    {NULL, NULL, 0x87, false},
 };
 
 const struct mip_exchange mip_rtk_get_activation_code_exchange = {
-    0x0F, 0x07, 0, false, NULL, responses_get_activation_code};
+    0x0F,
+    0x07,
+    0,
+    false,
+    sizeof(responses_get_activation_code) / sizeof(responses_get_activation_code[0]),
+    responses_get_activation_code};
 
 const struct mip_command mip_rtk_get_activation_code_command = {
     &mip_rtk_get_activation_code_codec, &mip_rtk_get_activation_code_exchange};
@@ -285,12 +313,16 @@ const struct mip_codec mip_rtk_get_modem_firmware_version_codec = {
     NULL};
 
 static const struct mip_response responses_get_modem_firmware_version[] = {
-    {NULL, NULL, 0x88},
-    {NULL, NULL, 0},
+    {NULL, NULL, 0x88, false},
 };
 
 const struct mip_exchange mip_rtk_get_modem_firmware_version_exchange = {
-    0x0F, 0x08, 0, false, NULL, responses_get_modem_firmware_version};
+    0x0F,
+    0x08,
+    0,
+    false,
+    sizeof(responses_get_modem_firmware_version) / sizeof(responses_get_modem_firmware_version[0]),
+    responses_get_modem_firmware_version};
 
 const struct mip_command mip_rtk_get_modem_firmware_version_command = {
     &mip_rtk_get_modem_firmware_version_codec, &mip_rtk_get_modem_firmware_version_exchange};
@@ -328,12 +360,16 @@ const struct mip_codec mip_rtk_service_status_codec = {0x0F,
                                                        NULL};
 
 static const struct mip_response responses_service_status[] = {
-    {NULL, NULL, 0x8A},
-    {NULL, NULL, 0},
+    {NULL, NULL, 0x8A, false},
 };
 
-const struct mip_exchange mip_rtk_service_status_exchange = {0x0F,  0x0A, 0,
-                                                             false, NULL, responses_service_status};
+const struct mip_exchange mip_rtk_service_status_exchange = {
+    0x0F,
+    0x0A,
+    0,
+    false,
+    sizeof(responses_service_status) / sizeof(responses_service_status[0]),
+    responses_service_status};
 
 const struct mip_command mip_rtk_service_status_command = {&mip_rtk_service_status_codec,
                                                            &mip_rtk_service_status_exchange};
@@ -371,7 +407,7 @@ const struct mip_codec mip_rtk_erase_storage_codec = {0x0F,
                                                       program_erase_storage,
                                                       NULL};
 
-const struct mip_exchange mip_rtk_erase_storage_exchange = {0x0F, 0x20, 0, false, NULL, NULL};
+const struct mip_exchange mip_rtk_erase_storage_exchange = {0x0F, 0x20, 0, false, 0, NULL};
 
 const struct mip_command mip_rtk_erase_storage_command = {&mip_rtk_erase_storage_codec,
                                                           &mip_rtk_erase_storage_exchange};
@@ -386,7 +422,7 @@ const struct mip_codec mip_rtk_led_control_codec = {
     0x0F, 0x21,  MIP_COMMAND,         11,  sizeof(struct mip_rtk_led_control),
     0,    false, program_led_control, NULL};
 
-const struct mip_exchange mip_rtk_led_control_exchange = {0x0F, 0x21, 0, false, NULL, NULL};
+const struct mip_exchange mip_rtk_led_control_exchange = {0x0F, 0x21, 0, false, 0, NULL};
 
 const struct mip_command mip_rtk_led_control_command = {&mip_rtk_led_control_codec,
                                                         &mip_rtk_led_control_exchange};
@@ -405,7 +441,7 @@ const struct mip_codec mip_rtk_modem_hard_reset_codec = {0x0F,
                                                          program_modem_hard_reset,
                                                          NULL};
 
-const struct mip_exchange mip_rtk_modem_hard_reset_exchange = {0x0F, 0x22, 0, false, NULL, NULL};
+const struct mip_exchange mip_rtk_modem_hard_reset_exchange = {0x0F, 0x22, 0, false, 0, NULL};
 
 const struct mip_command mip_rtk_modem_hard_reset_command = {&mip_rtk_modem_hard_reset_codec,
                                                              &mip_rtk_modem_hard_reset_exchange};

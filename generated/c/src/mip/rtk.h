@@ -119,7 +119,6 @@ MIP_CHECKED static inline mip_error mip_rtk_get_status_flags_encode(
     const struct mip_rtk_get_status_flags *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_status_flags_codec, value, builder);
 }
-
 /**
  * Get status flags response: response (0x0F,0x81).
  *
@@ -155,33 +154,6 @@ MIP_CHECKED static inline mip_error mip_rtk_get_status_flags_response_encode(
     const struct mip_rtk_get_status_flags_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_status_flags_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_rtk_get_status_flags_response_decode_inline(
-    struct mip_rtk_get_status_flags_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0F, 0x81, 4);
-    if (error != MIP_OK || sizeof(*value) != 4) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->flags = mip_get_32(field->data);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_rtk_get_status_flags_response_encode_inline(
-    const struct mip_rtk_get_status_flags_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0F, 0x81, 4, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_32(data, value->flags);
-    return MIP_OK;
-}
-
 /**
  * Get IMEI: command (0x0F,0x02).
  *
@@ -218,7 +190,6 @@ MIP_CHECKED static inline mip_error mip_rtk_get_imei_encode(const struct mip_rtk
                                                             struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_imei_codec, value, builder);
 }
-
 /**
  * Get IMEI response: response (0x0F,0x82).
  *
@@ -252,34 +223,6 @@ MIP_CHECKED static inline mip_error mip_rtk_get_imei_response_encode(
     const struct mip_rtk_get_imei_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_imei_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_rtk_get_imei_response_decode_inline(
-    struct mip_rtk_get_imei_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0F, 0x82, 32);
-    if (error != MIP_OK || sizeof(*value) != 32) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    memcpy(value->imei, field->data, 32);
-    value->imei[32] = '\0';
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_rtk_get_imei_response_encode_inline(
-    const struct mip_rtk_get_imei_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0F, 0x82, 32, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    memcpy(data, value->imei, 32);
-    return MIP_OK;
-}
-
 /**
  * Get IMSI: command (0x0F,0x03).
  *
@@ -316,7 +259,6 @@ MIP_CHECKED static inline mip_error mip_rtk_get_imsi_encode(const struct mip_rtk
                                                             struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_imsi_codec, value, builder);
 }
-
 /**
  * Get IMSI response: response (0x0F,0x83).
  *
@@ -350,34 +292,6 @@ MIP_CHECKED static inline mip_error mip_rtk_get_imsi_response_encode(
     const struct mip_rtk_get_imsi_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_imsi_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_rtk_get_imsi_response_decode_inline(
-    struct mip_rtk_get_imsi_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0F, 0x83, 32);
-    if (error != MIP_OK || sizeof(*value) != 32) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    memcpy(value->imsi, field->data, 32);
-    value->imsi[32] = '\0';
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_rtk_get_imsi_response_encode_inline(
-    const struct mip_rtk_get_imsi_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0F, 0x83, 32, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    memcpy(data, value->imsi, 32);
-    return MIP_OK;
-}
-
 /**
  * Get ICCID: command (0x0F,0x04).
  *
@@ -414,7 +328,6 @@ MIP_CHECKED static inline mip_error mip_rtk_get_iccid_encode(const struct mip_rt
                                                              struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_iccid_codec, value, builder);
 }
-
 /**
  * Get ICCID response: response (0x0F,0x84).
  *
@@ -448,34 +361,6 @@ MIP_CHECKED static inline mip_error mip_rtk_get_iccid_response_encode(
     const struct mip_rtk_get_iccid_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_iccid_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_rtk_get_iccid_response_decode_inline(
-    struct mip_rtk_get_iccid_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0F, 0x84, 32);
-    if (error != MIP_OK || sizeof(*value) != 32) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    memcpy(value->iccid, field->data, 32);
-    value->iccid[32] = '\0';
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_rtk_get_iccid_response_encode_inline(
-    const struct mip_rtk_get_iccid_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0F, 0x84, 32, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    memcpy(data, value->iccid, 32);
-    return MIP_OK;
-}
-
 /**
  * Get RSSI: command (0x0F,0x05).
  *
@@ -512,7 +397,6 @@ MIP_CHECKED static inline mip_error mip_rtk_get_rssi_encode(const struct mip_rtk
                                                             struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_rssi_codec, value, builder);
 }
-
 /**
  * Get RSSI response: response (0x0F,0x85).
  *
@@ -551,37 +435,6 @@ MIP_CHECKED static inline mip_error mip_rtk_get_rssi_response_encode(
     const struct mip_rtk_get_rssi_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_rssi_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_rtk_get_rssi_response_decode_inline(
-    struct mip_rtk_get_rssi_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0F, 0x85, 9);
-    if (error != MIP_OK || sizeof(*value) != 9) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->valid = mip_get_8(field->data);
-    value->rssi = (int32_t)mip_get_32(field->data + 1);
-    value->signal_quality = (int32_t)mip_get_32(field->data + 5);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_rtk_get_rssi_response_encode_inline(
-    const struct mip_rtk_get_rssi_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0F, 0x85, 9, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->valid);
-    mip_put_32(data + 1, (uint32_t)value->rssi);
-    mip_put_32(data + 5, (uint32_t)value->signal_quality);
-    return MIP_OK;
-}
-
 /**
  * Connected device type: command (0x0F,0x06).
  *
@@ -626,12 +479,12 @@ static inline mip_error mip_rtk_connected_device_type_decode(
 MIP_CHECKED static inline mip_error mip_rtk_connected_device_type_encode(
     const struct mip_rtk_connected_device_type *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_connected_device_type_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - device_type: Type of the device. A value of enum mip_rtk_connected_device. Required for write.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - device_type: Type of the device. A value of enum mip_rtk_connected_device. Required for
+   * write.
+   */
 static inline struct mip_rtk_connected_device_type *mip_rtk_connected_device_type_write(
     struct mip_rtk_connected_device_type *command, enum mip_rtk_connected_device device_type) {
     memset(command, 0, sizeof(*command));
@@ -702,33 +555,6 @@ MIP_CHECKED static inline mip_error mip_rtk_connected_device_type_response_encod
     const struct mip_rtk_connected_device_type_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_connected_device_type_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_rtk_connected_device_type_response_decode_inline(
-    struct mip_rtk_connected_device_type_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0F, 0x86, 1);
-    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->device_type = mip_get_8(field->data);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_rtk_connected_device_type_response_encode_inline(
-    const struct mip_rtk_connected_device_type_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0F, 0x86, 1, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->device_type);
-    return MIP_OK;
-}
-
 /**
  * Get activation code: command (0x0F,0x07).
  *
@@ -765,7 +591,6 @@ MIP_CHECKED static inline mip_error mip_rtk_get_activation_code_encode(
     const struct mip_rtk_get_activation_code *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_activation_code_codec, value, builder);
 }
-
 /**
  * Get activation code response: response (0x0F,0x87).
  *
@@ -801,34 +626,6 @@ MIP_CHECKED static inline mip_error mip_rtk_get_activation_code_response_encode(
     const struct mip_rtk_get_activation_code_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_activation_code_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_rtk_get_activation_code_response_decode_inline(
-    struct mip_rtk_get_activation_code_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0F, 0x87, 32);
-    if (error != MIP_OK || sizeof(*value) != 32) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    memcpy(value->activation_code, field->data, 32);
-    value->activation_code[32] = '\0';
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_rtk_get_activation_code_response_encode_inline(
-    const struct mip_rtk_get_activation_code_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0F, 0x87, 32, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    memcpy(data, value->activation_code, 32);
-    return MIP_OK;
-}
-
 /**
  * Get modem firmware version: command (0x0F,0x08).
  *
@@ -866,7 +663,6 @@ MIP_CHECKED static inline mip_error mip_rtk_get_modem_firmware_version_encode(
     const struct mip_rtk_get_modem_firmware_version *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_modem_firmware_version_codec, value, builder);
 }
-
 /**
  * Get modem firmware version response: response (0x0F,0x88).
  *
@@ -901,34 +697,6 @@ MIP_CHECKED static inline mip_error mip_rtk_get_modem_firmware_version_response_
     const struct mip_rtk_get_modem_firmware_version_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_modem_firmware_version_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_rtk_get_modem_firmware_version_response_decode_inline(
-    struct mip_rtk_get_modem_firmware_version_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0F, 0x88, 32);
-    if (error != MIP_OK || sizeof(*value) != 32) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    memcpy(value->modem_firmware_version, field->data, 32);
-    value->modem_firmware_version[32] = '\0';
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_rtk_get_modem_firmware_version_response_encode_inline(
-    const struct mip_rtk_get_modem_firmware_version_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0F, 0x88, 32, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    memcpy(data, value->modem_firmware_version, 32);
-    return MIP_OK;
-}
-
 /**
  * Service status: command (0x0F,0x0A).
  *
@@ -969,35 +737,6 @@ MIP_CHECKED static inline mip_error mip_rtk_service_status_encode(
     const struct mip_rtk_service_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_service_status_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_rtk_service_status_decode_inline(struct mip_rtk_service_status *value,
-                                                             const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0F, 0x0A, 8);
-    if (error != MIP_OK || sizeof(*value) != 8) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->reserved1 = mip_get_32(field->data);
-    value->reserved2 = mip_get_32(field->data + 4);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_rtk_service_status_encode_inline(
-    const struct mip_rtk_service_status *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0F, 0x0A, 8, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_32(data, value->reserved1);
-    mip_put_32(data + 4, value->reserved2);
-    return MIP_OK;
-}
-
 /**
  * Service status response: response (0x0F,0x8A).
  *
@@ -1041,39 +780,6 @@ MIP_CHECKED static inline mip_error mip_rtk_service_status_response_encode(
     const struct mip_rtk_service_status_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_service_status_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_rtk_service_status_response_decode_inline(
-    struct mip_rtk_service_status_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0F, 0x8A, 17);
-    if (error != MIP_OK || sizeof(*value) != 17) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->flags = mip_get_8(field->data);
-    value->received_bytes = mip_get_32(field->data + 1);
-    value->last_bytes = mip_get_32(field->data + 5);
-    value->last_bytes_time = mip_get_64(field->data + 9);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_rtk_service_status_response_encode_inline(
-    const struct mip_rtk_service_status_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0F, 0x8A, 17, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->flags);
-    mip_put_32(data + 1, value->received_bytes);
-    mip_put_32(data + 5, value->last_bytes);
-    mip_put_64(data + 9, value->last_bytes_time);
-    return MIP_OK;
-}
-
 /**
  * Erase storage: command (0x0F,0x20).
  *
@@ -1113,38 +819,11 @@ static inline mip_error mip_rtk_erase_storage_decode(struct mip_rtk_erase_storag
 MIP_CHECKED static inline mip_error mip_rtk_erase_storage_encode(
     const struct mip_rtk_erase_storage *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_erase_storage_codec, value, builder);
-}
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_rtk_erase_storage_decode_inline(struct mip_rtk_erase_storage *value,
-                                                            const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0F, 0x20, 1);
-    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->media = mip_get_8(field->data);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_rtk_erase_storage_encode_inline(
-    const struct mip_rtk_erase_storage *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0F, 0x20, 1, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->media);
-    return MIP_OK;
-}
-/**
- * Erase storage. Fills the structure and returns its address.
- *
- * - media: The medium. A value of enum mip_rtk_storage_medium.
- */
+} /**
+   * Erase storage. Fills the structure and returns its address.
+   *
+   * - media: The medium. A value of enum mip_rtk_storage_medium.
+   */
 static inline struct mip_rtk_erase_storage *mip_rtk_erase_storage_make(
     struct mip_rtk_erase_storage *command, enum mip_rtk_storage_medium media) {
     memset(command, 0, sizeof(*command));
@@ -1194,47 +873,15 @@ static inline mip_error mip_rtk_led_control_decode(struct mip_rtk_led_control *v
 MIP_CHECKED static inline mip_error
 mip_rtk_led_control_encode(const struct mip_rtk_led_control *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_led_control_codec, value, builder);
-}
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_rtk_led_control_decode_inline(struct mip_rtk_led_control *value,
-                                                          const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0F, 0x21, 11);
-    if (error != MIP_OK || sizeof(*value) != 11) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    memcpy(value->primary_color, field->data, 3);
-    memcpy(value->alternate_color, field->data + 3, 3);
-    value->action = mip_get_8(field->data + 6);
-    value->period = mip_get_32(field->data + 7);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_rtk_led_control_encode_inline(
-    const struct mip_rtk_led_control *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0F, 0x21, 11, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    memcpy(data, value->primary_color, 3);
-    memcpy(data + 3, value->alternate_color, 3);
-    mip_put_8(data + 6, value->action);
-    mip_put_32(data + 7, value->period);
-    return MIP_OK;
-}
-/**
- * LED control. Fills the structure and returns its address.
- *
- * - primary_color: First colour. Uncertain: The order of its parts; red, green, blue is likely.
- * - alternate_color: Second colour. Uncertain: The order of its parts; red, green, blue is likely.
- * - action: Pattern. A value of enum mip_rtk_led_action.
- * - period: Period of the pattern. Uncertain: The unit; ms is likely.
- */
+} /**
+   * LED control. Fills the structure and returns its address.
+   *
+   * - primary_color: First colour. Uncertain: The order of its parts; red, green, blue is likely.
+   * - alternate_color: Second colour. Uncertain: The order of its parts; red, green, blue is
+   * likely.
+   * - action: Pattern. A value of enum mip_rtk_led_action.
+   * - period: Period of the pattern. Uncertain: The unit; ms is likely.
+   */
 static inline struct mip_rtk_led_control *mip_rtk_led_control_make(
     struct mip_rtk_led_control *command, const uint8_t primary_color[3],
     const uint8_t alternate_color[3], enum mip_rtk_led_action action, uint32_t period) {
@@ -1285,7 +932,6 @@ MIP_CHECKED static inline mip_error mip_rtk_modem_hard_reset_encode(
     const struct mip_rtk_modem_hard_reset *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_modem_hard_reset_codec, value, builder);
 }
-
 /** @} */
 
 #ifdef __cplusplus

@@ -79,33 +79,6 @@ MIP_CHECKED static inline mip_error mip_shared_event_source_encode(
     const struct mip_shared_event_source *value, struct mip_builder *builder) {
     return mip_encode(&mip_shared_event_source_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_shared_event_source_decode_inline(struct mip_shared_event_source *value,
-                                                              const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0xFF, 0xD0, 1);
-    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->trigger_id = mip_get_8(field->data);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_shared_event_source_encode_inline(
-    const struct mip_shared_event_source *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0xFF, 0xD0, 1, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->trigger_id);
-    return MIP_OK;
-}
-
 /**
  * Ticks: data (0xFF,0xD1).
  *
@@ -145,33 +118,6 @@ MIP_CHECKED static inline mip_error mip_shared_ticks_encode(const struct mip_sha
                                                             struct mip_builder *builder) {
     return mip_encode(&mip_shared_ticks_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_shared_ticks_decode_inline(struct mip_shared_ticks *value,
-                                                       const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0xFF, 0xD1, 4);
-    if (error != MIP_OK || sizeof(*value) != 4) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->ticks = mip_get_32(field->data);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error
-mip_shared_ticks_encode_inline(const struct mip_shared_ticks *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0xFF, 0xD1, 4, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_32(data, value->ticks);
-    return MIP_OK;
-}
-
 /**
  * Delta ticks: data (0xFF,0xD2).
  *
@@ -210,33 +156,6 @@ MIP_CHECKED static inline mip_error mip_shared_delta_ticks_encode(
     const struct mip_shared_delta_ticks *value, struct mip_builder *builder) {
     return mip_encode(&mip_shared_delta_ticks_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_shared_delta_ticks_decode_inline(struct mip_shared_delta_ticks *value,
-                                                             const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0xFF, 0xD2, 4);
-    if (error != MIP_OK || sizeof(*value) != 4) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->ticks = mip_get_32(field->data);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_shared_delta_ticks_encode_inline(
-    const struct mip_shared_delta_ticks *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0xFF, 0xD2, 4, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_32(data, value->ticks);
-    return MIP_OK;
-}
-
 /**
  * GPS timestamp: data (0xFF,0xD3).
  *
@@ -294,37 +213,6 @@ MIP_CHECKED static inline mip_error mip_shared_gps_timestamp_encode(
     const struct mip_shared_gps_timestamp *value, struct mip_builder *builder) {
     return mip_encode(&mip_shared_gps_timestamp_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_shared_gps_timestamp_decode_inline(
-    struct mip_shared_gps_timestamp *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0xFF, 0xD3, 12);
-    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_get_double(&value->tow, field->data);
-    value->week_number = mip_get_16(field->data + 8);
-    value->valid_flags = mip_get_16(field->data + 10);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_shared_gps_timestamp_encode_inline(
-    const struct mip_shared_gps_timestamp *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0xFF, 0xD3, 12, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_double(data, &value->tow);
-    mip_put_16(data + 8, value->week_number);
-    mip_put_16(data + 10, value->valid_flags);
-    return MIP_OK;
-}
-
 /**
  * Delta time: data (0xFF,0xD4).
  *
@@ -364,33 +252,6 @@ MIP_CHECKED static inline mip_error mip_shared_delta_time_encode(
     const struct mip_shared_delta_time *value, struct mip_builder *builder) {
     return mip_encode(&mip_shared_delta_time_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_shared_delta_time_decode_inline(struct mip_shared_delta_time *value,
-                                                            const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0xFF, 0xD4, 8);
-    if (error != MIP_OK || sizeof(*value) != 8) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_get_double(&value->seconds, field->data);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_shared_delta_time_encode_inline(
-    const struct mip_shared_delta_time *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0xFF, 0xD4, 8, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_double(data, &value->seconds);
-    return MIP_OK;
-}
-
 /**
  * Reference timestamp: data (0xFF,0xD5).
  *
@@ -431,33 +292,6 @@ MIP_CHECKED static inline mip_error mip_shared_reference_timestamp_encode(
     const struct mip_shared_reference_timestamp *value, struct mip_builder *builder) {
     return mip_encode(&mip_shared_reference_timestamp_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_shared_reference_timestamp_decode_inline(
-    struct mip_shared_reference_timestamp *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0xFF, 0xD5, 8);
-    if (error != MIP_OK || sizeof(*value) != 8) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->nanoseconds = mip_get_64(field->data);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_shared_reference_timestamp_encode_inline(
-    const struct mip_shared_reference_timestamp *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0xFF, 0xD5, 8, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_64(data, value->nanoseconds);
-    return MIP_OK;
-}
-
 /**
  * Reference time delta: data (0xFF,0xD6).
  *
@@ -496,33 +330,6 @@ MIP_CHECKED static inline mip_error mip_shared_reference_time_delta_encode(
     const struct mip_shared_reference_time_delta *value, struct mip_builder *builder) {
     return mip_encode(&mip_shared_reference_time_delta_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_shared_reference_time_delta_decode_inline(
-    struct mip_shared_reference_time_delta *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0xFF, 0xD6, 8);
-    if (error != MIP_OK || sizeof(*value) != 8) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->dt_nanos = mip_get_64(field->data);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_shared_reference_time_delta_encode_inline(
-    const struct mip_shared_reference_time_delta *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0xFF, 0xD6, 8, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_64(data, value->dt_nanos);
-    return MIP_OK;
-}
-
 /**
  * External timestamp: data (0xFF,0xD7).
  *
@@ -578,35 +385,6 @@ MIP_CHECKED static inline mip_error mip_shared_external_timestamp_encode(
     const struct mip_shared_external_timestamp *value, struct mip_builder *builder) {
     return mip_encode(&mip_shared_external_timestamp_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_shared_external_timestamp_decode_inline(
-    struct mip_shared_external_timestamp *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0xFF, 0xD7, 10);
-    if (error != MIP_OK || sizeof(*value) != 10) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->nanoseconds = mip_get_64(field->data);
-    value->valid_flags = mip_get_16(field->data + 8);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_shared_external_timestamp_encode_inline(
-    const struct mip_shared_external_timestamp *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0xFF, 0xD7, 10, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_64(data, value->nanoseconds);
-    mip_put_16(data + 8, value->valid_flags);
-    return MIP_OK;
-}
-
 /**
  * External time delta: data (0xFF,0xD8).
  *
@@ -652,35 +430,6 @@ MIP_CHECKED static inline mip_error mip_shared_external_time_delta_encode(
     const struct mip_shared_external_time_delta *value, struct mip_builder *builder) {
     return mip_encode(&mip_shared_external_time_delta_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_shared_external_time_delta_decode_inline(
-    struct mip_shared_external_time_delta *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0xFF, 0xD8, 10);
-    if (error != MIP_OK || sizeof(*value) != 10) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->dt_nanos = mip_get_64(field->data);
-    value->valid_flags = mip_get_16(field->data + 8);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_shared_external_time_delta_encode_inline(
-    const struct mip_shared_external_time_delta *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0xFF, 0xD8, 10, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_64(data, value->dt_nanos);
-    mip_put_16(data + 8, value->valid_flags);
-    return MIP_OK;
-}
-
 /** @} */
 
 #ifdef __cplusplus

@@ -96,8 +96,9 @@ size_t mip_index(const uint8_t *bytes, size_t size, bool ended, size_t *at, size
         struct mip_packet packet;
         mip_parser_init(&parser);
         while (count < room && mip_parser_next(&parser, &data, &left, &packet)) {
-            offsets[count++] = (size_t)(packet.bytes - bytes);
-            *at = (size_t)(data - bytes);
+            /* The parser may have copied it, with bytes behind it. */
+            *at = (size_t)(data - bytes) - held_by(&parser);
+            offsets[count++] = *at - packet.size;
         }
         if (count < room) {
             *at = size - held_by(&parser);

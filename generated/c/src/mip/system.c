@@ -28,12 +28,16 @@ const struct mip_codec mip_system_interface_control_codec = {
 static const uint8_t asked_interface_control_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                     MIP_WHEN_END};
 static const struct mip_response responses_interface_control[] = {
-    {asked_interface_control_1, NULL, 0x82},
-    {NULL, NULL, 0},
+    {asked_interface_control_1, NULL, 0x82, false},
 };
 
 const struct mip_exchange mip_system_interface_control_exchange = {
-    0x7F, 0x02, 0, true, NULL, responses_interface_control};
+    0x7F,
+    0x02,
+    0,
+    true,
+    sizeof(responses_interface_control) / sizeof(responses_interface_control[0]),
+    responses_interface_control};
 
 const struct mip_command mip_system_interface_control_command = {
     &mip_system_interface_control_codec, &mip_system_interface_control_exchange};
@@ -68,12 +72,16 @@ const struct mip_codec mip_system_comm_mode_codec = {
 
 static const uint8_t asked_comm_mode_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_comm_mode[] = {
-    {asked_comm_mode_1, NULL, 0x90},
-    {NULL, NULL, 0},
+    {asked_comm_mode_1, NULL, 0x90, false},
 };
 
-const struct mip_exchange mip_system_comm_mode_exchange = {0x7F, 0x10, 0,
-                                                           true, NULL, responses_comm_mode};
+const struct mip_exchange mip_system_comm_mode_exchange = {0x7F,
+                                                           0x10,
+                                                           0,
+                                                           true,
+                                                           sizeof(responses_comm_mode) /
+                                                               sizeof(responses_comm_mode[0]),
+                                                           responses_comm_mode};
 
 const struct mip_command mip_system_comm_mode_command = {&mip_system_comm_mode_codec,
                                                          &mip_system_comm_mode_exchange};

@@ -116,15 +116,14 @@ static inline mip_error mip_system_interface_control_decode(
 MIP_CHECKED static inline mip_error mip_system_interface_control_encode(
     const struct mip_system_interface_control *value, struct mip_builder *builder) {
     return mip_encode(&mip_system_interface_control_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - port: Port whose protocols are set or read. A value of enum mip_comm_interface. Uncertain:
- *   Whether write and read accept `all`.
- * - protocols_incoming: Protocols that it receives. Required for write.
- * - protocols_outgoing: Protocols that it sends. Required for write.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - port: Port whose protocols are set or read. A value of enum mip_comm_interface. Uncertain:
+   *   Whether write and read accept `all`.
+   * - protocols_incoming: Protocols that it receives. Required for write.
+   * - protocols_outgoing: Protocols that it sends. Required for write.
+   */
 static inline struct mip_system_interface_control *mip_system_interface_control_write(
     struct mip_system_interface_control *command, enum mip_comm_interface port,
     mip_system_comm_protocols protocols_incoming, mip_system_comm_protocols protocols_outgoing) {
@@ -230,37 +229,6 @@ MIP_CHECKED static inline mip_error mip_system_interface_control_response_encode
     const struct mip_system_interface_control_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_system_interface_control_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_system_interface_control_response_decode_inline(
-    struct mip_system_interface_control_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x7F, 0x82, 9);
-    if (error != MIP_OK || sizeof(*value) != 9) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->port = mip_get_8(field->data);
-    value->protocols_incoming = mip_get_32(field->data + 1);
-    value->protocols_outgoing = mip_get_32(field->data + 5);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_system_interface_control_response_encode_inline(
-    const struct mip_system_interface_control_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x7F, 0x82, 9, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->port);
-    mip_put_32(data + 1, value->protocols_incoming);
-    mip_put_32(data + 5, value->protocols_outgoing);
-    return MIP_OK;
-}
-
 /**
  * Communication mode: command (0x7F,0x10).
  *
@@ -311,14 +279,13 @@ static inline mip_error mip_system_comm_mode_decode(struct mip_system_comm_mode 
 MIP_CHECKED static inline mip_error
 mip_system_comm_mode_encode(const struct mip_system_comm_mode *value, struct mip_builder *builder) {
     return mip_encode(&mip_system_comm_mode_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - mode: Communication mode. A value of enum mip_system_protocol_mode. Default:
- *   MIP_SYSTEM_PROTOCOL_MODE_STANDARD. Required for write. On the 3DM-GX5-35: default
- *   MIP_SYSTEM_PROTOCOL_MODE_STANDARD.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - mode: Communication mode. A value of enum mip_system_protocol_mode. Default:
+   *   MIP_SYSTEM_PROTOCOL_MODE_STANDARD. Required for write. On the 3DM-GX5-35: default
+   *   MIP_SYSTEM_PROTOCOL_MODE_STANDARD.
+   */
 static inline struct mip_system_comm_mode *mip_system_comm_mode_write(
     struct mip_system_comm_mode *command, enum mip_system_protocol_mode mode) {
     memset(command, 0, sizeof(*command));
@@ -392,33 +359,6 @@ MIP_CHECKED static inline mip_error mip_system_comm_mode_response_encode(
     const struct mip_system_comm_mode_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_system_comm_mode_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_system_comm_mode_response_decode_inline(
-    struct mip_system_comm_mode_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x7F, 0x90, 1);
-    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->mode = mip_get_8(field->data);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_system_comm_mode_response_encode_inline(
-    const struct mip_system_comm_mode_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x7F, 0x90, 1, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->mode);
-    return MIP_OK;
-}
-
 /** @} */
 
 #ifdef __cplusplus

@@ -88,33 +88,6 @@ MIP_CHECKED static inline mip_error mip_system_data_built_in_test_encode(
     const struct mip_system_data_built_in_test *value, struct mip_builder *builder) {
     return mip_encode(&mip_system_data_built_in_test_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_system_data_built_in_test_decode_inline(
-    struct mip_system_data_built_in_test *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0xA0, 0x01, 16);
-    if (error != MIP_OK || sizeof(*value) != 16) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    memcpy(value->result, field->data, 16);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_system_data_built_in_test_encode_inline(
-    const struct mip_system_data_built_in_test *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0xA0, 0x01, 16, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    memcpy(data, value->result, 16);
-    return MIP_OK;
-}
-
 /**
  * Time sync status: data (0xA0,0x02).
  *
@@ -154,35 +127,6 @@ MIP_CHECKED static inline mip_error mip_system_data_time_sync_status_encode(
     const struct mip_system_data_time_sync_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_system_data_time_sync_status_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_system_data_time_sync_status_decode_inline(
-    struct mip_system_data_time_sync_status *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0xA0, 0x02, 2);
-    if (error != MIP_OK || sizeof(*value) != 2) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->time_sync = mip_get_8(field->data);
-    value->last_pps_received = mip_get_8(field->data + 1);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_system_data_time_sync_status_encode_inline(
-    const struct mip_system_data_time_sync_status *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0xA0, 0x02, 2, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->time_sync);
-    mip_put_8(data + 1, value->last_pps_received);
-    return MIP_OK;
-}
-
 /**
  * GPIO state: data (0xA0,0x03).
  *
@@ -227,33 +171,6 @@ MIP_CHECKED static inline mip_error mip_system_data_gpio_state_encode(
     const struct mip_system_data_gpio_state *value, struct mip_builder *builder) {
     return mip_encode(&mip_system_data_gpio_state_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_system_data_gpio_state_decode_inline(
-    struct mip_system_data_gpio_state *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0xA0, 0x03, 1);
-    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->states = mip_get_8(field->data);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_system_data_gpio_state_encode_inline(
-    const struct mip_system_data_gpio_state *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0xA0, 0x03, 1, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->states);
-    return MIP_OK;
-}
-
 /**
  * GPIO analog value: data (0xA0,0x04).
  *
@@ -294,35 +211,6 @@ MIP_CHECKED static inline mip_error mip_system_data_gpio_analog_value_encode(
     const struct mip_system_data_gpio_analog_value *value, struct mip_builder *builder) {
     return mip_encode(&mip_system_data_gpio_analog_value_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_system_data_gpio_analog_value_decode_inline(
-    struct mip_system_data_gpio_analog_value *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0xA0, 0x04, 5);
-    if (error != MIP_OK || sizeof(*value) != 5) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->gpio_id = mip_get_8(field->data);
-    mip_get_float(&value->value, field->data + 1);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_system_data_gpio_analog_value_encode_inline(
-    const struct mip_system_data_gpio_analog_value *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0xA0, 0x04, 5, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->gpio_id);
-    mip_put_float(data + 1, &value->value);
-    return MIP_OK;
-}
-
 /** @} */
 
 #ifdef __cplusplus

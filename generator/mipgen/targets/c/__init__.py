@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any
 
 from mipgen import model as m
@@ -57,13 +57,21 @@ def code(model: m.Model) -> Iterator[File]:
     if session := calls.session(model):
         for end in ("h", "c"):
             yield File(f"src/mip/connect.{end}", f"connect.{end}.j2", {"session": session})
+    yield from inline("protocol", [model.protocol.acknowledge])
     for x in model.families:
         name = names.module(x.name)
         yield File(f"src/mip/{name}.h", "family.h.j2", {"family": x})
+        yield from inline(name, in_order(x))
         if calls.commands(x):
             yield File(f"src/mip/{name}_commands.h", "commands.h.j2", {"family": x})
         if x.fields:
             yield File(f"src/mip/{name}.c", "family.c.j2", {"family": x})
+
+
+def inline(header: str, fields: Iterable[m.Field]) -> Iterator[File]:
+    """Straight code of the fields of a header, apart from it: few programs need it, and it takes long to compile."""
+    if plain := [f for f in fields if direct.direct(f)]:
+        yield File(f"src/mip/{header}_inline.h", "inline.h.j2", {"header": header, "fields": plain})
 
 
 def everything(made: list[File]) -> list[str]:
@@ -145,8 +153,7 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "in_order": in_order,
         "last_present": members.last_present,
         "constructors": members.constructors,
-        "silent": members.silent,
-        "responses": lambda f: members.responses(f, model),
+        "replies": lambda f: members.replies(f, model),
         "commands": calls.commands,
         "sends": lambda f: calls.sends(f, model),
         "calls": lambda f: calls.calls(f, model),

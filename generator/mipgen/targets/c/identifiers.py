@@ -36,6 +36,8 @@ def identifiers(model: m.Model) -> Iterator[Identifier]:
         yield Identifier("C", set_constant(s), f"set {s.name}", s.position)
     for x in model.families:
         yield Identifier("src/mip", module(x.name), f"set {x.name}", x.position, word=False)
+        if any(direct(f) for f in x.fields):
+            yield Identifier("src/mip", f"{module(x.name)}_inline", f"set {x.name}", x.position, word=False)
         if calls.commands(x):
             yield Identifier("src/mip", f"{module(x.name)}_commands", f"set {x.name}", x.position, word=False)
         for t in x.types:

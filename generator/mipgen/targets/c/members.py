@@ -105,30 +105,20 @@ def holding(f: m.Field, c: m.Condition) -> list[str]:
     return [f"MIP_WHEN({at + i}, {byte})" for i, byte in enumerate(c.value.to_bytes(p.size, "big"))]
 
 
-def silent(f: m.Field) -> str:
-    """When a command is not acknowledged, as a condition on its data; empty if it always is."""
-    ways = [[_function(x)] for x in f.functions if not x.reply]
+def replies(f: m.Field, model: m.Model) -> list[tuple[str, tuple[m.Field, ...]]]:
+    """How a device answers a command: conditions on its data, each with the layouts of the response that is sent then,
+    or with none if the command is left unanswered."""
+    ways: list[tuple[list[str], tuple[m.Field, ...]]] = [([_function(x)], ()) for x in f.functions if not x.reply]
     if f.silent_when:
-        ways.append([test for c in f.silent_when for test in holding(f, c)])
-    return _condition(ways)
-
-
-def responses(f: m.Field, model: m.Model) -> list[tuple[str, tuple[m.Field, ...]]]:
-    """The layouts of each response of a command, with the condition on its data under which it is sent."""
-    layouts = []
+        ways.append(([test for c in f.silent_when for test in holding(f, c)], ()))
     for reply in model.replies(f):
         tests = [test for c in reply.when for test in holding(f, c)]
-        layouts.append((_condition([[_function(x), *tests] for x in reply.functions] or [tests]), reply.layouts))
-    return layouts
+        ways += [([_function(x), *tests], reply.layouts) for x in reply.functions] or [(tests, reply.layouts)]
+    return [(", ".join(tests), layouts) for tests, layouts in ways]
 
 
 def _function(x: m.Function) -> str:
     return f"MIP_WHEN(0, {macro('mip_function_selector')}_{macro(x.name)})"
-
-
-def _condition(ways: list[list[str]]) -> str:
-    """The bytes of a condition: any of these ways, each of tests that must all hold."""
-    return ", MIP_WHEN_OR, ".join(", ".join(tests) for tests in ways)
 
 
 # --------------------------------------------------------------------------- bits

@@ -30,26 +30,26 @@ extern "C" {
 /** The longest time-out, 24 days, because the time may wrap around. A longer one is shortened. */
 #define MIP_MAX_TIMEOUT UINT32_C(0x7FFFFFFF)
 
-/* Conditions on the data of a command: tests of its bytes, which must all hold, and alternatives.
- */
+/* A condition on the data of a command: tests of its bytes, which must all hold. A byte that is not
+ * there counts as 0. */
 
 /** The end of a condition. */
-#define MIP_WHEN_END 0
+#define MIP_WHEN_END 0xFF
 /** A byte, by its place in the data, has this value. */
-#define MIP_WHEN(place, value) 1, place, value
+#define MIP_WHEN(place, value) place, value, value
 /** It is not 0. */
-#define MIP_WHEN_SET(place) 2, place, 0
-/** What follows is an alternative to what came before. */
-#define MIP_WHEN_OR 3, 0, 0
+#define MIP_WHEN_SET(place) place, 1, 0xFF
 
-/** A response of a command. */
+/** How a device answers a command under a condition. */
 struct mip_response {
-    /** The condition under which it is requested; NULL if it always is. */
+    /** The condition; NULL if it always holds. */
     const uint8_t *asked;
-    /** Its wire format, if its descriptor has several; else NULL. */
+    /** The wire format of the response, if its descriptor has several; else NULL. */
     const struct mip_codec *layout;
-    /** Its descriptor; 0 after the last response. */
+    /** Its descriptor; 0 if the device leaves the command unanswered. */
     uint8_t descriptor;
+    /** Is the next one another layout, under the same condition? */
+    bool more;
 };
 
 /** How a command is answered. */
@@ -62,9 +62,9 @@ struct mip_exchange {
     uint16_t timeout;
     /** Does it begin with a function selector? */
     bool selects;
-    /** The condition under which the device leaves it unanswered; NULL if it always answers. */
-    const uint8_t *silent;
-    /** Its responses, up to an entry without a descriptor; NULL if it has none. */
+    /** How many responses there are. */
+    uint8_t response_count;
+    /** The first of them whose condition holds is sent; if there is none, only an acknowledge. */
     const struct mip_response *responses;
 };
 
@@ -103,11 +103,9 @@ struct mip_request {
     bool responded;
     /** A mip_error: what is wrong with the response; its structure is then zeroed. */
     uint8_t error;
-    /** Descriptor set of the packet with the command. */
-    uint8_t descriptor_set;
     /** How the command is answered. */
     const struct mip_exchange *exchange;
-    /** Its responses, starting with the one that it requests; NULL if it requests none. */
+    /** The response that it requests; NULL if it requests none. */
     const struct mip_response *asked;
     /** The wire format of the response, if the caller expects one, or if it is one of several
      * layouts and has been received; else NULL. */
@@ -147,11 +145,11 @@ MIP_CHECKED MIP_API mip_error mip_client_add(struct mip_client *client, struct m
                                              const struct mip_command *command, const void *value,
                                              uint32_t now);
 
-/** The same for a command that is already in the packet, as its last field: `size` bytes of data.
- */
+/** The same for a command whose field the caller has written: `field` begins with its length. The
+ * request must be zero but for `exchange`, `codec` and `response`; the last two may be set before
+ * or afterwards. */
 MIP_API void mip_client_wait(struct mip_client *client, struct mip_request *request,
-                             const struct mip_builder *packet, const struct mip_exchange *exchange,
-                             size_t size, uint32_t now);
+                             const uint8_t *field, uint32_t now);
 
 /**
  * Sets where the response is stored. Call it right after mip_client_add. False, and nothing is

@@ -28,7 +28,9 @@ static uint8_t *move_narrow(uint8_t *wire, uint8_t *memory, size_t count, bool w
 
 #ifdef __OPTIMIZE_SIZE__
 
-uint8_t *mip_move(uint8_t *wire, uint8_t *memory, unsigned kind, size_t count, bool writing) {
+/** Reads or writes numbers of one kind. */
+static inline uint8_t *move(uint8_t *wire, uint8_t *memory, unsigned kind, size_t count,
+                            bool writing) {
     /* On a little-endian host, bytes in memory are in reverse order, which flips the last bits of
      * their index. */
     const uint16_t one = 1;
@@ -48,10 +50,14 @@ uint8_t *mip_move(uint8_t *wire, uint8_t *memory, unsigned kind, size_t count, b
     return wire;
 }
 
+uint8_t *mip_move(uint8_t *wire, uint8_t *memory, unsigned kind, size_t count, bool writing) {
+    return move(wire, memory, kind, count, writing);
+}
+
 /** Reads or writes a layout that is only numbers. */
 static void move_all(const uint8_t *program, uint8_t *wire, uint8_t *value, bool writing) {
     for (unsigned step = *program; step != MIP_END; step = *program) {
-        wire = mip_move(wire, value + program[1], step >> 5, step & 31, writing);
+        wire = move(wire, value + program[1], step >> 5, step & 31, writing);
         program += 2;
     }
 }
@@ -104,13 +110,15 @@ MIP_QUICK void move_all(const uint8_t *program, uint8_t *wire, uint8_t *value, b
 #endif
 
 bool mip_codec_belongs(const struct mip_codec *codec, uint8_t descriptor_set) {
-    const uint8_t *set = codec->program;
-    size_t left = codec->more_sets;
-    bool found = mip_set_has(descriptor_set, codec->descriptor_set);
-    for (; !found && left > 0; left--) {
-        found = *--set == descriptor_set;
+    if (mip_set_has(descriptor_set, codec->descriptor_set)) {
+        return true;
     }
-    return found;
+    for (size_t i = 1; i <= codec->more_sets; i++) {
+        if (*(codec->program - i) == descriptor_set) {
+            return true;
+        }
+    }
+    return false;
 }
 
 bool mip_codec_matches(const struct mip_codec *codec, const struct mip_field *field) {
@@ -120,7 +128,7 @@ bool mip_codec_matches(const struct mip_codec *codec, const struct mip_field *fi
 }
 
 /** Is it this field? MIP_OK, or why it is another one. */
-static mip_error check(const struct mip_codec *codec, const struct mip_field *field) {
+static mip_error check(const struct mip_field *field, const struct mip_codec *codec) {
     return field->descriptor != codec->descriptor             ? MIP_ERROR_DESCRIPTOR
            : !mip_codec_belongs(codec, field->descriptor_set) ? MIP_ERROR_SET
            : !mip_codec_matches(codec, field)                 ? MIP_ERROR_LAYOUT
@@ -129,32 +137,23 @@ static mip_error check(const struct mip_codec *codec, const struct mip_field *fi
 }
 
 bool mip_field_is(const struct mip_field *field, const struct mip_codec *codec) {
-    const mip_error error = check(codec, field);
+    const mip_error error = check(field, codec);
     return error == MIP_OK || error == MIP_ERROR_TRUNCATED;
-}
-
-/** Decodes a field that is only numbers, of this type; returns the bytes that are left over. */
-static size_t read_numbers(const struct mip_codec *codec, void *value,
-                           const struct mip_field *field) {
-    if (codec->size != codec->numbers) { /* gaps between members are zeroed, too */
-        memset(value, 0, codec->size);
-    }
-    /* Nothing is written to the field. */
-    move_all(codec->program, (uint8_t *)(uintptr_t)field->data, (uint8_t *)value, false);
-    return (size_t)field->size - codec->numbers;
 }
 
 MIP_APART mip_error decode(const struct mip_codec *codec, void *value,
                            const struct mip_field *field, size_t *trailing) {
-    mip_error error = check(codec, field);
     size_t left = field->size;
+    mip_error error = check(field, codec);
+    if (error != MIP_OK || codec->size != codec->numbers) { /* gaps between members, too */
+        memset(value, 0, codec->size);
+    }
     if (error == MIP_OK && codec->interpreter != NULL) {
         error = codec->interpreter->read(codec, value, field, &left);
     } else if (error == MIP_OK) {
-        left = read_numbers(codec, value, field);
-    }
-    if (error != MIP_OK) {
-        memset(value, 0, codec->size);
+        /* Nothing is written to the field. */
+        move_all(codec->program, (uint8_t *)(uintptr_t)field->data, (uint8_t *)value, false);
+        left -= codec->numbers;
     }
     if (trailing != NULL) {
         *trailing = left;

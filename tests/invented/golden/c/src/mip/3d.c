@@ -18,6 +18,6 @@ const struct mip_codec mip_3d_default_codec = {0x0C,
                                                program_default,
                                                NULL};
 
-const struct mip_exchange mip_3d_default_exchange = {0x0C, 0x10, 0, false, NULL, NULL};
+const struct mip_exchange mip_3d_default_exchange = {0x0C, 0x10, 0, false, 0, NULL};
 
 const struct mip_command mip_3d_default_command = {&mip_3d_default_codec, &mip_3d_default_exchange};

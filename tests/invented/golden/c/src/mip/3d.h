@@ -64,50 +64,15 @@ static inline mip_error mip_3d_default_decode(struct mip_3d_default *value,
 MIP_CHECKED static inline mip_error mip_3d_default_encode(const struct mip_3d_default *value,
                                                           struct mip_builder *builder) {
     return mip_encode(&mip_3d_default_codec, value, builder);
-}
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_3d_default_decode_inline(struct mip_3d_default *value,
-                                                     const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x0C, 0x10, 5);
-    if (error != MIP_OK || sizeof(*value) != 5) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->class_ = mip_get_8(field->data);
-    value->type = mip_get_8(field->data + 1);
-    value->register_ = mip_get_8(field->data + 2);
-    value->self = mip_get_8(field->data + 3);
-    value->present_ = mip_get_8(field->data + 4);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_3d_default_encode_inline(const struct mip_3d_default *value,
-                                                                 struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x0C, 0x10, 5, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->class_);
-    mip_put_8(data + 1, value->type);
-    mip_put_8(data + 2, value->register_);
-    mip_put_8(data + 3, value->self);
-    mip_put_8(data + 4, value->present_);
-    return MIP_OK;
-}
-/**
- * Default. Fills the structure and returns its address.
- *
- * - class_: A keyword.
- * - type: A keyword.
- * - register_: A keyword.
- * - self: A keyword.
- * - present_: Used by generated code elsewhere.
- */
+} /**
+   * Default. Fills the structure and returns its address.
+   *
+   * - class_: A keyword.
+   * - type: A keyword.
+   * - register_: A keyword.
+   * - self: A keyword.
+   * - present_: Used by generated code elsewhere.
+   */
 static inline struct mip_3d_default *mip_3d_default_make(struct mip_3d_default *command,
                                                          uint8_t class_, uint8_t type,
                                                          uint8_t register_, uint8_t self,

@@ -59,35 +59,6 @@ MIP_CHECKED static inline mip_error
 mip_shared_timestamp_encode(const struct mip_shared_timestamp *value, struct mip_builder *builder) {
     return mip_encode(&mip_shared_timestamp_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_shared_timestamp_decode_inline(struct mip_shared_timestamp *value,
-                                                           const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0xFF, 0xD3, 10);
-    if (error != MIP_OK || sizeof(*value) != 10) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_get_double(&value->tow, field->data);
-    value->valid_flags = mip_get_16(field->data + 8);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_shared_timestamp_encode_inline(
-    const struct mip_shared_timestamp *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0xFF, 0xD3, 10, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_double(data, &value->tow);
-    mip_put_16(data + 8, value->valid_flags);
-    return MIP_OK;
-}
-
 /** @} */
 
 #ifdef __cplusplus

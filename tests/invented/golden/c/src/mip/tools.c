@@ -10,7 +10,7 @@ static const uint8_t program_ping[] = {
 const struct mip_codec mip_tools_ping_codec = {
     0x01, 0x01, MIP_COMMAND, 0, sizeof(struct mip_tools_ping), 0, false, program_ping, NULL};
 
-const struct mip_exchange mip_tools_ping_exchange = {0x01, 0x01, 0, false, NULL, NULL};
+const struct mip_exchange mip_tools_ping_exchange = {0x01, 0x01, 0, false, 0, NULL};
 
 const struct mip_command mip_tools_ping_command = {&mip_tools_ping_codec, &mip_tools_ping_exchange};
 
@@ -34,15 +34,20 @@ const struct mip_codec mip_tools_settings_codec = {
     0x01, 0x02,  MIP_COMMAND,      0,           sizeof(struct mip_tools_settings),
     0,    false, program_settings, &mip_program};
 
-static const uint8_t silent_settings[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_APPLY), MIP_WHEN_END};
-static const uint8_t asked_settings_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
+static const uint8_t asked_settings_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_APPLY), MIP_WHEN_END};
+static const uint8_t asked_settings_2[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_settings[] = {
-    {asked_settings_1, NULL, 0x82},
-    {NULL, NULL, 0},
+    {asked_settings_1, NULL, 0, false},
+    {asked_settings_2, NULL, 0x82, false},
 };
 
-const struct mip_exchange mip_tools_settings_exchange = {
-    0x01, 0x02, 0, true, silent_settings, responses_settings};
+const struct mip_exchange mip_tools_settings_exchange = {0x01,
+                                                         0x02,
+                                                         0,
+                                                         true,
+                                                         sizeof(responses_settings) /
+                                                             sizeof(responses_settings[0]),
+                                                         responses_settings};
 
 const struct mip_command mip_tools_settings_command = {&mip_tools_settings_codec,
                                                        &mip_tools_settings_exchange};
@@ -79,19 +84,24 @@ const struct mip_codec mip_tools_set_time_codec = {
     0x01, 0x03,  MIP_COMMAND,      0,           sizeof(struct mip_tools_set_time),
     0,    false, program_set_time, &mip_program};
 
-static const uint8_t silent_set_time[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_APPLY), MIP_WHEN_END};
-static const uint8_t asked_set_time_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN(1, 1),
+static const uint8_t asked_set_time_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_APPLY), MIP_WHEN_END};
+static const uint8_t asked_set_time_2[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN(1, 1),
                                            MIP_WHEN_END};
-static const uint8_t asked_set_time_2[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN(1, 2),
+static const uint8_t asked_set_time_3[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN(1, 2),
                                            MIP_WHEN_END};
 static const struct mip_response responses_set_time[] = {
-    {asked_set_time_1, NULL, 0x83},
-    {asked_set_time_2, NULL, 0x84},
-    {NULL, NULL, 0},
+    {asked_set_time_1, NULL, 0, false},
+    {asked_set_time_2, NULL, 0x83, false},
+    {asked_set_time_3, NULL, 0x84, false},
 };
 
-const struct mip_exchange mip_tools_set_time_exchange = {
-    0x01, 0x03, 0, true, silent_set_time, responses_set_time};
+const struct mip_exchange mip_tools_set_time_exchange = {0x01,
+                                                         0x03,
+                                                         0,
+                                                         true,
+                                                         sizeof(responses_set_time) /
+                                                             sizeof(responses_set_time[0]),
+                                                         responses_set_time};
 
 const struct mip_command mip_tools_set_time_command = {&mip_tools_set_time_codec,
                                                        &mip_tools_set_time_exchange};
@@ -141,15 +151,19 @@ const struct mip_codec mip_tools_status_codec = {
 static const uint8_t asked_status_1[] = {MIP_WHEN(2, 1), MIP_WHEN_END};
 static const uint8_t asked_status_2[] = {MIP_WHEN(2, 2), MIP_WHEN_END};
 static const struct mip_response responses_status[] = {
-    {asked_status_1, &mip_tools_status_short_codec, 0x90},
-    {asked_status_2, &mip_tools_status_long_codec, 0x90},
-    {asked_status_2, &mip_tools_status_old_codec, 0x90},
-    {asked_status_2, &mip_tools_full_codec, 0x90},
-    {NULL, NULL, 0},
+    {asked_status_1, &mip_tools_status_short_codec, 0x90, false},
+    {asked_status_2, &mip_tools_status_long_codec, 0x90, true},
+    {asked_status_2, &mip_tools_status_old_codec, 0x90, true},
+    {asked_status_2, &mip_tools_full_codec, 0x90, false},
 };
 
-const struct mip_exchange mip_tools_status_exchange = {0x01,  0x04, 2500,
-                                                       false, NULL, responses_status};
+const struct mip_exchange mip_tools_status_exchange = {
+    0x01,
+    0x04,
+    2500,
+    false,
+    sizeof(responses_status) / sizeof(responses_status[0]),
+    responses_status};
 
 const struct mip_command mip_tools_status_command = {&mip_tools_status_codec,
                                                      &mip_tools_status_exchange};
@@ -218,11 +232,11 @@ const struct mip_codec mip_tools_bias_codec = {
 
 static const uint8_t asked_bias_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_bias[] = {
-    {asked_bias_1, NULL, 0x9B},
-    {NULL, NULL, 0},
+    {asked_bias_1, NULL, 0x9B, false},
 };
 
-const struct mip_exchange mip_tools_bias_exchange = {0x01, 0x05, 0, true, NULL, responses_bias};
+const struct mip_exchange mip_tools_bias_exchange = {
+    0x01, 0x05, 0, true, sizeof(responses_bias) / sizeof(responses_bias[0]), responses_bias};
 
 const struct mip_command mip_tools_bias_command = {&mip_tools_bias_codec, &mip_tools_bias_exchange};
 
@@ -257,12 +271,16 @@ const struct mip_codec mip_tools_capture_bias_codec = {0x01,
                                                        NULL};
 
 static const struct mip_response responses_capture_bias[] = {
-    {NULL, NULL, 0x9B},
-    {NULL, NULL, 0},
+    {NULL, NULL, 0x9B, false},
 };
 
-const struct mip_exchange mip_tools_capture_bias_exchange = {0x01,  0x06, 0,
-                                                             false, NULL, responses_capture_bias};
+const struct mip_exchange mip_tools_capture_bias_exchange = {0x01,
+                                                             0x06,
+                                                             0,
+                                                             false,
+                                                             sizeof(responses_capture_bias) /
+                                                                 sizeof(responses_capture_bias[0]),
+                                                             responses_capture_bias};
 
 const struct mip_command mip_tools_capture_bias_command = {&mip_tools_capture_bias_codec,
                                                            &mip_tools_capture_bias_exchange};
@@ -283,9 +301,18 @@ const struct mip_codec mip_tools_formats_codec = {
     0x01, 0x07,  MIP_COMMAND,     0,           sizeof(struct mip_tools_formats),
     0,    false, program_formats, &mip_program};
 
-static const uint8_t silent_formats[] = {MIP_WHEN_SET(0), MIP_WHEN_END};
+static const uint8_t asked_formats_1[] = {MIP_WHEN_SET(0), MIP_WHEN_END};
+static const struct mip_response responses_formats[] = {
+    {asked_formats_1, NULL, 0, false},
+};
 
-const struct mip_exchange mip_tools_formats_exchange = {0x01, 0x07, 0, false, silent_formats, NULL};
+const struct mip_exchange mip_tools_formats_exchange = {
+    0x01,
+    0x07,
+    0,
+    false,
+    sizeof(responses_formats) / sizeof(responses_formats[0]),
+    responses_formats};
 
 const struct mip_command mip_tools_formats_command = {&mip_tools_formats_codec,
                                                       &mip_tools_formats_exchange};
@@ -333,11 +360,11 @@ const struct mip_codec mip_tools_choice_codec = {
 
 static const uint8_t asked_choice_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_choice[] = {
-    {asked_choice_1, NULL, 0x88},
-    {NULL, NULL, 0},
+    {asked_choice_1, NULL, 0x88, false},
 };
 
-const struct mip_exchange mip_tools_choice_exchange = {0x01, 0x08, 0, true, NULL, responses_choice};
+const struct mip_exchange mip_tools_choice_exchange = {
+    0x01, 0x08, 0, true, sizeof(responses_choice) / sizeof(responses_choice[0]), responses_choice};
 
 const struct mip_command mip_tools_choice_command = {&mip_tools_choice_codec,
                                                      &mip_tools_choice_exchange};
@@ -403,11 +430,11 @@ const struct mip_codec mip_tools_list_codec = {
 
 static const uint8_t asked_list_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_list[] = {
-    {asked_list_1, NULL, 0x89},
-    {NULL, NULL, 0},
+    {asked_list_1, NULL, 0x89, false},
 };
 
-const struct mip_exchange mip_tools_list_exchange = {0x01, 0x09, 0, true, NULL, responses_list};
+const struct mip_exchange mip_tools_list_exchange = {
+    0x01, 0x09, 0, true, sizeof(responses_list) / sizeof(responses_list[0]), responses_list};
 
 const struct mip_command mip_tools_list_command = {&mip_tools_list_codec, &mip_tools_list_exchange};
 
@@ -431,11 +458,11 @@ const struct mip_codec mip_tools_stock_codec = {
     0x01, 0x0A, MIP_COMMAND, 0, sizeof(struct mip_tools_stock), 0, false, program_stock, NULL};
 
 static const struct mip_response responses_stock[] = {
-    {NULL, NULL, 0x8A},
-    {NULL, NULL, 0},
+    {NULL, NULL, 0x8A, false},
 };
 
-const struct mip_exchange mip_tools_stock_exchange = {0x01, 0x0A, 0, false, NULL, responses_stock};
+const struct mip_exchange mip_tools_stock_exchange = {
+    0x01, 0x0A, 0, false, sizeof(responses_stock) / sizeof(responses_stock[0]), responses_stock};
 
 const struct mip_command mip_tools_stock_command = {&mip_tools_stock_codec,
                                                     &mip_tools_stock_exchange};
@@ -464,11 +491,11 @@ const struct mip_codec mip_tools_pin_codec = {
 
 static const uint8_t asked_pin_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_pin[] = {
-    {asked_pin_1, NULL, 0x8B},
-    {NULL, NULL, 0},
+    {asked_pin_1, NULL, 0x8B, false},
 };
 
-const struct mip_exchange mip_tools_pin_exchange = {0x01, 0x0B, 0, true, NULL, responses_pin};
+const struct mip_exchange mip_tools_pin_exchange = {
+    0x01, 0x0B, 0, true, sizeof(responses_pin) / sizeof(responses_pin[0]), responses_pin};
 
 const struct mip_command mip_tools_pin_command = {&mip_tools_pin_codec, &mip_tools_pin_exchange};
 
@@ -498,11 +525,11 @@ const struct mip_codec mip_tools_hello_codec = {
     0,    false, program_hello, &mip_program};
 
 static const struct mip_response responses_hello[] = {
-    {NULL, NULL, 0x8C},
-    {NULL, NULL, 0},
+    {NULL, NULL, 0x8C, false},
 };
 
-const struct mip_exchange mip_tools_hello_exchange = {0x01, 0x0C, 0, false, NULL, responses_hello};
+const struct mip_exchange mip_tools_hello_exchange = {
+    0x01, 0x0C, 0, false, sizeof(responses_hello) / sizeof(responses_hello[0]), responses_hello};
 
 const struct mip_command mip_tools_hello_command = {&mip_tools_hello_codec,
                                                     &mip_tools_hello_exchange};
@@ -539,12 +566,16 @@ const struct mip_codec mip_tools_readings_codec = {0x01,
                                                    NULL};
 
 static const struct mip_response responses_readings[] = {
-    {NULL, NULL, 0x8D},
-    {NULL, NULL, 0},
+    {NULL, NULL, 0x8D, false},
 };
 
-const struct mip_exchange mip_tools_readings_exchange = {0x01,  0x0D, 0,
-                                                         false, NULL, responses_readings};
+const struct mip_exchange mip_tools_readings_exchange = {0x01,
+                                                         0x0D,
+                                                         0,
+                                                         false,
+                                                         sizeof(responses_readings) /
+                                                             sizeof(responses_readings[0]),
+                                                         responses_readings};
 
 const struct mip_command mip_tools_readings_command = {&mip_tools_readings_codec,
                                                        &mip_tools_readings_exchange};
@@ -587,6 +618,6 @@ const struct mip_codec mip_tools_poll_codec = {
     0x01, 0x0E,  MIP_COMMAND,  0,           sizeof(struct mip_tools_poll),
     0,    false, program_poll, &mip_program};
 
-const struct mip_exchange mip_tools_poll_exchange = {0x01, 0x0E, 0, false, NULL, NULL};
+const struct mip_exchange mip_tools_poll_exchange = {0x01, 0x0E, 0, false, 0, NULL};
 
 const struct mip_command mip_tools_poll_command = {&mip_tools_poll_codec, &mip_tools_poll_exchange};

@@ -181,7 +181,6 @@ MIP_CHECKED static inline mip_error mip_tools_ping_encode(const struct mip_tools
                                                           struct mip_builder *builder) {
     return mip_encode(&mip_tools_ping_codec, value, builder);
 }
-
 /**
  * Settings: command (0x01,0x02).
  *
@@ -245,15 +244,14 @@ static inline mip_error mip_tools_settings_decode(struct mip_tools_settings *val
 MIP_CHECKED static inline mip_error
 mip_tools_settings_encode(const struct mip_tools_settings *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_settings_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - port: Number of the port, 0 for all. Range: 0 to 8.
- * - mode: What to do. A value of enum mip_mode. Default: MIP_MODE_FAST. Required for write, read
- *   and apply. On the Model C: only MIP_MODE_DEFAULT and MIP_MODE_FAST; not deprecated.
- * - baud: Speed. Unit: Bd. Default: 115200. Required for write and apply.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - port: Number of the port, 0 for all. Range: 0 to 8.
+   * - mode: What to do. A value of enum mip_mode. Default: MIP_MODE_FAST. Required for write, read
+   *   and apply. On the Model C: only MIP_MODE_DEFAULT and MIP_MODE_FAST; not deprecated.
+   * - baud: Speed. Unit: Bd. Default: 115200. Required for write and apply.
+   */
 static inline struct mip_tools_settings *mip_tools_settings_write(
     struct mip_tools_settings *command, uint8_t port, enum mip_mode mode, uint32_t baud) {
     memset(command, 0, sizeof(*command));
@@ -384,41 +382,6 @@ MIP_CHECKED static inline mip_error mip_tools_settings_response_encode(
     const struct mip_tools_settings_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_settings_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_tools_settings_response_decode_inline(
-    struct mip_tools_settings_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x01, 0x82, 9);
-    if (error != MIP_OK || sizeof(*value) != 9) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->port = mip_get_8(field->data);
-    value->mode = mip_get_8(field->data + 1);
-    value->baud = mip_get_32(field->data + 2);
-    value->limit = mip_get_16(field->data + 6);
-    value->reserved = mip_get_8(field->data + 8);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_tools_settings_response_encode_inline(
-    const struct mip_tools_settings_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x01, 0x82, 9, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->port);
-    mip_put_8(data + 1, value->mode);
-    mip_put_32(data + 2, value->baud);
-    mip_put_16(data + 6, value->limit);
-    mip_put_8(data + 8, value->reserved);
-    return MIP_OK;
-}
-
 /**
  * Set time: command (0x01,0x03).
  *
@@ -465,13 +428,12 @@ static inline mip_error mip_tools_set_time_decode(struct mip_tools_set_time *val
 MIP_CHECKED static inline mip_error
 mip_tools_set_time_encode(const struct mip_tools_set_time *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_set_time_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - part: Which half of the time. A value of enum mip_mode.
- * - value: The new value. Unit: s. Required for write and apply.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - part: Which half of the time. A value of enum mip_mode.
+   * - value: The new value. Unit: s. Required for write and apply.
+   */
 static inline struct mip_tools_set_time *
 mip_tools_set_time_write(struct mip_tools_set_time *command, enum mip_mode part, uint32_t value) {
     memset(command, 0, sizeof(*command));
@@ -542,33 +504,6 @@ MIP_CHECKED static inline mip_error mip_tools_set_time_fast_response_encode(
     const struct mip_tools_set_time_fast_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_set_time_fast_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_tools_set_time_fast_response_decode_inline(
-    struct mip_tools_set_time_fast_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x01, 0x83, 4);
-    if (error != MIP_OK || sizeof(*value) != 4) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->value = mip_get_32(field->data);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_tools_set_time_fast_response_encode_inline(
-    const struct mip_tools_set_time_fast_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x01, 0x83, 4, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_32(data, value->value);
-    return MIP_OK;
-}
-
 /**
  * Set time response: response (0x01,0x84).
  *
@@ -603,33 +538,6 @@ MIP_CHECKED static inline mip_error mip_tools_set_time_slow_response_encode(
     const struct mip_tools_set_time_slow_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_set_time_slow_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_tools_set_time_slow_response_decode_inline(
-    struct mip_tools_set_time_slow_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x01, 0x84, 4);
-    if (error != MIP_OK || sizeof(*value) != 4) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->value = mip_get_32(field->data);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_tools_set_time_slow_response_encode_inline(
-    const struct mip_tools_set_time_slow_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x01, 0x84, 4, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_32(data, value->value);
-    return MIP_OK;
-}
-
 /**
  * Status: command (0x01,0x04).
  *
@@ -669,12 +577,11 @@ static inline mip_error mip_tools_status_decode(struct mip_tools_status *value,
 MIP_CHECKED static inline mip_error mip_tools_status_encode(const struct mip_tools_status *value,
                                                             struct mip_builder *builder) {
     return mip_encode(&mip_tools_status_codec, value, builder);
-}
-/**
- * Status. Fills the structure and returns its address.
- *
- * - selector: Which layout. Range: 1 to 2. On the Model C: always 2. Inferred: It has one layout.
- */
+} /**
+   * Status. Fills the structure and returns its address.
+   *
+   * - selector: Which layout. Range: 1 to 2. On the Model C: always 2. Inferred: It has one layout.
+   */
 static inline struct mip_tools_status *mip_tools_status_make(struct mip_tools_status *command,
                                                              uint8_t selector) {
     memset(command, 0, sizeof(*command));
@@ -725,7 +632,6 @@ MIP_CHECKED static inline mip_error mip_tools_status_short_encode(
     const struct mip_tools_status_short *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_status_short_codec, value, builder);
 }
-
 /**
  * Status response: response (0x01,0x90).
  *
@@ -772,7 +678,6 @@ MIP_CHECKED static inline mip_error mip_tools_status_long_encode(
     const struct mip_tools_status_long *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_status_long_codec, value, builder);
 }
-
 /**
  * Status response: response (0x01,0x90).
  *
@@ -816,7 +721,6 @@ MIP_CHECKED static inline mip_error
 mip_tools_status_old_encode(const struct mip_tools_status_old *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_status_old_codec, value, builder);
 }
-
 /**
  * Status response: response (0x01,0x90).
  *
@@ -864,7 +768,6 @@ MIP_CHECKED static inline mip_error mip_tools_full_encode(const struct mip_tools
                                                           struct mip_builder *builder) {
     return mip_encode(&mip_tools_full_codec, value, builder);
 }
-
 /**
  * Bias: command (0x01,0x05).
  *
@@ -909,12 +812,12 @@ static inline mip_error mip_tools_bias_decode(struct mip_tools_bias *value,
 MIP_CHECKED static inline mip_error mip_tools_bias_encode(const struct mip_tools_bias *value,
                                                           struct mip_builder *builder) {
     return mip_encode(&mip_tools_bias_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - bias: Taken off the measurement. Elements: x, y, z. Unit: g. Frame: sensor. Required for write.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - bias: Taken off the measurement. Elements: x, y, z. Unit: g. Frame: sensor. Required for
+   * write.
+   */
 static inline struct mip_tools_bias *mip_tools_bias_write(struct mip_tools_bias *command,
                                                           const float bias[3]) {
     memset(command, 0, sizeof(*command));
@@ -981,37 +884,6 @@ MIP_CHECKED static inline mip_error mip_tools_bias_vector_encode(
     const struct mip_tools_bias_vector *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_bias_vector_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_tools_bias_vector_decode_inline(struct mip_tools_bias_vector *value,
-                                                            const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x01, 0x9B, 12);
-    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    for (size_t i = 0; i < 3; i++) {
-        mip_get_float(&value->bias[i], field->data + 4 * i);
-    }
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_tools_bias_vector_encode_inline(
-    const struct mip_tools_bias_vector *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x01, 0x9B, 12, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    for (size_t i = 0; i < 3; i++) {
-        mip_put_float(data + 4 * i, &value->bias[i]);
-    }
-    return MIP_OK;
-}
-
 /**
  * Capture bias: command (0x01,0x06).
  *
@@ -1048,38 +920,11 @@ static inline mip_error mip_tools_capture_bias_decode(struct mip_tools_capture_b
 MIP_CHECKED static inline mip_error mip_tools_capture_bias_encode(
     const struct mip_tools_capture_bias *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_capture_bias_codec, value, builder);
-}
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_tools_capture_bias_decode_inline(struct mip_tools_capture_bias *value,
-                                                             const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x01, 0x06, 2);
-    if (error != MIP_OK || sizeof(*value) != 2) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->time = mip_get_16(field->data);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_tools_capture_bias_encode_inline(
-    const struct mip_tools_capture_bias *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x01, 0x06, 2, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_16(data, value->time);
-    return MIP_OK;
-}
-/**
- * Capture bias. Fills the structure and returns its address.
- *
- * - time: How long. Unit: s. Range: 1 to 30.
- */
+} /**
+   * Capture bias. Fills the structure and returns its address.
+   *
+   * - time: How long. Unit: s. Range: 1 to 30.
+   */
 static inline struct mip_tools_capture_bias *
 mip_tools_capture_bias_make(struct mip_tools_capture_bias *command, uint16_t time) {
     memset(command, 0, sizeof(*command));
@@ -1127,15 +972,14 @@ static inline mip_error mip_tools_formats_decode(struct mip_tools_formats *value
 MIP_CHECKED static inline mip_error mip_tools_formats_encode(const struct mip_tools_formats *value,
                                                              struct mip_builder *builder) {
     return mip_encode(&mip_tools_formats_codec, value, builder);
-}
-/**
- * Formats. Fills the structure and returns its address.
- *
- * - suppress_ack: Send no acknowledge.
- * - num_segments: Number of segments. The number of elements of segments.
- * - checkpoint: Between a counter and its array. Deprecated.
- * - segments: The segments.
- */
+} /**
+   * Formats. Fills the structure and returns its address.
+   *
+   * - suppress_ack: Send no acknowledge.
+   * - num_segments: Number of segments. The number of elements of segments.
+   * - checkpoint: Between a counter and its array. Deprecated.
+   * - segments: The segments.
+   */
 static inline struct mip_tools_formats *mip_tools_formats_make(
     struct mip_tools_formats *command, mip_bool suppress_ack, uint8_t num_segments,
     uint8_t checkpoint, const struct mip_segment segments[]) {
@@ -1207,15 +1051,14 @@ static inline mip_error mip_tools_choice_decode(struct mip_tools_choice *value,
 MIP_CHECKED static inline mip_error mip_tools_choice_encode(const struct mip_tools_choice *value,
                                                             struct mip_builder *builder) {
     return mip_encode(&mip_tools_choice_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - instance: Which one.
- * - shape: Which member follows. A value of enum mip_tools_shape. Required for write.
- * - parameters: The member. Selected by shape. Required for write. Empty if shape is
- *   MIP_TOOLS_SHAPE_NONE.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - instance: Which one.
+   * - shape: Which member follows. A value of enum mip_tools_shape. Required for write.
+   * - parameters: The member. Selected by shape. Required for write. Empty if shape is
+   *   MIP_TOOLS_SHAPE_NONE.
+   */
 static inline struct mip_tools_choice *mip_tools_choice_write(
     struct mip_tools_choice *command, uint8_t instance, enum mip_tools_shape shape,
     const union mip_tools_choice_parameters *parameters) {
@@ -1290,7 +1133,6 @@ MIP_CHECKED static inline mip_error mip_tools_choice_response_encode(
     const struct mip_tools_choice_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_choice_response_codec, value, builder);
 }
-
 /**
  * List: command (0x01,0x09).
  *
@@ -1335,13 +1177,12 @@ static inline mip_error mip_tools_list_decode(struct mip_tools_list *value,
 MIP_CHECKED static inline mip_error mip_tools_list_encode(const struct mip_tools_list *value,
                                                           struct mip_builder *builder) {
     return mip_encode(&mip_tools_list_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - count: Number of items. The number of elements of items. Required for write.
- * - items: The items. Required for write.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - count: Number of items. The number of elements of items. Required for write.
+   * - items: The items. Required for write.
+   */
 static inline struct mip_tools_list *mip_tools_list_write(struct mip_tools_list *command,
                                                           uint8_t count, const uint16_t items[]) {
     memset(command, 0, sizeof(*command));
@@ -1398,7 +1239,6 @@ MIP_CHECKED static inline mip_error mip_tools_list_response_encode(
     const struct mip_tools_list_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_list_response_codec, value, builder);
 }
-
 /**
  * Inventory: command (0x01,0x0A).
  *
@@ -1436,7 +1276,6 @@ MIP_CHECKED static inline mip_error mip_tools_stock_encode(const struct mip_tool
                                                            struct mip_builder *builder) {
     return mip_encode(&mip_tools_stock_codec, value, builder);
 }
-
 /**
  * Inventory response: response (0x01,0x8A).
  *
@@ -1474,7 +1313,6 @@ MIP_CHECKED static inline mip_error mip_tools_stock_response_encode(
     const struct mip_tools_stock_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_stock_response_codec, value, builder);
 }
-
 /**
  * Pin: command (0x01,0x0B).
  *
@@ -1521,14 +1359,13 @@ static inline mip_error mip_tools_pin_decode(struct mip_tools_pin *value,
 MIP_CHECKED static inline mip_error mip_tools_pin_encode(const struct mip_tools_pin *value,
                                                          struct mip_builder *builder) {
     return mip_encode(&mip_tools_pin_codec, value, builder);
-}
-/**
- * Apply the new setting. Fills the structure and returns its address.
- *
- * - drive: What drives it. A value of enum mip_tools_drive.
- * - use: How it is used. Required for write. If drive is MIP_TOOLS_DRIVE_PULSE: values of enum
- *   mip_tools_pulse. If drive is MIP_TOOLS_DRIVE_SERIAL: values of enum mip_tools_serial_use.
- */
+} /**
+   * Apply the new setting. Fills the structure and returns its address.
+   *
+   * - drive: What drives it. A value of enum mip_tools_drive.
+   * - use: How it is used. Required for write. If drive is MIP_TOOLS_DRIVE_PULSE: values of enum
+   *   mip_tools_pulse. If drive is MIP_TOOLS_DRIVE_SERIAL: values of enum mip_tools_serial_use.
+   */
 static inline struct mip_tools_pin *mip_tools_pin_write(struct mip_tools_pin *command,
                                                         enum mip_tools_drive drive, uint8_t use) {
     memset(command, 0, sizeof(*command));
@@ -1588,35 +1425,6 @@ MIP_CHECKED static inline mip_error mip_tools_pin_response_encode(
     const struct mip_tools_pin_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_pin_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_tools_pin_response_decode_inline(struct mip_tools_pin_response *value,
-                                                             const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x01, 0x8B, 2);
-    if (error != MIP_OK || sizeof(*value) != 2) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->drive = mip_get_8(field->data);
-    value->use = mip_get_8(field->data + 1);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_tools_pin_response_encode_inline(
-    const struct mip_tools_pin_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x01, 0x8B, 2, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->drive);
-    mip_put_8(data + 1, value->use);
-    return MIP_OK;
-}
-
 /**
  * Hello: command (0x01,0x0C).
  *
@@ -1662,7 +1470,6 @@ MIP_CHECKED static inline mip_error mip_tools_hello_encode(const struct mip_tool
                                                            struct mip_builder *builder) {
     return mip_encode(&mip_tools_hello_codec, value, builder);
 }
-
 /**
  * Hello response: response (0x01,0x8C).
  *
@@ -1697,33 +1504,6 @@ MIP_CHECKED static inline mip_error mip_tools_hello_response_encode(
     const struct mip_tools_hello_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_hello_response_codec, value, builder);
 }
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_tools_hello_response_decode_inline(
-    struct mip_tools_hello_response *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x01, 0x8C, 4);
-    if (error != MIP_OK || sizeof(*value) != 4) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->seen = mip_get_32(field->data);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_tools_hello_response_encode_inline(
-    const struct mip_tools_hello_response *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x01, 0x8C, 4, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_32(data, value->seen);
-    return MIP_OK;
-}
-
 /**
  * Readings: command (0x01,0x0D).
  *
@@ -1758,38 +1538,11 @@ static inline mip_error mip_tools_readings_decode(struct mip_tools_readings *val
 MIP_CHECKED static inline mip_error
 mip_tools_readings_encode(const struct mip_tools_readings *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_readings_codec, value, builder);
-}
-
-/** The same without the table, for speed: decodes it. */
-static inline mip_error mip_tools_readings_decode_inline(struct mip_tools_readings *value,
-                                                         const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x01, 0x0D, 1);
-    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
-        memset(value, 0, sizeof(*value));
-    }
-    if (error != MIP_OK) {
-        return error;
-    }
-    value->drive = mip_get_8(field->data);
-    return MIP_OK;
-}
-
-/** The same without the table, for speed: adds it to a packet. */
-MIP_CHECKED static inline mip_error mip_tools_readings_encode_inline(
-    const struct mip_tools_readings *value, struct mip_builder *builder) {
-    uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x01, 0x0D, 1, &data);
-    if (error != MIP_OK) {
-        return error;
-    }
-    mip_put_8(data, value->drive);
-    return MIP_OK;
-}
-/**
- * Readings. Fills the structure and returns its address.
- *
- * - drive: What is asked for. A value of enum mip_tools_drive.
- */
+} /**
+   * Readings. Fills the structure and returns its address.
+   *
+   * - drive: What is asked for. A value of enum mip_tools_drive.
+   */
 static inline struct mip_tools_readings *mip_tools_readings_make(struct mip_tools_readings *command,
                                                                  enum mip_tools_drive drive) {
     memset(command, 0, sizeof(*command));
@@ -1842,7 +1595,6 @@ MIP_CHECKED static inline mip_error mip_tools_readings_response_encode(
     const struct mip_tools_readings_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_readings_response_codec, value, builder);
 }
-
 /**
  * Poll: command (0x01,0x0E).
  *
@@ -1883,15 +1635,14 @@ static inline mip_error mip_tools_poll_decode(struct mip_tools_poll *value,
 MIP_CHECKED static inline mip_error mip_tools_poll_encode(const struct mip_tools_poll *value,
                                                           struct mip_builder *builder) {
     return mip_encode(&mip_tools_poll_codec, value, builder);
-}
-/**
- * Poll. Fills the structure and returns its address.
- *
- * - descriptor_set: Data descriptor set. Range: 0x80 to 0xFE.
- * - first: Field descriptor. Refers to fields of MIP_MEASUREMENTS_SET. Default: 0x01.
- * - count: Number of fields. The number of elements of descriptors.
- * - descriptors: Field descriptors. Refers to fields of descriptor_set.
- */
+} /**
+   * Poll. Fills the structure and returns its address.
+   *
+   * - descriptor_set: Data descriptor set. Range: 0x80 to 0xFE.
+   * - first: Field descriptor. Refers to fields of MIP_MEASUREMENTS_SET. Default: 0x01.
+   * - count: Number of fields. The number of elements of descriptors.
+   * - descriptors: Field descriptors. Refers to fields of descriptor_set.
+   */
 static inline struct mip_tools_poll *mip_tools_poll_make(struct mip_tools_poll *command,
                                                          uint8_t descriptor_set, uint8_t first,
                                                          uint8_t count,

@@ -1,0 +1,75 @@
+/**
+ * @file
+ * The same as _decode and _encode of mip/displacement_data.h without tables, for speed: the fields
+ * whose layout never varies.
+ */
+#ifndef MIP_DISPLACEMENT_DATA_INLINE_H
+#define MIP_DISPLACEMENT_DATA_INLINE_H
+
+#include "mip/displacement_data.h"
+
+#if MIP_VERSION_NUMBER != 100
+#error "mip/displacement_data_inline.h and mip/constants.h are not of one version"
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** Decodes displacement_data.displacement_raw. On an error the structure is zeroed. */
+static inline mip_error mip_displacement_data_displacement_raw_decode_inline(
+    struct mip_displacement_data_displacement_raw *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x90, 0x01, 4);
+    if (error != MIP_OK || sizeof(*value) != 4) { /* gaps are zeroed, too */
+        memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
+        return error;
+    }
+    value->counts = mip_get_32(field->data);
+    return MIP_OK;
+}
+
+/** Adds displacement_data.displacement_raw to a packet. On an error the packet is unchanged. */
+MIP_CHECKED static inline mip_error mip_displacement_data_displacement_raw_encode_inline(
+    const struct mip_displacement_data_displacement_raw *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x90, 0x01, 4, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_32(data, value->counts);
+    return MIP_OK;
+}
+
+/** Decodes displacement_data.displacement. On an error the structure is zeroed. */
+static inline mip_error mip_displacement_data_displacement_decode_inline(
+    struct mip_displacement_data_displacement *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x90, 0x02, 4);
+    if (error != MIP_OK || sizeof(*value) != 4) { /* gaps are zeroed, too */
+        memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_get_float(&value->displacement, field->data);
+    return MIP_OK;
+}
+
+/** Adds displacement_data.displacement to a packet. On an error the packet is unchanged. */
+MIP_CHECKED static inline mip_error mip_displacement_data_displacement_encode_inline(
+    const struct mip_displacement_data_displacement *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x90, 0x02, 4, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_float(data, &value->displacement);
+    return MIP_OK;
+}
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,359 @@
+/**
+ * @file
+ * The same as _decode and _encode of mip/rtk.h without tables, for speed: the fields whose layout
+ * never varies.
+ */
+#ifndef MIP_RTK_INLINE_H
+#define MIP_RTK_INLINE_H
+
+#include "mip/rtk.h"
+
+#if MIP_VERSION_NUMBER != 100
+#error "mip/rtk_inline.h and mip/constants.h are not of one version"
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** Decodes rtk.get_status_flags_response. On an error the structure is zeroed. */
+static inline mip_error mip_rtk_get_status_flags_response_decode_inline(
+    struct mip_rtk_get_status_flags_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0F, 0x81, 4);
+    if (error != MIP_OK || sizeof(*value) != 4) { /* gaps are zeroed, too */
+        memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
+        return error;
+    }
+    value->flags = mip_get_32(field->data);
+    return MIP_OK;
+}
+
+/** Adds rtk.get_status_flags_response to a packet. On an error the packet is unchanged. */
+MIP_CHECKED static inline mip_error mip_rtk_get_status_flags_response_encode_inline(
+    const struct mip_rtk_get_status_flags_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0F, 0x81, 4, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_32(data, value->flags);
+    return MIP_OK;
+}
+
+/** Decodes rtk.get_imei_response. On an error the structure is zeroed. */
+static inline mip_error mip_rtk_get_imei_response_decode_inline(
+    struct mip_rtk_get_imei_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0F, 0x82, 32);
+    if (error != MIP_OK || sizeof(*value) != 32) { /* gaps are zeroed, too */
+        memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
+        return error;
+    }
+    memcpy(value->imei, field->data, 32);
+    value->imei[32] = '\0';
+    return MIP_OK;
+}
+
+/** Adds rtk.get_imei_response to a packet. On an error the packet is unchanged. */
+MIP_CHECKED static inline mip_error mip_rtk_get_imei_response_encode_inline(
+    const struct mip_rtk_get_imei_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0F, 0x82, 32, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    memcpy(data, value->imei, 32);
+    return MIP_OK;
+}
+
+/** Decodes rtk.get_imsi_response. On an error the structure is zeroed. */
+static inline mip_error mip_rtk_get_imsi_response_decode_inline(
+    struct mip_rtk_get_imsi_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0F, 0x83, 32);
+    if (error != MIP_OK || sizeof(*value) != 32) { /* gaps are zeroed, too */
+        memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
+        return error;
+    }
+    memcpy(value->imsi, field->data, 32);
+    value->imsi[32] = '\0';
+    return MIP_OK;
+}
+
+/** Adds rtk.get_imsi_response to a packet. On an error the packet is unchanged. */
+MIP_CHECKED static inline mip_error mip_rtk_get_imsi_response_encode_inline(
+    const struct mip_rtk_get_imsi_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0F, 0x83, 32, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    memcpy(data, value->imsi, 32);
+    return MIP_OK;
+}
+
+/** Decodes rtk.get_iccid_response. On an error the structure is zeroed. */
+static inline mip_error mip_rtk_get_iccid_response_decode_inline(
+    struct mip_rtk_get_iccid_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0F, 0x84, 32);
+    if (error != MIP_OK || sizeof(*value) != 32) { /* gaps are zeroed, too */
+        memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
+        return error;
+    }
+    memcpy(value->iccid, field->data, 32);
+    value->iccid[32] = '\0';
+    return MIP_OK;
+}
+
+/** Adds rtk.get_iccid_response to a packet. On an error the packet is unchanged. */
+MIP_CHECKED static inline mip_error mip_rtk_get_iccid_response_encode_inline(
+    const struct mip_rtk_get_iccid_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0F, 0x84, 32, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    memcpy(data, value->iccid, 32);
+    return MIP_OK;
+}
+
+/** Decodes rtk.get_rssi_response. On an error the structure is zeroed. */
+static inline mip_error mip_rtk_get_rssi_response_decode_inline(
+    struct mip_rtk_get_rssi_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0F, 0x85, 9);
+    if (error != MIP_OK || sizeof(*value) != 9) { /* gaps are zeroed, too */
+        memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
+        return error;
+    }
+    value->valid = mip_get_8(field->data);
+    value->rssi = (int32_t)mip_get_32(field->data + 1);
+    value->signal_quality = (int32_t)mip_get_32(field->data + 5);
+    return MIP_OK;
+}
+
+/** Adds rtk.get_rssi_response to a packet. On an error the packet is unchanged. */
+MIP_CHECKED static inline mip_error mip_rtk_get_rssi_response_encode_inline(
+    const struct mip_rtk_get_rssi_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0F, 0x85, 9, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->valid);
+    mip_put_32(data + 1, (uint32_t)value->rssi);
+    mip_put_32(data + 5, (uint32_t)value->signal_quality);
+    return MIP_OK;
+}
+
+/** Decodes rtk.connected_device_type_response. On an error the structure is zeroed. */
+static inline mip_error mip_rtk_connected_device_type_response_decode_inline(
+    struct mip_rtk_connected_device_type_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0F, 0x86, 1);
+    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
+        memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
+        return error;
+    }
+    value->device_type = mip_get_8(field->data);
+    return MIP_OK;
+}
+
+/** Adds rtk.connected_device_type_response to a packet. On an error the packet is unchanged. */
+MIP_CHECKED static inline mip_error mip_rtk_connected_device_type_response_encode_inline(
+    const struct mip_rtk_connected_device_type_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0F, 0x86, 1, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->device_type);
+    return MIP_OK;
+}
+
+/** Decodes rtk.get_activation_code_response. On an error the structure is zeroed. */
+static inline mip_error mip_rtk_get_activation_code_response_decode_inline(
+    struct mip_rtk_get_activation_code_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0F, 0x87, 32);
+    if (error != MIP_OK || sizeof(*value) != 32) { /* gaps are zeroed, too */
+        memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
+        return error;
+    }
+    memcpy(value->activation_code, field->data, 32);
+    value->activation_code[32] = '\0';
+    return MIP_OK;
+}
+
+/** Adds rtk.get_activation_code_response to a packet. On an error the packet is unchanged. */
+MIP_CHECKED static inline mip_error mip_rtk_get_activation_code_response_encode_inline(
+    const struct mip_rtk_get_activation_code_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0F, 0x87, 32, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    memcpy(data, value->activation_code, 32);
+    return MIP_OK;
+}
+
+/** Decodes rtk.get_modem_firmware_version_response. On an error the structure is zeroed. */
+static inline mip_error mip_rtk_get_modem_firmware_version_response_decode_inline(
+    struct mip_rtk_get_modem_firmware_version_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0F, 0x88, 32);
+    if (error != MIP_OK || sizeof(*value) != 32) { /* gaps are zeroed, too */
+        memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
+        return error;
+    }
+    memcpy(value->modem_firmware_version, field->data, 32);
+    value->modem_firmware_version[32] = '\0';
+    return MIP_OK;
+}
+
+/** Adds rtk.get_modem_firmware_version_response to a packet. On an error the packet is unchanged.
+ */
+MIP_CHECKED static inline mip_error mip_rtk_get_modem_firmware_version_response_encode_inline(
+    const struct mip_rtk_get_modem_firmware_version_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0F, 0x88, 32, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    memcpy(data, value->modem_firmware_version, 32);
+    return MIP_OK;
+}
+
+/** Decodes rtk.service_status. On an error the structure is zeroed. */
+static inline mip_error mip_rtk_service_status_decode_inline(struct mip_rtk_service_status *value,
+                                                             const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0F, 0x0A, 8);
+    if (error != MIP_OK || sizeof(*value) != 8) { /* gaps are zeroed, too */
+        memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
+        return error;
+    }
+    value->reserved1 = mip_get_32(field->data);
+    value->reserved2 = mip_get_32(field->data + 4);
+    return MIP_OK;
+}
+
+/** Adds rtk.service_status to a packet. On an error the packet is unchanged. */
+MIP_CHECKED static inline mip_error mip_rtk_service_status_encode_inline(
+    const struct mip_rtk_service_status *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0F, 0x0A, 8, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_32(data, value->reserved1);
+    mip_put_32(data + 4, value->reserved2);
+    return MIP_OK;
+}
+
+/** Decodes rtk.service_status_response. On an error the structure is zeroed. */
+static inline mip_error mip_rtk_service_status_response_decode_inline(
+    struct mip_rtk_service_status_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0F, 0x8A, 17);
+    if (error != MIP_OK || sizeof(*value) != 17) { /* gaps are zeroed, too */
+        memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
+        return error;
+    }
+    value->flags = mip_get_8(field->data);
+    value->received_bytes = mip_get_32(field->data + 1);
+    value->last_bytes = mip_get_32(field->data + 5);
+    value->last_bytes_time = mip_get_64(field->data + 9);
+    return MIP_OK;
+}
+
+/** Adds rtk.service_status_response to a packet. On an error the packet is unchanged. */
+MIP_CHECKED static inline mip_error mip_rtk_service_status_response_encode_inline(
+    const struct mip_rtk_service_status_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0F, 0x8A, 17, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->flags);
+    mip_put_32(data + 1, value->received_bytes);
+    mip_put_32(data + 5, value->last_bytes);
+    mip_put_64(data + 9, value->last_bytes_time);
+    return MIP_OK;
+}
+
+/** Decodes rtk.erase_storage. On an error the structure is zeroed. */
+static inline mip_error mip_rtk_erase_storage_decode_inline(struct mip_rtk_erase_storage *value,
+                                                            const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0F, 0x20, 1);
+    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
+        memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
+        return error;
+    }
+    value->media = mip_get_8(field->data);
+    return MIP_OK;
+}
+
+/** Adds rtk.erase_storage to a packet. On an error the packet is unchanged. */
+MIP_CHECKED static inline mip_error mip_rtk_erase_storage_encode_inline(
+    const struct mip_rtk_erase_storage *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0F, 0x20, 1, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->media);
+    return MIP_OK;
+}
+
+/** Decodes rtk.led_control. On an error the structure is zeroed. */
+static inline mip_error mip_rtk_led_control_decode_inline(struct mip_rtk_led_control *value,
+                                                          const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0F, 0x21, 11);
+    if (error != MIP_OK || sizeof(*value) != 11) { /* gaps are zeroed, too */
+        memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
+        return error;
+    }
+    memcpy(value->primary_color, field->data, 3);
+    memcpy(value->alternate_color, field->data + 3, 3);
+    value->action = mip_get_8(field->data + 6);
+    value->period = mip_get_32(field->data + 7);
+    return MIP_OK;
+}
+
+/** Adds rtk.led_control to a packet. On an error the packet is unchanged. */
+MIP_CHECKED static inline mip_error mip_rtk_led_control_encode_inline(
+    const struct mip_rtk_led_control *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0F, 0x21, 11, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    memcpy(data, value->primary_color, 3);
+    memcpy(data + 3, value->alternate_color, 3);
+    mip_put_8(data + 6, value->action);
+    mip_put_32(data + 7, value->period);
+    return MIP_OK;
+}
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,131 @@
+/**
+ * @file
+ * The same as _decode and _encode of mip/system_data.h without tables, for speed: the fields whose
+ * layout never varies.
+ */
+#ifndef MIP_SYSTEM_DATA_INLINE_H
+#define MIP_SYSTEM_DATA_INLINE_H
+
+#include "mip/system_data.h"
+
+#if MIP_VERSION_NUMBER != 100
+#error "mip/system_data_inline.h and mip/constants.h are not of one version"
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** Decodes system_data.built_in_test. On an error the structure is zeroed. */
+static inline mip_error mip_system_data_built_in_test_decode_inline(
+    struct mip_system_data_built_in_test *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0xA0, 0x01, 16);
+    if (error != MIP_OK || sizeof(*value) != 16) { /* gaps are zeroed, too */
+        memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
+        return error;
+    }
+    memcpy(value->result, field->data, 16);
+    return MIP_OK;
+}
+
+/** Adds system_data.built_in_test to a packet. On an error the packet is unchanged. */
+MIP_CHECKED static inline mip_error mip_system_data_built_in_test_encode_inline(
+    const struct mip_system_data_built_in_test *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0xA0, 0x01, 16, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    memcpy(data, value->result, 16);
+    return MIP_OK;
+}
+
+/** Decodes system_data.time_sync_status. On an error the structure is zeroed. */
+static inline mip_error mip_system_data_time_sync_status_decode_inline(
+    struct mip_system_data_time_sync_status *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0xA0, 0x02, 2);
+    if (error != MIP_OK || sizeof(*value) != 2) { /* gaps are zeroed, too */
+        memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
+        return error;
+    }
+    value->time_sync = mip_get_8(field->data);
+    value->last_pps_received = mip_get_8(field->data + 1);
+    return MIP_OK;
+}
+
+/** Adds system_data.time_sync_status to a packet. On an error the packet is unchanged. */
+MIP_CHECKED static inline mip_error mip_system_data_time_sync_status_encode_inline(
+    const struct mip_system_data_time_sync_status *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0xA0, 0x02, 2, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->time_sync);
+    mip_put_8(data + 1, value->last_pps_received);
+    return MIP_OK;
+}
+
+/** Decodes system_data.gpio_state. On an error the structure is zeroed. */
+static inline mip_error mip_system_data_gpio_state_decode_inline(
+    struct mip_system_data_gpio_state *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0xA0, 0x03, 1);
+    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
+        memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
+        return error;
+    }
+    value->states = mip_get_8(field->data);
+    return MIP_OK;
+}
+
+/** Adds system_data.gpio_state to a packet. On an error the packet is unchanged. */
+MIP_CHECKED static inline mip_error mip_system_data_gpio_state_encode_inline(
+    const struct mip_system_data_gpio_state *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0xA0, 0x03, 1, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->states);
+    return MIP_OK;
+}
+
+/** Decodes system_data.gpio_analog_value. On an error the structure is zeroed. */
+static inline mip_error mip_system_data_gpio_analog_value_decode_inline(
+    struct mip_system_data_gpio_analog_value *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0xA0, 0x04, 5);
+    if (error != MIP_OK || sizeof(*value) != 5) { /* gaps are zeroed, too */
+        memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
+        return error;
+    }
+    value->gpio_id = mip_get_8(field->data);
+    mip_get_float(&value->value, field->data + 1);
+    return MIP_OK;
+}
+
+/** Adds system_data.gpio_analog_value to a packet. On an error the packet is unchanged. */
+MIP_CHECKED static inline mip_error mip_system_data_gpio_analog_value_encode_inline(
+    const struct mip_system_data_gpio_analog_value *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0xA0, 0x04, 5, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->gpio_id);
+    mip_put_float(data + 1, &value->value);
+    return MIP_OK;
+}
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
