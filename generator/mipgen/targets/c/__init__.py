@@ -13,7 +13,7 @@ from mipgen.facts import describe
 from mipgen.lower import memory
 from mipgen.model import SHARED_DESCRIPTORS
 
-from . import bytecode, calls, direct, literals, members, names, tables
+from . import bytecode, calls, cpp, direct, literals, members, names, tables
 from .comments import Comments, comment
 from .identifiers import identifiers
 from .names import GRAMMAR
@@ -25,6 +25,9 @@ EXAMPLES = ("posix.c", "bare_metal.c", "cplusplus.cpp", "arduino/arduino.ino")
 def files(model: m.Model) -> Iterator[File]:
     made = list(code(model))
     made.append(File("src/mip/mip.h", "mip.h.j2", {"headers": everything(made)}))
+    made += list(in_cpp(model))
+    headers = sorted(name for name in present(made) if name.endswith(".hpp"))
+    made.append(File("src/mip/mip.hpp", "mip.hpp.j2", {"headers": [x for x in headers if x != "ostream.hpp"]}))
     yield from made
     yield from packages(model, made)
     quickstart = model.program("quickstart.c")
@@ -60,6 +63,16 @@ def code(model: m.Model) -> Iterator[File]:
             yield File(f"src/mip/{name}.c", "family.c.j2", {"family": x})
 
 
+def in_cpp(model: m.Model) -> Iterator[File]:
+    """Headers of C++."""
+    yield File("src/mip/types.hpp", "types.hpp.j2")
+    for x in model.families:
+        name = names.module(x.name)
+        yield File(f"src/mip/{name}.hpp", "family.hpp.j2", {"family": x})
+        if calls.commands(x):
+            yield File(f"src/mip/{name}_commands.hpp", "commands.hpp.j2", {"family": x})
+
+
 def everything(made: list[File]) -> list[str]:
     """The headers that programs include; of the runtime too."""
     inner = ("checksum.h", "export.h", "mip.h", "program.h")
@@ -78,7 +91,7 @@ def packages(model: m.Model, made: list[File]) -> Iterator[File]:
     names = present(made)
     facts = {
         "sources": [name for name in names if name.endswith(".c")],
-        "headers": [name for name in names if name.endswith(".h")],
+        "headers": [name for name in names if name.endswith((".h", ".hpp"))],
         "soversion": ".".join(model.protocol.version.split(".")[:2]),
         "summary": f"The {model.protocol.title}",
         "keywords": list(
@@ -146,6 +159,14 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "calls": lambda f: calls.calls(f, model),
         "bits_type": members.bits_type,
         "has_accessor": members.has_accessor,
+        # C++
+        "namespace": cpp.namespace,
+        "cpp_word": cpp.word,
+        "cpp_bare": cpp.bare,
+        "cpp_qualified": cpp.qualified,
+        "cpp_accessors": cpp.accessors,
+        "cpp_commands": lambda f: cpp.commands(f, model),
+        "cpp_response": lambda f: cpp.whole_response(f, model),
         # layouts
         "program": lambda f: bytecode.program(f, model.layouts(f), model.sizes(f)),
         "numbers_only": lambda f: f.min_size if bytecode.is_numbers(f, model.layouts(f)) else 0,
