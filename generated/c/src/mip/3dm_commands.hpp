@@ -83,7 +83,7 @@ struct poll_imu_data {
         return ::mip_call_3dm_poll_imu_data(device_, suppress_ack, detail::count(descriptors),
                                             descriptors.data());
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_poll_imu_data_make(to_, suppress_ack, detail::count(descriptors),
                                             descriptors.data());
     }
@@ -100,7 +100,7 @@ struct poll_gnss_data {
         return ::mip_call_3dm_poll_gnss_data(device_, suppress_ack, detail::count(descriptors),
                                              descriptors.data());
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_poll_gnss_data_make(to_, suppress_ack, detail::count(descriptors),
                                              descriptors.data());
     }
@@ -117,7 +117,7 @@ struct poll_filter_data {
         return ::mip_call_3dm_poll_filter_data(device_, suppress_ack, detail::count(descriptors),
                                                descriptors.data());
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_poll_filter_data_make(to_, suppress_ack, detail::count(descriptors),
                                                descriptors.data());
     }
@@ -134,7 +134,7 @@ struct poll_nmea_data {
         return ::mip_call_3dm_poll_nmea_data(device_, suppress_ack, detail::count(format_entries),
                                              format_entries.data());
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_poll_nmea_data_make(to_, suppress_ack, detail::count(format_entries),
                                              format_entries.data());
     }
@@ -158,7 +158,7 @@ struct write_imu_message_format {
         return ::mip_call_3dm_imu_message_format_write(device_, detail::count(descriptors),
                                                        descriptors.data());
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_imu_message_format_write(to_, detail::count(descriptors),
                                                   descriptors.data());
     }
@@ -191,7 +191,7 @@ struct write_gnss_message_format {
         return ::mip_call_3dm_gnss_message_format_write(device_, detail::count(descriptors),
                                                         descriptors.data());
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_gnss_message_format_write(to_, detail::count(descriptors),
                                                    descriptors.data());
     }
@@ -224,7 +224,7 @@ struct write_filter_message_format {
         return ::mip_call_3dm_filter_message_format_write(device_, detail::count(descriptors),
                                                           descriptors.data());
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_filter_message_format_write(to_, detail::count(descriptors),
                                                      descriptors.data());
     }
@@ -262,7 +262,7 @@ struct write_nmea_message_format {
         return ::mip_call_3dm_nmea_message_format_write(device_, detail::count(format_entries),
                                                         format_entries.data());
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_nmea_message_format_write(to_, detail::count(format_entries),
                                                    format_entries.data());
     }
@@ -297,7 +297,7 @@ struct poll_data {
         return ::mip_call_3dm_poll_data(device_, descriptor_set, suppress_ack,
                                         detail::count(descriptors), descriptors.data());
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_poll_data_make(to_, descriptor_set, suppress_ack,
                                         detail::count(descriptors), descriptors.data());
     }
@@ -312,7 +312,7 @@ struct get_base_rate {
     mip_result call(mip_device *device_, response *to_) const {
         return ::mip_call_3dm_get_base_rate(device_, descriptor_set, to_);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_get_base_rate_make(to_, descriptor_set);
     }
 };
@@ -328,7 +328,7 @@ struct write_message_format {
         return ::mip_call_3dm_message_format_write(device_, descriptor_set,
                                                    detail::count(descriptors), descriptors.data());
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_message_format_write(to_, descriptor_set, detail::count(descriptors),
                                               descriptors.data());
     }
@@ -343,7 +343,7 @@ struct read_message_format {
     mip_result call(mip_device *device_, response *to_) const {
         return ::mip_call_3dm_message_format_read(device_, descriptor_set, to_);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_message_format_read(to_, descriptor_set);
     }
 };
@@ -357,7 +357,7 @@ struct save_message_format {
     mip_result call(mip_device *device_) const {
         return ::mip_call_3dm_message_format_save(device_, descriptor_set);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_message_format_save(to_, descriptor_set);
     }
 };
@@ -371,7 +371,7 @@ struct load_message_format {
     mip_result call(mip_device *device_) const {
         return ::mip_call_3dm_message_format_load(device_, descriptor_set);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_message_format_load(to_, descriptor_set);
     }
 };
@@ -385,7 +385,7 @@ struct default_message_format {
     mip_result call(mip_device *device_) const {
         return ::mip_call_3dm_message_format_default(device_, descriptor_set);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_message_format_default(to_, descriptor_set);
     }
 };
@@ -400,7 +400,7 @@ struct factory_streaming {
         return ::mip_call_3dm_factory_streaming(
             device_, static_cast<enum mip_3dm_factory_streaming_action>(action));
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_factory_streaming_make(
             to_, static_cast<enum mip_3dm_factory_streaming_action>(action));
     }
@@ -416,7 +416,7 @@ struct write_data_stream_control {
     mip_result call(mip_device *device_) const {
         return ::mip_call_3dm_data_stream_control_write(device_, descriptor_set, enable);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_data_stream_control_write(to_, descriptor_set, enable);
     }
 };
@@ -430,7 +430,7 @@ struct read_data_stream_control {
     mip_result call(mip_device *device_, response *to_) const {
         return ::mip_call_3dm_data_stream_control_read(device_, descriptor_set, to_);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_data_stream_control_read(to_, descriptor_set);
     }
 };
@@ -444,7 +444,7 @@ struct save_data_stream_control {
     mip_result call(mip_device *device_) const {
         return ::mip_call_3dm_data_stream_control_save(device_, descriptor_set);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_data_stream_control_save(to_, descriptor_set);
     }
 };
@@ -458,7 +458,7 @@ struct load_data_stream_control {
     mip_result call(mip_device *device_) const {
         return ::mip_call_3dm_data_stream_control_load(device_, descriptor_set);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_data_stream_control_load(to_, descriptor_set);
     }
 };
@@ -472,7 +472,7 @@ struct default_data_stream_control {
     mip_result call(mip_device *device_) const {
         return ::mip_call_3dm_data_stream_control_default(device_, descriptor_set);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_data_stream_control_default(to_, descriptor_set);
     }
 };
@@ -486,7 +486,7 @@ struct raw_rtcm_2_3_message {
     mip_result call(mip_device *device_) const {
         return ::mip_call_3dm_raw_rtcm_2_3_message(device_, detail::count(data), data.data());
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_raw_rtcm_2_3_message_make(to_, detail::count(data), data.data());
     }
 };
@@ -502,7 +502,7 @@ struct write_constellation_settings {
         return ::mip_call_3dm_constellation_settings_write(
             device_, max_channels, detail::count(settings), settings.data());
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_constellation_settings_write(to_, max_channels, detail::count(settings),
                                                       settings.data());
     }
@@ -538,7 +538,7 @@ struct write_gnss_sbas_settings {
                                                        detail::count(included_prns),
                                                        included_prns.data());
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_gnss_sbas_settings_write(to_, enable_sbas, number(sbas_options),
                                                   detail::count(included_prns),
                                                   included_prns.data());
@@ -572,7 +572,7 @@ struct write_gnss_assisted_fix {
         return ::mip_call_3dm_gnss_assisted_fix_write(
             device_, static_cast<enum mip_3dm_assisted_fix_option>(option));
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_gnss_assisted_fix_write(
             to_, static_cast<enum mip_3dm_assisted_fix_option>(option));
     }
@@ -586,7 +586,7 @@ struct read_gnss_assisted_fix {
     mip_result call(mip_device *device_, response *to_) const {
         return ::mip_call_3dm_gnss_assisted_fix_read(device_, to_);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_gnss_assisted_fix_read(to_);
     }
 };
@@ -599,7 +599,7 @@ struct save_gnss_assisted_fix {
     mip_result call(mip_device *device_) const {
         return ::mip_call_3dm_gnss_assisted_fix_save(device_);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_gnss_assisted_fix_save(to_);
     }
 };
@@ -612,7 +612,7 @@ struct load_gnss_assisted_fix {
     mip_result call(mip_device *device_) const {
         return ::mip_call_3dm_gnss_assisted_fix_load(device_);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_gnss_assisted_fix_load(to_);
     }
 };
@@ -625,7 +625,7 @@ struct default_gnss_assisted_fix {
     mip_result call(mip_device *device_) const {
         return ::mip_call_3dm_gnss_assisted_fix_default(device_);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_gnss_assisted_fix_default(to_);
     }
 };
@@ -641,7 +641,7 @@ struct write_gnss_time_assistance {
     mip_result call(mip_device *device_) const {
         return ::mip_call_3dm_gnss_time_assistance_write(device_, tow, week_number, accuracy);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_gnss_time_assistance_write(to_, tow, week_number, accuracy);
     }
 };
@@ -661,7 +661,7 @@ struct write_pps_source_control {
         return ::mip_call_3dm_pps_source_control_write(
             device_, static_cast<enum mip_3dm_pps_source>(source));
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_pps_source_control_write(to_,
                                                   static_cast<enum mip_3dm_pps_source>(source));
     }
@@ -694,7 +694,7 @@ struct get_event_support {
         return ::mip_call_3dm_get_event_support(
             device_, static_cast<enum mip_3dm_event_support_query>(query), to_);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_get_event_support_make(
             to_, static_cast<enum mip_3dm_event_support_query>(query));
     }
@@ -711,7 +711,7 @@ struct write_event_control {
         return ::mip_call_3dm_event_control_write(device_, instance,
                                                   static_cast<enum mip_event_trigger_mode>(mode));
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_event_control_write(to_, instance,
                                              static_cast<enum mip_event_trigger_mode>(mode));
     }
@@ -726,7 +726,7 @@ struct read_event_control {
     mip_result call(mip_device *device_, response *to_) const {
         return ::mip_call_3dm_event_control_read(device_, instance, to_);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_event_control_read(to_, instance);
     }
 };
@@ -740,7 +740,7 @@ struct save_event_control {
     mip_result call(mip_device *device_) const {
         return ::mip_call_3dm_event_control_save(device_, instance);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_event_control_save(to_, instance);
     }
 };
@@ -754,7 +754,7 @@ struct load_event_control {
     mip_result call(mip_device *device_) const {
         return ::mip_call_3dm_event_control_load(device_, instance);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_event_control_load(to_, instance);
     }
 };
@@ -768,7 +768,7 @@ struct default_event_control {
     mip_result call(mip_device *device_) const {
         return ::mip_call_3dm_event_control_default(device_, instance);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_event_control_default(to_, instance);
     }
 };
@@ -783,7 +783,7 @@ struct get_event_trigger_status {
         return ::mip_call_3dm_get_event_trigger_status(device_, detail::count(requested_instances),
                                                        requested_instances.data(), to_);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_get_event_trigger_status_make(to_, detail::count(requested_instances),
                                                        requested_instances.data());
     }
@@ -799,7 +799,7 @@ struct get_event_action_status {
         return ::mip_call_3dm_get_event_action_status(device_, detail::count(requested_instances),
                                                       requested_instances.data(), to_);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_get_event_action_status_make(to_, detail::count(requested_instances),
                                                       requested_instances.data());
     }
@@ -817,7 +817,7 @@ struct write_event_trigger_config {
         return ::mip_call_3dm_event_trigger_config_write(
             device_, instance, static_cast<enum mip_event_trigger_type>(type), &parameters);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_event_trigger_config_write(
             to_, instance, static_cast<enum mip_event_trigger_type>(type), &parameters);
     }
@@ -832,7 +832,7 @@ struct read_event_trigger_config {
     mip_result call(mip_device *device_, response *to_) const {
         return ::mip_call_3dm_event_trigger_config_read(device_, instance, to_);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_event_trigger_config_read(to_, instance);
     }
 };
@@ -846,7 +846,7 @@ struct save_event_trigger_config {
     mip_result call(mip_device *device_) const {
         return ::mip_call_3dm_event_trigger_config_save(device_, instance);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_event_trigger_config_save(to_, instance);
     }
 };
@@ -860,7 +860,7 @@ struct load_event_trigger_config {
     mip_result call(mip_device *device_) const {
         return ::mip_call_3dm_event_trigger_config_load(device_, instance);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_event_trigger_config_load(to_, instance);
     }
 };
@@ -874,7 +874,7 @@ struct default_event_trigger_config {
     mip_result call(mip_device *device_) const {
         return ::mip_call_3dm_event_trigger_config_default(device_, instance);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_event_trigger_config_default(to_, instance);
     }
 };
@@ -892,7 +892,7 @@ struct write_event_action_config {
         return ::mip_call_3dm_event_action_config_write(
             device_, instance, trigger, static_cast<enum mip_event_action_type>(type), &parameters);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_event_action_config_write(
             to_, instance, trigger, static_cast<enum mip_event_action_type>(type), &parameters);
     }
@@ -907,7 +907,7 @@ struct read_event_action_config {
     mip_result call(mip_device *device_, response *to_) const {
         return ::mip_call_3dm_event_action_config_read(device_, instance, to_);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_event_action_config_read(to_, instance);
     }
 };
@@ -921,7 +921,7 @@ struct save_event_action_config {
     mip_result call(mip_device *device_) const {
         return ::mip_call_3dm_event_action_config_save(device_, instance);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_event_action_config_save(to_, instance);
     }
 };
@@ -935,7 +935,7 @@ struct load_event_action_config {
     mip_result call(mip_device *device_) const {
         return ::mip_call_3dm_event_action_config_load(device_, instance);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_event_action_config_load(to_, instance);
     }
 };
@@ -949,7 +949,7 @@ struct default_event_action_config {
     mip_result call(mip_device *device_) const {
         return ::mip_call_3dm_event_action_config_default(device_, instance);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_event_action_config_default(to_, instance);
     }
 };
@@ -980,7 +980,7 @@ struct write_sensor_to_vehicle_transform_euler {
     mip_result call(mip_device *device_) const {
         return ::mip_call_3dm_sensor_to_vehicle_euler_write(device_, roll, pitch, yaw);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_sensor_to_vehicle_euler_write(to_, roll, pitch, yaw);
     }
 };
@@ -1027,7 +1027,7 @@ struct write_sensor_to_vehicle_transform_quaternion {
     mip_result call(mip_device *device_) const {
         return ::mip_call_3dm_sensor_to_vehicle_quaternion_write(device_, q);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_sensor_to_vehicle_quaternion_write(to_, q);
     }
 };
@@ -1074,7 +1074,7 @@ struct write_sensor_to_vehicle_transform_dcm {
     mip_result call(mip_device *device_) const {
         return ::mip_call_3dm_sensor_to_vehicle_dcm_write(device_, dcm);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_sensor_to_vehicle_dcm_write(to_, dcm);
     }
 };
@@ -1119,7 +1119,7 @@ struct write_gps_dynamics_mode {
         return ::mip_call_3dm_gps_dynamics_mode_write(
             device_, static_cast<enum mip_3dm_receiver_dynamics>(mode));
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_gps_dynamics_mode_write(to_,
                                                  static_cast<enum mip_3dm_receiver_dynamics>(mode));
     }
@@ -1160,7 +1160,7 @@ struct write_imu_signal_conditioning {
             mag_filter_width, up_compensation, north_compensation,
             static_cast<enum mip_3dm_mag_bandwidth>(mag_bandwidth));
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_imu_signal_conditioning_write(
             to_, orientation_decimation, number(data_conditioning_flags), inertial_filter_width,
             mag_filter_width, up_compensation, north_compensation,
@@ -1197,7 +1197,7 @@ struct write_imu_timestamp {
         return ::mip_call_3dm_imu_timestamp_write(
             device_, static_cast<enum mip_3dm_imu_timestamp_selector>(selector), time);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_imu_timestamp_write(
             to_, static_cast<enum mip_3dm_imu_timestamp_selector>(selector), time);
     }
@@ -1213,7 +1213,7 @@ struct read_imu_timestamp {
         return ::mip_call_3dm_imu_timestamp_read(
             device_, static_cast<enum mip_3dm_imu_timestamp_selector>(selector), to_);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_imu_timestamp_read(
             to_, static_cast<enum mip_3dm_imu_timestamp_selector>(selector));
     }
@@ -1228,7 +1228,7 @@ struct write_accel_bias {
     mip_result call(mip_device *device_) const {
         return ::mip_call_3dm_accel_bias_write(device_, bias);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_accel_bias_write(to_, bias);
     }
 };
@@ -1256,7 +1256,7 @@ struct apply_accel_bias {
     mip_result call(mip_device *device_) const {
         return ::mip_call_3dm_accel_bias_apply(device_, bias);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_accel_bias_apply(to_, bias);
     }
 };
@@ -1270,7 +1270,7 @@ struct write_gyro_bias {
     mip_result call(mip_device *device_) const {
         return ::mip_call_3dm_gyro_bias_write(device_, bias);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_gyro_bias_write(to_, bias);
     }
 };
@@ -1298,7 +1298,7 @@ struct apply_gyro_bias {
     mip_result call(mip_device *device_) const {
         return ::mip_call_3dm_gyro_bias_apply(device_, bias);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_gyro_bias_apply(to_, bias);
     }
 };
@@ -1312,7 +1312,7 @@ struct capture_gyro_bias {
     mip_result call(mip_device *device_, response *to_) const {
         return ::mip_call_3dm_capture_gyro_bias(device_, averaging_time_ms, to_);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_capture_gyro_bias_make(to_, averaging_time_ms);
     }
 };
@@ -1326,7 +1326,7 @@ struct write_mag_hard_iron_offset {
     mip_result call(mip_device *device_) const {
         return ::mip_call_3dm_mag_hard_iron_offset_write(device_, offset);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_mag_hard_iron_offset_write(to_, offset);
     }
 };
@@ -1357,7 +1357,7 @@ struct apply_mag_hard_iron_offset {
     mip_result call(mip_device *device_) const {
         return ::mip_call_3dm_mag_hard_iron_offset_apply(device_, offset);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_mag_hard_iron_offset_apply(to_, offset);
     }
 };
@@ -1371,7 +1371,7 @@ struct write_mag_soft_iron_matrix {
     mip_result call(mip_device *device_) const {
         return ::mip_call_3dm_mag_soft_iron_matrix_write(device_, matrix);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_mag_soft_iron_matrix_write(to_, matrix);
     }
 };
@@ -1402,7 +1402,7 @@ struct apply_mag_soft_iron_matrix {
     mip_result call(mip_device *device_) const {
         return ::mip_call_3dm_mag_soft_iron_matrix_apply(device_, matrix);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_mag_soft_iron_matrix_apply(to_, matrix);
     }
 };
@@ -1416,7 +1416,7 @@ struct write_coning_sculling_enable {
     mip_result call(mip_device *device_) const {
         return ::mip_call_3dm_coning_sculling_enable_write(device_, enable);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_coning_sculling_enable_write(to_, enable);
     }
 };
@@ -1447,7 +1447,7 @@ struct write_uart_baud_rate {
     mip_result call(mip_device *device_) const {
         return ::mip_call_3dm_uart_baud_rate_write(device_, baud);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_uart_baud_rate_write(to_, baud);
     }
 };
@@ -1482,7 +1482,7 @@ struct write_gpio_config {
         return ::mip_call_3dm_gpio_config_write(
             device_, pin, static_cast<enum mip_gpio_feature>(feature), behavior, number(pin_mode));
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_gpio_config_write(to_, pin, static_cast<enum mip_gpio_feature>(feature),
                                            behavior, number(pin_mode));
     }
@@ -1497,7 +1497,7 @@ struct read_gpio_config {
     mip_result call(mip_device *device_, response *to_) const {
         return ::mip_call_3dm_gpio_config_read(device_, pin, to_);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_gpio_config_read(to_, pin);
     }
 };
@@ -1511,7 +1511,7 @@ struct save_gpio_config {
     mip_result call(mip_device *device_) const {
         return ::mip_call_3dm_gpio_config_save(device_, pin);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_gpio_config_save(to_, pin);
     }
 };
@@ -1525,7 +1525,7 @@ struct load_gpio_config {
     mip_result call(mip_device *device_) const {
         return ::mip_call_3dm_gpio_config_load(device_, pin);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_gpio_config_load(to_, pin);
     }
 };
@@ -1539,7 +1539,7 @@ struct default_gpio_config {
     mip_result call(mip_device *device_) const {
         return ::mip_call_3dm_gpio_config_default(device_, pin);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_gpio_config_default(to_, pin);
     }
 };
@@ -1554,7 +1554,7 @@ struct write_gpio_state {
     mip_result call(mip_device *device_) const {
         return ::mip_call_3dm_gpio_state_write(device_, pin, state);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_gpio_state_write(to_, pin, state);
     }
 };
@@ -1568,7 +1568,7 @@ struct read_gpio_state {
     mip_result call(mip_device *device_, response *to_) const {
         return ::mip_call_3dm_gpio_state_read(device_, pin, to_);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_gpio_state_read(to_, pin);
     }
 };
@@ -1585,7 +1585,7 @@ struct write_odometer_config {
         return ::mip_call_3dm_odometer_config_write(
             device_, static_cast<enum mip_3dm_odometer_mode>(mode), scaling, uncertainty);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_odometer_config_write(to_, static_cast<enum mip_3dm_odometer_mode>(mode),
                                                scaling, uncertainty);
     }
@@ -1621,7 +1621,7 @@ struct write_imu_low_pass_filter {
         return ::mip_call_3dm_imu_low_pass_filter_write(device_, target_descriptor, enable, manual,
                                                         frequency);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_imu_low_pass_filter_write(to_, target_descriptor, enable, manual,
                                                    frequency);
     }
@@ -1636,7 +1636,7 @@ struct read_imu_low_pass_filter {
     mip_result call(mip_device *device_, response *to_) const {
         return ::mip_call_3dm_imu_low_pass_filter_read(device_, target_descriptor, to_);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_imu_low_pass_filter_read(to_, target_descriptor);
     }
 };
@@ -1650,7 +1650,7 @@ struct save_imu_low_pass_filter {
     mip_result call(mip_device *device_) const {
         return ::mip_call_3dm_imu_low_pass_filter_save(device_, target_descriptor);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_imu_low_pass_filter_save(to_, target_descriptor);
     }
 };
@@ -1664,7 +1664,7 @@ struct load_imu_low_pass_filter {
     mip_result call(mip_device *device_) const {
         return ::mip_call_3dm_imu_low_pass_filter_load(device_, target_descriptor);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_imu_low_pass_filter_load(to_, target_descriptor);
     }
 };
@@ -1678,7 +1678,7 @@ struct default_imu_low_pass_filter {
     mip_result call(mip_device *device_) const {
         return ::mip_call_3dm_imu_low_pass_filter_default(device_, target_descriptor);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_imu_low_pass_filter_default(to_, target_descriptor);
     }
 };
@@ -1697,7 +1697,7 @@ struct write_complementary_filter {
                                                          pitch_roll_time_constant,
                                                          heading_time_constant);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_complementary_filter_write(to_, pitch_roll_enable, heading_enable,
                                                     pitch_roll_time_constant,
                                                     heading_time_constant);
@@ -1732,7 +1732,7 @@ struct write_sensor_range {
         return ::mip_call_3dm_sensor_range_write(
             device_, static_cast<enum mip_3dm_sensor_range_type>(sensor), setting);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_sensor_range_write(
             to_, static_cast<enum mip_3dm_sensor_range_type>(sensor), setting);
     }
@@ -1748,7 +1748,7 @@ struct read_sensor_range {
         return ::mip_call_3dm_sensor_range_read(
             device_, static_cast<enum mip_3dm_sensor_range_type>(sensor), to_);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_sensor_range_read(to_,
                                            static_cast<enum mip_3dm_sensor_range_type>(sensor));
     }
@@ -1764,7 +1764,7 @@ struct save_sensor_range {
         return ::mip_call_3dm_sensor_range_save(
             device_, static_cast<enum mip_3dm_sensor_range_type>(sensor));
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_sensor_range_save(to_,
                                            static_cast<enum mip_3dm_sensor_range_type>(sensor));
     }
@@ -1780,7 +1780,7 @@ struct load_sensor_range {
         return ::mip_call_3dm_sensor_range_load(
             device_, static_cast<enum mip_3dm_sensor_range_type>(sensor));
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_sensor_range_load(to_,
                                            static_cast<enum mip_3dm_sensor_range_type>(sensor));
     }
@@ -1796,7 +1796,7 @@ struct default_sensor_range {
         return ::mip_call_3dm_sensor_range_default(
             device_, static_cast<enum mip_3dm_sensor_range_type>(sensor));
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_sensor_range_default(to_,
                                               static_cast<enum mip_3dm_sensor_range_type>(sensor));
     }
@@ -1812,7 +1812,7 @@ struct get_calibrated_sensor_ranges {
         return ::mip_call_3dm_get_calibrated_sensor_ranges(
             device_, static_cast<enum mip_3dm_sensor_range_type>(sensor), to_);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_get_calibrated_sensor_ranges_make(
             to_, static_cast<enum mip_3dm_sensor_range_type>(sensor));
     }
@@ -1832,7 +1832,7 @@ struct write_low_pass_filter {
         return ::mip_call_3dm_low_pass_filter_write(device_, descriptor_set, field_descriptor,
                                                     enable, manual, frequency);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_low_pass_filter_write(to_, descriptor_set, field_descriptor, enable,
                                                manual, frequency);
     }
@@ -1848,7 +1848,7 @@ struct read_low_pass_filter {
     mip_result call(mip_device *device_, response *to_) const {
         return ::mip_call_3dm_low_pass_filter_read(device_, descriptor_set, field_descriptor, to_);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_low_pass_filter_read(to_, descriptor_set, field_descriptor);
     }
 };
@@ -1863,7 +1863,7 @@ struct save_low_pass_filter {
     mip_result call(mip_device *device_) const {
         return ::mip_call_3dm_low_pass_filter_save(device_, descriptor_set, field_descriptor);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_low_pass_filter_save(to_, descriptor_set, field_descriptor);
     }
 };
@@ -1878,7 +1878,7 @@ struct load_low_pass_filter {
     mip_result call(mip_device *device_) const {
         return ::mip_call_3dm_low_pass_filter_load(device_, descriptor_set, field_descriptor);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_low_pass_filter_load(to_, descriptor_set, field_descriptor);
     }
 };
@@ -1893,7 +1893,7 @@ struct default_low_pass_filter {
     mip_result call(mip_device *device_) const {
         return ::mip_call_3dm_low_pass_filter_default(device_, descriptor_set, field_descriptor);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_low_pass_filter_default(to_, descriptor_set, field_descriptor);
     }
 };
@@ -1910,7 +1910,7 @@ struct write_data_stream_format {
             device_, static_cast<enum mip_3dm_internal_sensor>(stream),
             static_cast<enum mip_3dm_stream_format>(format));
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_data_stream_format_write(to_,
                                                   static_cast<enum mip_3dm_internal_sensor>(stream),
                                                   static_cast<enum mip_3dm_stream_format>(format));
@@ -1929,7 +1929,7 @@ struct read_data_stream_format {
             device_, static_cast<enum mip_3dm_internal_sensor>(stream),
             static_cast<enum mip_3dm_stream_format>(format), to_);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_data_stream_format_read(to_,
                                                  static_cast<enum mip_3dm_internal_sensor>(stream),
                                                  static_cast<enum mip_3dm_stream_format>(format));
@@ -1948,7 +1948,7 @@ struct save_data_stream_format {
             device_, static_cast<enum mip_3dm_internal_sensor>(stream),
             static_cast<enum mip_3dm_stream_format>(format));
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_data_stream_format_save(to_,
                                                  static_cast<enum mip_3dm_internal_sensor>(stream),
                                                  static_cast<enum mip_3dm_stream_format>(format));
@@ -1967,7 +1967,7 @@ struct load_data_stream_format {
             device_, static_cast<enum mip_3dm_internal_sensor>(stream),
             static_cast<enum mip_3dm_stream_format>(format));
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_data_stream_format_load(to_,
                                                  static_cast<enum mip_3dm_internal_sensor>(stream),
                                                  static_cast<enum mip_3dm_stream_format>(format));
@@ -1986,7 +1986,7 @@ struct default_data_stream_format {
             device_, static_cast<enum mip_3dm_internal_sensor>(stream),
             static_cast<enum mip_3dm_stream_format>(format));
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_data_stream_format_default(
             to_, static_cast<enum mip_3dm_internal_sensor>(stream),
             static_cast<enum mip_3dm_stream_format>(format));
@@ -2005,7 +2005,7 @@ struct write_device_power_state {
             device_, static_cast<enum mip_3dm_internal_sensor>(device),
             static_cast<enum mip_3dm_sensor_power_state>(state));
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_device_power_state_write(
             to_, static_cast<enum mip_3dm_internal_sensor>(device),
             static_cast<enum mip_3dm_sensor_power_state>(state));
@@ -2022,7 +2022,7 @@ struct read_device_power_state {
         return ::mip_call_3dm_device_power_state_read(
             device_, static_cast<enum mip_3dm_internal_sensor>(device), to_);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_device_power_state_read(to_,
                                                  static_cast<enum mip_3dm_internal_sensor>(device));
     }
@@ -2038,7 +2038,7 @@ struct save_device_power_state {
         return ::mip_call_3dm_device_power_state_save(
             device_, static_cast<enum mip_3dm_internal_sensor>(device));
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_device_power_state_save(to_,
                                                  static_cast<enum mip_3dm_internal_sensor>(device));
     }
@@ -2054,7 +2054,7 @@ struct load_device_power_state {
         return ::mip_call_3dm_device_power_state_load(
             device_, static_cast<enum mip_3dm_internal_sensor>(device));
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_device_power_state_load(to_,
                                                  static_cast<enum mip_3dm_internal_sensor>(device));
     }
@@ -2070,7 +2070,7 @@ struct default_device_power_state {
         return ::mip_call_3dm_device_power_state_default(
             device_, static_cast<enum mip_3dm_internal_sensor>(device));
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_device_power_state_default(
             to_, static_cast<enum mip_3dm_internal_sensor>(device));
     }
@@ -2100,7 +2100,7 @@ struct device_status {
             device_, model_number,
             static_cast<enum mip_3dm_device_status_selector>(status_selector));
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_3dm_device_status_make(
             to_, model_number, static_cast<enum mip_3dm_device_status_selector>(status_selector));
     }

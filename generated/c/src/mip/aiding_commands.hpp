@@ -40,7 +40,7 @@ struct write_frame_config {
             device_, frame_id, static_cast<enum mip_aiding_frame_format>(format), tracking_enabled,
             translation, &rotation);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_aiding_frame_config_write(to_, frame_id,
                                                static_cast<enum mip_aiding_frame_format>(format),
                                                tracking_enabled, translation, &rotation);
@@ -58,7 +58,7 @@ struct read_frame_config {
         return ::mip_call_aiding_frame_config_read(
             device_, frame_id, static_cast<enum mip_aiding_frame_format>(format), to_);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_aiding_frame_config_read(to_, frame_id,
                                               static_cast<enum mip_aiding_frame_format>(format));
     }
@@ -73,7 +73,7 @@ struct save_frame_config {
     mip_result call(mip_device *device_) const {
         return ::mip_call_aiding_frame_config_save(device_, frame_id);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_aiding_frame_config_save(to_, frame_id);
     }
 };
@@ -87,7 +87,7 @@ struct load_frame_config {
     mip_result call(mip_device *device_) const {
         return ::mip_call_aiding_frame_config_load(device_, frame_id);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_aiding_frame_config_load(to_, frame_id);
     }
 };
@@ -101,7 +101,7 @@ struct default_frame_config {
     mip_result call(mip_device *device_) const {
         return ::mip_call_aiding_frame_config_default(device_, frame_id);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_aiding_frame_config_default(to_, frame_id);
     }
 };
@@ -116,7 +116,7 @@ struct write_echo_control {
         return ::mip_call_aiding_echo_control_write(device_,
                                                     static_cast<enum mip_aiding_echo_mode>(mode));
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_aiding_echo_control_write(to_, static_cast<enum mip_aiding_echo_mode>(mode));
     }
 };
@@ -152,7 +152,7 @@ struct ecef_position {
         return ::mip_call_aiding_ecef_position(device_, &time, frame_id, position, uncertainty,
                                                number(valid_flags));
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_aiding_ecef_position_make(to_, &time, frame_id, position, uncertainty,
                                                number(valid_flags));
     }
@@ -174,7 +174,7 @@ struct llh_position {
         return ::mip_call_aiding_llh_position(device_, &time, frame_id, latitude, longitude, height,
                                               uncertainty, number(valid_flags));
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_aiding_llh_position_make(to_, &time, frame_id, latitude, longitude, height,
                                               uncertainty, number(valid_flags));
     }
@@ -194,7 +194,7 @@ struct height_above_ellipsoid {
         return ::mip_call_aiding_height_above_ellipsoid(device_, &time, frame_id, height,
                                                         uncertainty, valid_flags);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_aiding_height_above_ellipsoid_make(to_, &time, frame_id, height, uncertainty,
                                                         valid_flags);
     }
@@ -214,7 +214,7 @@ struct ecef_velocity {
         return ::mip_call_aiding_ecef_velocity(device_, &time, frame_id, velocity, uncertainty,
                                                number(valid_flags));
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_aiding_ecef_velocity_make(to_, &time, frame_id, velocity, uncertainty,
                                                number(valid_flags));
     }
@@ -234,7 +234,7 @@ struct ned_velocity {
         return ::mip_call_aiding_ned_velocity(device_, &time, frame_id, velocity, uncertainty,
                                               number(valid_flags));
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_aiding_ned_velocity_make(to_, &time, frame_id, velocity, uncertainty,
                                               number(valid_flags));
     }
@@ -254,7 +254,7 @@ struct body_frame_velocity {
         return ::mip_call_aiding_body_frame_velocity(device_, &time, frame_id, velocity,
                                                      uncertainty, number(valid_flags));
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_aiding_body_frame_velocity_make(to_, &time, frame_id, velocity, uncertainty,
                                                      number(valid_flags));
     }
@@ -274,7 +274,7 @@ struct true_heading {
         return ::mip_call_aiding_true_heading(device_, &time, frame_id, heading, uncertainty,
                                               valid_flags);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_aiding_true_heading_make(to_, &time, frame_id, heading, uncertainty,
                                               valid_flags);
     }
@@ -294,7 +294,7 @@ struct magnetic_field {
         return ::mip_call_aiding_magnetic_field(device_, &time, frame_id, magnetic_field,
                                                 uncertainty, number(valid_flags));
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_aiding_magnetic_field_make(to_, &time, frame_id, magnetic_field, uncertainty,
                                                 number(valid_flags));
     }
@@ -314,7 +314,7 @@ struct pressure {
         return ::mip_call_aiding_pressure(device_, &time, frame_id, pressure, uncertainty,
                                           valid_flags);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_aiding_pressure_make(to_, &time, frame_id, pressure, uncertainty, valid_flags);
     }
 };

@@ -64,7 +64,7 @@ struct write_comm_speed {
     mip_result call(mip_device *device_) const {
         return ::mip_call_base_comm_speed_write(device_, port, baud);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_base_comm_speed_write(to_, port, baud);
     }
 };
@@ -78,7 +78,7 @@ struct read_comm_speed {
     mip_result call(mip_device *device_, response *to_) const {
         return ::mip_call_base_comm_speed_read(device_, port, to_);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_base_comm_speed_read(to_, port);
     }
 };
@@ -92,7 +92,7 @@ struct save_comm_speed {
     mip_result call(mip_device *device_) const {
         return ::mip_call_base_comm_speed_save(device_, port);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_base_comm_speed_save(to_, port);
     }
 };
@@ -106,7 +106,7 @@ struct load_comm_speed {
     mip_result call(mip_device *device_) const {
         return ::mip_call_base_comm_speed_load(device_, port);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_base_comm_speed_load(to_, port);
     }
 };
@@ -120,7 +120,7 @@ struct default_comm_speed {
     mip_result call(mip_device *device_) const {
         return ::mip_call_base_comm_speed_default(device_, port);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_base_comm_speed_default(to_, port);
     }
 };
@@ -136,7 +136,7 @@ struct write_gps_time_update {
         return ::mip_call_base_gps_time_update_write(
             device_, static_cast<enum mip_base_gps_time_field>(field_id), value);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_base_gps_time_update_write(
             to_, static_cast<enum mip_base_gps_time_field>(field_id), value);
     }
@@ -152,7 +152,7 @@ struct read_gps_time_update {
         return ::mip_call_base_gps_time_update_read(
             device_, static_cast<enum mip_base_gps_time_field>(field_id));
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_base_gps_time_update_read(to_,
                                                static_cast<enum mip_base_gps_time_field>(field_id));
     }
@@ -189,7 +189,7 @@ struct apply_gps_time_update {
         return ::mip_call_base_gps_time_update_apply(
             device_, static_cast<enum mip_base_gps_time_field>(field_id), value);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_base_gps_time_update_apply(
             to_, static_cast<enum mip_base_gps_time_field>(field_id), value);
     }

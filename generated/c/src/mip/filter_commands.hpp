@@ -100,7 +100,7 @@ struct set_initial_attitude {
     mip_result call(mip_device *device_) const {
         return ::mip_call_filter_set_initial_attitude(device_, roll, pitch, heading);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_filter_set_initial_attitude_make(to_, roll, pitch, heading);
     }
 };
@@ -114,7 +114,7 @@ struct set_initial_heading {
     mip_result call(mip_device *device_) const {
         return ::mip_call_filter_set_initial_heading(device_, heading);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_filter_set_initial_heading_make(to_, heading);
     }
 };
@@ -128,7 +128,7 @@ struct set_initial_attitude_from_imu {
     mip_result call(mip_device *device_) const {
         return ::mip_call_filter_set_initial_attitude_from_imu(device_, declination);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_filter_set_initial_attitude_from_imu_make(to_, declination);
     }
 };
@@ -146,7 +146,7 @@ struct write_vehicle_dynamics_mode {
         return ::mip_call_filter_vehicle_dynamics_mode_write(
             device_, static_cast<enum mip_filter_dynamics_mode>(mode));
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_filter_vehicle_dynamics_mode_write(
             to_, static_cast<enum mip_filter_dynamics_mode>(mode));
     }
@@ -182,7 +182,7 @@ struct write_sensor_to_vehicle_rotation_euler {
     mip_result call(mip_device *device_) const {
         return ::mip_call_filter_sensor_to_vehicle_euler_write(device_, roll, pitch, yaw);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_filter_sensor_to_vehicle_euler_write(to_, roll, pitch, yaw);
     }
 };
@@ -223,7 +223,7 @@ struct write_sensor_to_vehicle_offset {
     mip_result call(mip_device *device_) const {
         return ::mip_call_filter_sensor_to_vehicle_offset_write(device_, offset);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_filter_sensor_to_vehicle_offset_write(to_, offset);
     }
 };
@@ -255,7 +255,7 @@ struct write_antenna_offset {
     mip_result call(mip_device *device_) const {
         return ::mip_call_filter_antenna_offset_write(device_, offset);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_filter_antenna_offset_write(to_, offset);
     }
 };
@@ -286,7 +286,7 @@ struct write_estimation_control {
     mip_result call(mip_device *device_) const {
         return ::mip_call_filter_estimation_control_write(device_, number(flags));
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_filter_estimation_control_write(to_, number(flags));
     }
 };
@@ -318,7 +318,7 @@ struct write_gnss_source {
         return ::mip_call_filter_gnss_source_write(
             device_, static_cast<enum mip_filter_gnss_aiding_source>(source));
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_filter_gnss_source_write(
             to_, static_cast<enum mip_filter_gnss_aiding_source>(source));
     }
@@ -359,7 +359,7 @@ struct external_gnss_update {
                                                       longitude, height, velocity,
                                                       position_uncertainty, velocity_uncertainty);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_filter_external_gnss_update_make(to_, tow, week_number, latitude, longitude,
                                                       height, velocity, position_uncertainty,
                                                       velocity_uncertainty);
@@ -378,7 +378,7 @@ struct external_heading_update {
         return ::mip_call_filter_external_heading_update(
             device_, heading, heading_uncertainty, static_cast<enum mip_filter_heading_type>(type));
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_filter_external_heading_update_make(
             to_, heading, heading_uncertainty, static_cast<enum mip_filter_heading_type>(type));
     }
@@ -394,7 +394,7 @@ struct write_heading_source {
         return ::mip_call_filter_heading_source_write(
             device_, static_cast<enum mip_filter_heading_update_source>(source));
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_filter_heading_source_write(
             to_, static_cast<enum mip_filter_heading_update_source>(source));
     }
@@ -426,7 +426,7 @@ struct write_auto_initialization_control {
     mip_result call(mip_device *device_) const {
         return ::mip_call_filter_auto_initialization_control_write(device_, enable);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_filter_auto_initialization_control_write(to_, enable);
     }
 };
@@ -459,7 +459,7 @@ struct write_accel_noise {
     mip_result call(mip_device *device_) const {
         return ::mip_call_filter_accel_noise_write(device_, noise);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_filter_accel_noise_write(to_, noise);
     }
 };
@@ -490,7 +490,7 @@ struct write_gyro_noise {
     mip_result call(mip_device *device_) const {
         return ::mip_call_filter_gyro_noise_write(device_, noise);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_filter_gyro_noise_write(to_, noise);
     }
 };
@@ -521,7 +521,7 @@ struct write_accel_bias_model {
     mip_result call(mip_device *device_) const {
         return ::mip_call_filter_accel_bias_model_write(device_, beta, noise);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_filter_accel_bias_model_write(to_, beta, noise);
     }
 };
@@ -553,7 +553,7 @@ struct write_gyro_bias_model {
     mip_result call(mip_device *device_) const {
         return ::mip_call_filter_gyro_bias_model_write(device_, beta, noise);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_filter_gyro_bias_model_write(to_, beta, noise);
     }
 };
@@ -585,7 +585,7 @@ struct write_auto_zupt {
     mip_result call(mip_device *device_) const {
         return ::mip_call_filter_auto_zupt_write(device_, enable, threshold);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_filter_auto_zupt_write(to_, enable, threshold);
     }
 };
@@ -619,7 +619,7 @@ struct external_heading_update_with_time {
             device_, tow, week_number, heading, heading_uncertainty,
             static_cast<enum mip_filter_heading_type>(type));
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_filter_external_heading_update_with_time_make(
             to_, tow, week_number, heading, heading_uncertainty,
             static_cast<enum mip_filter_heading_type>(type));
@@ -636,7 +636,7 @@ struct write_auto_angular_zupt {
     mip_result call(mip_device *device_) const {
         return ::mip_call_filter_auto_angular_zupt_write(device_, enable, threshold);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_filter_auto_angular_zupt_write(to_, enable, threshold);
     }
 };
@@ -667,7 +667,7 @@ struct write_tare_orientation {
     mip_result call(mip_device *device_) const {
         return ::mip_call_filter_tare_orientation_write(device_, number(axes));
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_filter_tare_orientation_write(to_, number(axes));
     }
 };
@@ -708,7 +708,7 @@ struct write_reference_position {
         return ::mip_call_filter_reference_position_write(device_, enable, latitude, longitude,
                                                           altitude);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_filter_reference_position_write(to_, enable, latitude, longitude, altitude);
     }
 };
@@ -754,7 +754,7 @@ struct write_gravity_noise {
     mip_result call(mip_device *device_) const {
         return ::mip_call_filter_gravity_noise_write(device_, noise);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_filter_gravity_noise_write(to_, noise);
     }
 };
@@ -785,7 +785,7 @@ struct write_pressure_altitude_noise {
     mip_result call(mip_device *device_) const {
         return ::mip_call_filter_pressure_altitude_noise_write(device_, noise);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_filter_pressure_altitude_noise_write(to_, noise);
     }
 };
@@ -816,7 +816,7 @@ struct write_hard_iron_offset_noise {
     mip_result call(mip_device *device_) const {
         return ::mip_call_filter_hard_iron_offset_noise_write(device_, noise);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_filter_hard_iron_offset_noise_write(to_, noise);
     }
 };
@@ -847,7 +847,7 @@ struct write_soft_iron_matrix_noise {
     mip_result call(mip_device *device_) const {
         return ::mip_call_filter_soft_iron_matrix_noise_write(device_, noise);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_filter_soft_iron_matrix_noise_write(to_, noise);
     }
 };
@@ -878,7 +878,7 @@ struct write_enable_measurements {
     mip_result call(mip_device *device_) const {
         return ::mip_call_filter_enable_measurements_write(device_, number(control));
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_filter_enable_measurements_write(to_, number(control));
     }
 };
@@ -909,7 +909,7 @@ struct write_mag_noise {
     mip_result call(mip_device *device_) const {
         return ::mip_call_filter_mag_noise_write(device_, noise);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_filter_mag_noise_write(to_, noise);
     }
 };
@@ -939,7 +939,7 @@ struct write_magnetic_declination_source {
         return ::mip_call_filter_magnetic_declination_source_write(
             device_, static_cast<enum mip_filter_mag_parameter_source>(source), declination);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_filter_magnetic_declination_source_write(
             to_, static_cast<enum mip_filter_mag_parameter_source>(source), declination);
     }
@@ -980,7 +980,7 @@ struct write_accel_magnitude_error_adaptive_measurement {
             device_,
             static_cast<enum mip_filter_adaptive_measurement_selector>(adaptive_measurement));
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_filter_accel_magnitude_adaptive_write(
             to_, static_cast<enum mip_filter_adaptive_measurement_selector>(adaptive_measurement));
     }
@@ -1038,7 +1038,7 @@ struct write_mag_magnitude_error_adaptive_measurement {
             frequency, low_limit, high_limit, low_limit_uncertainty, high_limit_uncertainty,
             minimum_uncertainty);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_filter_mag_magnitude_adaptive_write(
             to_, static_cast<enum mip_filter_adaptive_measurement_selector>(adaptive_measurement),
             frequency, low_limit, high_limit, low_limit_uncertainty, high_limit_uncertainty,
@@ -1093,7 +1093,7 @@ struct write_mag_dip_angle_error_adaptive_measurement {
         return ::mip_call_filter_mag_dip_angle_adaptive_write(
             device_, enable, frequency, high_limit, high_limit_uncertainty, minimum_uncertainty);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_filter_mag_dip_angle_adaptive_write(
             to_, enable, frequency, high_limit, high_limit_uncertainty, minimum_uncertainty);
     }
@@ -1139,7 +1139,7 @@ struct write_altitude_aiding {
         return ::mip_call_filter_altitude_aiding_write(
             device_, static_cast<enum mip_filter_altitude_aiding_source>(selector));
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_filter_altitude_aiding_write(
             to_, static_cast<enum mip_filter_altitude_aiding_source>(selector));
     }
@@ -1172,7 +1172,7 @@ struct write_pitch_roll_aiding {
         return ::mip_call_filter_pitch_roll_aiding_write(
             device_, static_cast<enum mip_filter_pitch_roll_aiding_source>(aiding));
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_filter_pitch_roll_aiding_write(
             to_, static_cast<enum mip_filter_pitch_roll_aiding_source>(aiding));
     }
@@ -1206,7 +1206,7 @@ struct write_magnetic_inclination_source {
         return ::mip_call_filter_magnetic_inclination_source_write(
             device_, static_cast<enum mip_filter_mag_parameter_source>(source), inclination);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_filter_magnetic_inclination_source_write(
             to_, static_cast<enum mip_filter_mag_parameter_source>(source), inclination);
     }
@@ -1244,7 +1244,7 @@ struct write_magnetic_magnitude_source {
         return ::mip_call_filter_magnetic_magnitude_source_write(
             device_, static_cast<enum mip_filter_mag_parameter_source>(source), magnitude);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_filter_magnetic_magnitude_source_write(
             to_, static_cast<enum mip_filter_mag_parameter_source>(source), magnitude);
     }
@@ -1279,7 +1279,7 @@ struct write_sensor_to_vehicle_rotation_dcm {
     mip_result call(mip_device *device_) const {
         return ::mip_call_filter_sensor_to_vehicle_dcm_write(device_, dcm);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_filter_sensor_to_vehicle_dcm_write(to_, dcm);
     }
 };
@@ -1316,7 +1316,7 @@ struct write_sensor_to_vehicle_rotation_quaternion {
     mip_result call(mip_device *device_) const {
         return ::mip_call_filter_sensor_to_vehicle_quaternion_write(device_, q);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_filter_sensor_to_vehicle_quaternion_write(to_, q);
     }
 };
@@ -1363,7 +1363,7 @@ struct write_aiding_measurement_enable {
         return ::mip_call_filter_aiding_measurement_enable_write(device_, number(aiding_source),
                                                                  enable);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_filter_aiding_measurement_enable_write(to_, number(aiding_source), enable);
     }
 };
@@ -1378,7 +1378,7 @@ struct read_aiding_measurement_enable {
         return ::mip_call_filter_aiding_measurement_enable_read(device_, number(aiding_source),
                                                                 to_);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_filter_aiding_measurement_enable_read(to_, number(aiding_source));
     }
 };
@@ -1392,7 +1392,7 @@ struct save_aiding_measurement_enable {
     mip_result call(mip_device *device_) const {
         return ::mip_call_filter_aiding_measurement_enable_save(device_, number(aiding_source));
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_filter_aiding_measurement_enable_save(to_, number(aiding_source));
     }
 };
@@ -1406,7 +1406,7 @@ struct load_aiding_measurement_enable {
     mip_result call(mip_device *device_) const {
         return ::mip_call_filter_aiding_measurement_enable_load(device_, number(aiding_source));
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_filter_aiding_measurement_enable_load(to_, number(aiding_source));
     }
 };
@@ -1420,7 +1420,7 @@ struct default_aiding_measurement_enable {
     mip_result call(mip_device *device_) const {
         return ::mip_call_filter_aiding_measurement_enable_default(device_, number(aiding_source));
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_filter_aiding_measurement_enable_default(to_, number(aiding_source));
     }
 };
@@ -1439,7 +1439,7 @@ struct write_kinematic_constraint {
             static_cast<enum mip_filter_velocity_constraint>(velocity_constraint),
             static_cast<enum mip_filter_angular_constraint>(angular_constraint));
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_filter_kinematic_constraint_write(
             to_, static_cast<enum mip_filter_accel_constraint>(accel_constraint),
             static_cast<enum mip_filter_velocity_constraint>(velocity_constraint),
@@ -1486,7 +1486,7 @@ struct write_initialization_config {
             initial_position, initial_velocity,
             static_cast<enum mip_filter_reference_frame>(reference_frame_selector));
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_filter_initialization_config_write(
             to_, wait_for_run_command,
             static_cast<enum mip_filter_initial_condition_source>(initial_condition_source),
@@ -1524,7 +1524,7 @@ struct write_adaptive_filter_options {
         return ::mip_call_filter_adaptive_filter_options_write(
             device_, static_cast<enum mip_filter_adaptive_level>(level), time_limit);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_filter_adaptive_filter_options_write(
             to_, static_cast<enum mip_filter_adaptive_level>(level), time_limit);
     }
@@ -1557,7 +1557,7 @@ struct write_multi_antenna_offset {
     mip_result call(mip_device *device_) const {
         return ::mip_call_filter_multi_antenna_offset_write(device_, receiver_id, antenna_offset);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_filter_multi_antenna_offset_write(to_, receiver_id, antenna_offset);
     }
 };
@@ -1571,7 +1571,7 @@ struct read_multi_antenna_offset {
     mip_result call(mip_device *device_, response *to_) const {
         return ::mip_call_filter_multi_antenna_offset_read(device_, receiver_id, to_);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_filter_multi_antenna_offset_read(to_, receiver_id);
     }
 };
@@ -1585,7 +1585,7 @@ struct save_multi_antenna_offset {
     mip_result call(mip_device *device_) const {
         return ::mip_call_filter_multi_antenna_offset_save(device_, receiver_id);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_filter_multi_antenna_offset_save(to_, receiver_id);
     }
 };
@@ -1599,7 +1599,7 @@ struct load_multi_antenna_offset {
     mip_result call(mip_device *device_) const {
         return ::mip_call_filter_multi_antenna_offset_load(device_, receiver_id);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_filter_multi_antenna_offset_load(to_, receiver_id);
     }
 };
@@ -1613,7 +1613,7 @@ struct default_multi_antenna_offset {
     mip_result call(mip_device *device_) const {
         return ::mip_call_filter_multi_antenna_offset_default(device_, receiver_id);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_filter_multi_antenna_offset_default(to_, receiver_id);
     }
 };
@@ -1632,7 +1632,7 @@ struct write_relative_position_config {
             static_cast<enum mip_filter_reference_frame>(reference_frame_selector),
             reference_coordinates);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_filter_relative_position_config_write(
             to_, static_cast<enum mip_filter_relative_position_source>(source),
             static_cast<enum mip_filter_reference_frame>(reference_frame_selector),
@@ -1672,7 +1672,7 @@ struct write_reference_point_lever_arm {
             device_, static_cast<enum mip_filter_reference_point>(reference_point),
             lever_arm_offset);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_filter_reference_point_lever_arm_write(
             to_, static_cast<enum mip_filter_reference_point>(reference_point), lever_arm_offset);
     }
@@ -1707,7 +1707,7 @@ struct speed_measurement {
     mip_result call(mip_device *device_) const {
         return ::mip_call_filter_speed_measurement(device_, tow, speed, speed_uncertainty);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_filter_speed_measurement_make(to_, tow, speed, speed_uncertainty);
     }
 };
@@ -1721,7 +1721,7 @@ struct write_speed_lever_arm {
     mip_result call(mip_device *device_) const {
         return ::mip_call_filter_speed_lever_arm_write(device_, lever_arm_offset);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_filter_speed_lever_arm_write(to_, lever_arm_offset);
     }
 };
@@ -1734,7 +1734,7 @@ struct read_speed_lever_arm {
     mip_result call(mip_device *device_, response *to_) const {
         return ::mip_call_filter_speed_lever_arm_read(device_, to_);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_filter_speed_lever_arm_read(to_);
     }
 };
@@ -1747,7 +1747,7 @@ struct save_speed_lever_arm {
     mip_result call(mip_device *device_) const {
         return ::mip_call_filter_speed_lever_arm_save(device_);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_filter_speed_lever_arm_save(to_);
     }
 };
@@ -1760,7 +1760,7 @@ struct load_speed_lever_arm {
     mip_result call(mip_device *device_) const {
         return ::mip_call_filter_speed_lever_arm_load(device_);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_filter_speed_lever_arm_load(to_);
     }
 };
@@ -1773,7 +1773,7 @@ struct default_speed_lever_arm {
     mip_result call(mip_device *device_) const {
         return ::mip_call_filter_speed_lever_arm_default(device_);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_filter_speed_lever_arm_default(to_);
     }
 };
@@ -1787,7 +1787,7 @@ struct write_vertical_gyro_constraint_control {
     mip_result call(mip_device *device_) const {
         return ::mip_call_filter_vertical_gyro_constraint_write(device_, enable);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_filter_vertical_gyro_constraint_write(to_, enable);
     }
 };
@@ -1819,7 +1819,7 @@ struct write_wheeled_vehicle_constraint_control {
     mip_result call(mip_device *device_) const {
         return ::mip_call_filter_wheeled_vehicle_constraint_write(device_, enable);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_filter_wheeled_vehicle_constraint_write(to_, enable);
     }
 };
@@ -1853,7 +1853,7 @@ struct write_gnss_antenna_calibration_control {
     mip_result call(mip_device *device_) const {
         return ::mip_call_filter_gnss_antenna_calibration_write(device_, enable, max_offset);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_filter_gnss_antenna_calibration_write(to_, enable, max_offset);
     }
 };

@@ -38,7 +38,7 @@ struct write_signal_config {
                                                    number(glonass_enable), number(galileo_enable),
                                                    number(beidou_enable));
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_gnss_signal_config_write(to_, number(gps_enable), number(glonass_enable),
                                               number(galileo_enable), number(beidou_enable));
     }
@@ -73,7 +73,7 @@ struct receiver_reset {
             device_, static_cast<enum mip_gnss_receiver_id>(receiver_id),
             static_cast<enum mip_gnss_receiver_reset_type>(reset_type));
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_gnss_receiver_reset_make(
             to_, static_cast<enum mip_gnss_receiver_id>(receiver_id),
             static_cast<enum mip_gnss_receiver_reset_type>(reset_type));
@@ -90,7 +90,7 @@ struct write_rtk_config {
         return ::mip_call_gnss_rtk_config_write(
             device_, static_cast<enum mip_gnss_ambiguity_fix_mode>(ambiguity_fix_mode));
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_gnss_rtk_config_write(
             to_, static_cast<enum mip_gnss_ambiguity_fix_mode>(ambiguity_fix_mode));
     }
@@ -119,7 +119,7 @@ struct write_rtk_dongle_config {
     mip_result call(mip_device *device_) const {
         return ::mip_call_gnss_rtk_dongle_config_write(device_, enable);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_gnss_rtk_dongle_config_write(to_, enable);
     }
 };
@@ -159,7 +159,7 @@ struct write_spartn_config {
             device_, enable, static_cast<enum mip_gnss_spartn_connection>(type), current_key_tow,
             current_key_week, current_key, next_key_tow, next_key_week, next_key);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_gnss_spartn_config_write(
             to_, enable, static_cast<enum mip_gnss_spartn_connection>(type), current_key_tow,
             current_key_week, current_key, next_key_tow, next_key_week, next_key);

@@ -52,7 +52,7 @@ struct write_connected_device_type {
         return ::mip_call_rtk_connected_device_type_write(
             device_, static_cast<enum mip_rtk_connected_device>(device_type));
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_rtk_connected_device_type_write(
             to_, static_cast<enum mip_rtk_connected_device>(device_type));
     }
@@ -97,7 +97,7 @@ struct erase_storage {
         return ::mip_call_rtk_erase_storage(device_,
                                             static_cast<enum mip_rtk_storage_medium>(media));
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_rtk_erase_storage_make(to_, static_cast<enum mip_rtk_storage_medium>(media));
     }
 };
@@ -115,7 +115,7 @@ struct led_control {
         return ::mip_call_rtk_led_control(device_, primary_color, alternate_color,
                                           static_cast<enum mip_rtk_led_action>(action), period);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_rtk_led_control_make(to_, primary_color, alternate_color,
                                           static_cast<enum mip_rtk_led_action>(action), period);
     }

@@ -29,7 +29,7 @@ struct write_interface_control {
             device_, static_cast<enum mip_comm_interface>(port), number(protocols_incoming),
             number(protocols_outgoing));
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_system_interface_control_write(to_, static_cast<enum mip_comm_interface>(port),
                                                     number(protocols_incoming),
                                                     number(protocols_outgoing));
@@ -46,7 +46,7 @@ struct read_interface_control {
         return ::mip_call_system_interface_control_read(
             device_, static_cast<enum mip_comm_interface>(port), to_);
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_system_interface_control_read(to_, static_cast<enum mip_comm_interface>(port));
     }
 };
@@ -61,7 +61,7 @@ struct save_interface_control {
         return ::mip_call_system_interface_control_save(device_,
                                                         static_cast<enum mip_comm_interface>(port));
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_system_interface_control_save(to_, static_cast<enum mip_comm_interface>(port));
     }
 };
@@ -76,7 +76,7 @@ struct load_interface_control {
         return ::mip_call_system_interface_control_load(device_,
                                                         static_cast<enum mip_comm_interface>(port));
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_system_interface_control_load(to_, static_cast<enum mip_comm_interface>(port));
     }
 };
@@ -91,7 +91,7 @@ struct default_interface_control {
         return ::mip_call_system_interface_control_default(
             device_, static_cast<enum mip_comm_interface>(port));
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_system_interface_control_default(to_,
                                                       static_cast<enum mip_comm_interface>(port));
     }
@@ -107,7 +107,7 @@ struct write_comm_mode {
         return ::mip_call_system_comm_mode_write(device_,
                                                  static_cast<enum mip_system_protocol_mode>(mode));
     }
-    const command *fill(command *to) const {
+    const command *fill(command *to_) const {
         return ::mip_system_comm_mode_write(to_, static_cast<enum mip_system_protocol_mode>(mode));
     }
 };
