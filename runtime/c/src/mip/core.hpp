@@ -293,9 +293,9 @@ struct field : mip_field {
     }
     /** Its value, if it is of this type. */
     template <MIP_LAYOUT_TYPE T> std::optional<T> as() const {
-        std::optional<T> value;
-        if (descriptor == traits<T>::descriptor && decode(value.emplace()) != MIP_OK) {
-            value.reset();
+        T value;
+        if (descriptor != traits<T>::descriptor || decode(value) != MIP_OK) {
+            return std::nullopt;
         }
         return value;
     }
@@ -324,16 +324,14 @@ struct packet : mip_packet {
         using value_type = field;
         using difference_type = std::ptrdiff_t;
         using pointer = const field *;
-        using reference = const field &;
+        using reference = field;
 
         explicit iterator(const mip_packet &packet) : walk_(mip_walk_packet(&packet)) {
             ++*this;
         }
-        const field &operator*() const {
+        /* By value, so that the compiler keeps the walk in registers. */
+        field operator*() const {
             return field_;
-        }
-        const field *operator->() const {
-            return &field_;
         }
         iterator &operator++() {
             more_ = mip_walk_next(&walk_, &field_);
