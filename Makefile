@@ -167,7 +167,7 @@ bench: tools $(VENV)/all.stamp ## measure size and speed; README=1 writes the ta
 .PHONY: conformance-driver
 conformance-driver: $(VENV)/generator.stamp ## build a driver and print its command: make -s conformance-driver TARGET=c
 	@test -x tests/$(TARGET)/build_driver.sh || { echo "make: TARGET must be one of: $(patsubst tests/%/build_driver.sh,%,$(wildcard tests/*/build_driver.sh))" >&2; exit 1; }
-	@PYTHON=$(abspath $(RUN)) tests/$(TARGET)/build_driver.sh $(OUT)/$(TARGET) $(BUILD)/driver-$(TARGET)
+	@PYTHON=$(abspath $(RUN)) tests/$(TARGET)/build_driver.sh $(OUT)/$(patsubst cpp,c,$(TARGET)) $(BUILD)/driver-$(TARGET)
 
 # ----------------------------------------------------------------- tools and dirt
 

@@ -4,12 +4,12 @@ include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/mip)
 
-install(TARGETS mip_protocol EXPORT mipTargets
+install(TARGETS mip_protocol mip_protocol_cpp EXPORT mipTargets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
   RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR}
   INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-install(DIRECTORY ${MIP_FOLDER}/src/mip DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
+install(DIRECTORY ${MIP_FOLDER}/src/mip DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h" PATTERN "*.hpp")
 install(EXPORT mipTargets NAMESPACE mip:: DESTINATION ${package})
 
 configure_package_config_file(${MIP_FOLDER}/cmake/mipConfig.cmake.in mipConfig.cmake INSTALL_DESTINATION ${package})
