@@ -188,7 +188,7 @@ MIP_LAYOUT(mip_3dm_low_pass_filter_response, MIP_3DM_LOW_PASS_FILTER_RESPONSE,
            MIP_3DM_LOW_PASS_FILTER_RESPONSE)
 
 /** 3DM */
-inline constexpr std::uint8_t n3dm_set = MIP_3DM_SET;
+inline constexpr std::uint8_t mip_3dm_set = MIP_3DM_SET;
 
 namespace mip_3dm {
 
@@ -200,6 +200,9 @@ using ::mip::operator|=;
 using ::mip::operator&=;
 using ::mip::operator^=;
 using ::mip::operator<<;
+using ::mip::get;
+using ::mip::has;
+using ::mip::to_string;
 
 /** mip_3dm_poll_entry */
 using poll_entry = ::mip_3dm_poll_entry;

@@ -41,6 +41,9 @@ using ::mip::operator|=;
 using ::mip::operator&=;
 using ::mip::operator^=;
 using ::mip::operator<<;
+using ::mip::get;
+using ::mip::has;
+using ::mip::to_string;
 
 /** mip_aiding_frame_format: aiding.aiding_frame_format */
 enum class frame_format : uint8_t {

@@ -54,6 +54,9 @@ using ::mip::operator|=;
 using ::mip::operator&=;
 using ::mip::operator^=;
 using ::mip::operator<<;
+using ::mip::get;
+using ::mip::has;
+using ::mip::to_string;
 
 /** mip_base_device_info */
 using device_info = ::mip_base_device_info;

@@ -38,7 +38,9 @@ namespace mip {
  * descriptor sets; `descriptor`; `name`, that of the specification; and `codec()`. Headers of
  * descriptor sets specialize it for each structure of C; types derived from one have the same.
  */
-template <class T> struct traits : traits<typename T::c_type> {};
+template <class T, class = void> struct traits;
+template <class T>
+struct traits<T, std::void_t<typename T::c_type>> : traits<typename T::c_type> {};
 
 /** Says so for a structure of C. */
 #define MIP_LAYOUT(type, constant, number)                                \
@@ -578,7 +580,7 @@ class builder {
 
     /** Adds a field, or a command such as `write_...{}`. What is refused leaves the packet as it
      * was. */
-    template <class T> mip_error add(const T &value) {
+    template <class T> [[nodiscard]] mip_error add(const T &value) {
         if constexpr (is_command<T>::value) {
             typename T::command command;
             const typename T::command *filled = value.fill(&command);
@@ -589,7 +591,7 @@ class builder {
         }
     }
     /** Adds a field from its bytes. */
-    mip_error add(std::uint8_t descriptor, bytes data) {
+    [[nodiscard]] mip_error add(std::uint8_t descriptor, bytes data) {
         return mip_builder_add(&builder_, descriptor, data.data(), data.size());
     }
     /** The first error of starting the packet or adding to it; MIP_OK if there was none. */

@@ -28,6 +28,9 @@ using ::mip::operator|=;
 using ::mip::operator&=;
 using ::mip::operator^=;
 using ::mip::operator<<;
+using ::mip::get;
+using ::mip::has;
+using ::mip::to_string;
 
 /** Raw displacement. See struct mip_displacement_data_displacement_raw. */
 using displacement_raw = ::mip_displacement_data_displacement_raw;

@@ -215,6 +215,9 @@ using ::mip::operator|=;
 using ::mip::operator&=;
 using ::mip::operator^=;
 using ::mip::operator<<;
+using ::mip::get;
+using ::mip::has;
+using ::mip::to_string;
 
 /** mip_filter_dynamics_mode: filter.dynamics_mode */
 enum class dynamics_mode : uint8_t {

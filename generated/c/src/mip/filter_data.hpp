@@ -133,6 +133,9 @@ using ::mip::operator|=;
 using ::mip::operator&=;
 using ::mip::operator^=;
 using ::mip::operator<<;
+using ::mip::get;
+using ::mip::has;
+using ::mip::to_string;
 
 /** mip_filter_data_valid_flags: filter_data.valid_flags */
 enum class valid_flags : uint16_t {

@@ -39,6 +39,9 @@ using ::mip::operator|=;
 using ::mip::operator&=;
 using ::mip::operator^=;
 using ::mip::operator<<;
+using ::mip::get;
+using ::mip::has;
+using ::mip::to_string;
 
 /** mip_gnss_receiver_info_entry */
 using receiver_info_entry = ::mip_gnss_receiver_info_entry;

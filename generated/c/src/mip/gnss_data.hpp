@@ -65,6 +65,9 @@ using ::mip::operator|=;
 using ::mip::operator&=;
 using ::mip::operator^=;
 using ::mip::operator<<;
+using ::mip::get;
+using ::mip::has;
+using ::mip::to_string;
 
 /** mip_gnss_data_llh_position_flags: gnss_data.llh_position_flags */
 enum class llh_position_flags : uint16_t {

@@ -52,6 +52,9 @@ using ::mip::operator|=;
 using ::mip::operator&=;
 using ::mip::operator^=;
 using ::mip::operator<<;
+using ::mip::get;
+using ::mip::has;
+using ::mip::to_string;
 
 /** mip_rtk_connected_device: rtk.connected_device */
 enum class connected_device : uint8_t {

@@ -54,6 +54,9 @@ using ::mip::operator|=;
 using ::mip::operator&=;
 using ::mip::operator^=;
 using ::mip::operator<<;
+using ::mip::get;
+using ::mip::has;
+using ::mip::to_string;
 
 /** mip_sensor_overrange_flags: sensor.overrange_flags */
 enum class overrange_flags : uint16_t {

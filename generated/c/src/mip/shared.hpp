@@ -37,6 +37,9 @@ using ::mip::operator|=;
 using ::mip::operator&=;
 using ::mip::operator^=;
 using ::mip::operator<<;
+using ::mip::get;
+using ::mip::has;
+using ::mip::to_string;
 
 /** mip_shared_gps_timestamp_flags: shared.gps_timestamp_flags */
 enum class gps_timestamp_flags : uint16_t {

@@ -30,6 +30,9 @@ using ::mip::operator|=;
 using ::mip::operator&=;
 using ::mip::operator^=;
 using ::mip::operator<<;
+using ::mip::get;
+using ::mip::has;
+using ::mip::to_string;
 
 /** mip_system_comm_protocols: system.comm_protocols */
 enum class comm_protocols : uint32_t {

@@ -31,6 +31,9 @@ using ::mip::operator|=;
 using ::mip::operator&=;
 using ::mip::operator^=;
 using ::mip::operator<<;
+using ::mip::get;
+using ::mip::has;
+using ::mip::to_string;
 
 /** mip_system_data_gpio_pin_states: system_data.gpio_pin_states */
 enum class gpio_pin_states : uint8_t {

@@ -19,7 +19,7 @@ from .identifiers import identifiers
 from .names import GRAMMAR
 
 #: Programs for several kinds of systems. Arduino's IDE wants each in a folder of its name.
-EXAMPLES = ("posix.c", "bare_metal.c", "cplusplus.cpp", "arduino/arduino.ino")
+EXAMPLES = ("posix.c", "bare_metal.c", "node.cpp", "autopilot.cpp", "log.cpp", "arduino/arduino.ino")
 
 
 def files(model: m.Model) -> Iterator[File]:
@@ -37,6 +37,7 @@ def files(model: m.Model) -> Iterator[File]:
         if example := model.program(name.rpartition("/")[2]):
             yield File(f"examples/{name}", "verbatim.j2", {"text": example})
     shown = {name: model.program(f"{name}.c").rstrip() for name in ("device", "client", "present", "receivers")}
+    shown |= {name: model.program(f"{name}.cpp").rstrip() for name in ("cpp", "cpp_stream")}
     shown |= {"vendor_sdk": model.program("vendor_sdk.md").rstrip(), "bench": model.program("bench_c.md").rstrip()}
     shown["bench_peer"] = model.program("bench_c_peer.md").rstrip()
     shown["quickstart"] = quickstart.partition("*/\n")[2].rstrip()

@@ -212,7 +212,7 @@ def identifiers(model: m.Model) -> Iterator[Identifier]:
         yield from _of_type(t, "namespace mip")
     yield Identifier("namespace mip", bare(model.protocol.acknowledge), "the acknowledge", None)
     for s in model.sets:
-        yield Identifier("namespace mip", f"{word(s.name)}_set", f"set {s.name}", s.position)
+        yield Identifier("namespace mip", f"{namespace(s.name)}_set", f"set {s.name}", s.position)
     for x in model.families:
         yield Identifier("namespace mip", namespace(x.name), f"set {x.name}", x.position)
         scope = f"namespace mip::{namespace(x.name)}"
