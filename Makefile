@@ -139,7 +139,7 @@ check: $(BUILD)/biome/stamp tools-check $(VENV)/development.stamp ## validate, c
 	@PYTHONPATH=generator $(VENV)/bin/lint-imports --no-logo --no-cache >$(BUILD)/imports.txt || { cat $(BUILD)/imports.txt; false; }
 	@cd $(OUT)/python && $(abspath $(VENV))/bin/mypy --no-error-summary mip_protocol
 	@cd tools && $(abspath $(VENV))/bin/mypy --no-error-summary
-	@find $(OUT)/c runtime/c tests/c tests/cross \( -name '*.c' -o -name '*.h' \) -print0 | xargs -0 $(VENV)/bin/clang-format --dry-run -Werror
+	@find $(OUT)/c runtime/c tests/c tests/cross \( -name '*.c' -o -name '*.h' -o -name '*.hpp' \) -print0 | xargs -0 $(VENV)/bin/clang-format --dry-run -Werror
 	@find $(OUT)/rust/src tests/rust -name '*.rs' -not -path '*/target/*' -print0 | xargs -0 rustfmt --check --edition 2021 --config-path $(OUT)/rust
 	@if command -v npm >/dev/null 2>&1; then $(BIOME) check --error-on-warnings --log-level=warn .; fi
 	@echo "checked: specification, generated files, ruff, mypy, imports, clang-format, rustfmt$$(command -v npm >/dev/null 2>&1 && echo ', biome; nothing was left out' || echo '; left out: biome (JavaScript), which needs npm (Debian: apt-get install npm)')"

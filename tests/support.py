@@ -87,7 +87,9 @@ def offering(*operations: str) -> list[Any]:
 
 def needed(target: str) -> str:
     """What `make test` leaves the driver of a target out for: tools of `make test-all`, or a missing program."""
-    of = SOURCES[WITHIN.get(target, target)].load()
+    if target == "cpp":
+        return "" if shutil.which("g++") else "g++"
+    of = SOURCES[target].load()
     return of.needs or (of.program if of.program and shutil.which(of.program) is None else "")
 
 

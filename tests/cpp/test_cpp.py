@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import shutil
 import struct
 import subprocess
 from pathlib import Path
@@ -14,6 +15,8 @@ from support import PATIENCE, ROOT, SPECS, heavy, model, need, simulated
 
 HERE = Path(__file__).parent
 EXAMPLES = folder("real") / "examples"
+if shutil.which("g++") is None:
+    pytestmark = heavy("g++")
 BARE = ["-fno-exceptions", "-fno-rtti"]
 both = pytest.mark.parametrize("spec", sorted(SPECS))
 compilers = pytest.mark.parametrize(

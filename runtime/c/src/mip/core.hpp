@@ -30,7 +30,8 @@
 
 namespace mip {
 
-/* --------------------------------------------------------------------------------------- layouts */
+/* --------------------------------------------------------------------------------------- layouts
+ */
 
 /**
  * What is known of a layout: `key`, as mip_field_key gives it, or 0 if the layout occurs in several
@@ -42,15 +43,15 @@ template <class T>
 struct traits<T, std::void_t<typename T::c_type>> : traits<typename T::c_type> {};
 
 /** Says so for a structure of C. */
-#define MIP_LAYOUT(type, constant, number)                                                         \
-    template <> struct traits<::type> {                                                            \
-        using c_type = ::type;                                                                     \
-        static constexpr std::uint16_t key = number;                                               \
-        static constexpr std::uint8_t descriptor = constant##_DESCRIPTOR;                          \
-        static constexpr std::string_view name = constant##_NAME;                                  \
-        static const mip_codec &codec() {                                                          \
-            return ::type##_codec;                                                                 \
-        }                                                                                          \
+#define MIP_LAYOUT(type, constant, number)                                \
+    template <> struct traits<::type> {                                   \
+        using c_type = ::type;                                            \
+        static constexpr std::uint16_t key = number;                      \
+        static constexpr std::uint8_t descriptor = constant##_DESCRIPTOR; \
+        static constexpr std::string_view name = constant##_NAME;         \
+        static const mip_codec &codec() {                                 \
+            return ::type##_codec;                                        \
+        }                                                                 \
     };
 
 /** The descriptor of a layout: `{mip::descriptor<mip::..._data::...>, decimation}`. */
@@ -69,7 +70,8 @@ concept layout = requires { traits<T>::codec(); };
 #define MIP_LAYOUT_TYPE class
 #endif
 
-/* ----------------------------------------------------------------------------------------- spans */
+/* ----------------------------------------------------------------------------------------- spans
+ */
 
 /** Elements in memory of somebody else, in place of a pointer and a count. */
 template <class T> class span {
@@ -122,7 +124,8 @@ template <std::size_t Size> std::string_view text(const char (&characters)[Size]
     return {characters, end != nullptr ? static_cast<std::size_t>(end - characters) : Size};
 }
 
-/* ------------------------------------------------------------------------- enumerations and flags */
+/* ------------------------------------------------------------------------- enumerations and flags
+ */
 
 /* Enumerations and bitfields are `enum class`. What names_of returns says which of them a type is,
  * and where its names are. */
@@ -232,7 +235,8 @@ template <class E, class = detail::if_value<E>> std::string_view to_string(E val
 template <class E, class = detail::if_flags<E>, class = void> std::string_view to_string(E flag) {
     const mip_names &names = names_of(flag).table;
     for (std::size_t i = 0; i < names.count; i++) {
-        const std::uint64_t mask = (~UINT64_C(0) >> (64 - names.bits[i].width)) << names.bits[i].first;
+        const std::uint64_t mask = (~UINT64_C(0) >> (64 - names.bits[i].width))
+                                   << names.bits[i].first;
         if (mask == number(flag)) {
             return mip_names_label(&names, i);
         }
@@ -303,8 +307,7 @@ struct field : mip_field {
     }
     /** Decodes it. If it is not of this type or too short, `value` is zeroed. `trailing` receives
      * the number of bytes after the last known parameter. */
-    template <MIP_LAYOUT_TYPE T>
-    mip_error decode(T &value, std::size_t *trailing = nullptr) const {
+    template <MIP_LAYOUT_TYPE T> mip_error decode(T &value, std::size_t *trailing = nullptr) const {
         c_type<T> &to = value;
         return mip_decode(&traits<T>::codec(), &to, this, trailing);
     }
@@ -376,7 +379,8 @@ struct packet : mip_packet {
     }
 };
 
-/* ---------------------------------------------------------------------------------------- streams */
+/* ---------------------------------------------------------------------------------------- streams
+ */
 
 /** The packets in a piece of a stream; of the last piece, those behind its first bytes, too. */
 template <bool Last> class packet_range {
@@ -489,7 +493,8 @@ class packets {
     packet_range<true> range_;
 };
 
-/* --------------------------------------------------------------------------------------- dispatch */
+/* --------------------------------------------------------------------------------------- dispatch
+ */
 
 namespace detail {
 
@@ -500,12 +505,14 @@ template <class R, class T, class... More> T first_parameter(R (*)(T, More...));
 template <class F, class = void> struct handled {
     using type = decltype(first_parameter(&F::operator()));
 };
-template <class F> struct handled<F, std::enable_if_t<std::is_function_v<std::remove_pointer_t<F>>>> {
+template <class F>
+struct handled<F, std::enable_if_t<std::is_function_v<std::remove_pointer_t<F>>>> {
     using type = decltype(first_parameter(std::declval<F>()));
 };
 /** The type that a handler's first parameter names. */
 template <class F>
-using handled_by = std::remove_cv_t<std::remove_reference_t<typename handled<std::decay_t<F>>::type>>;
+using handled_by =
+    std::remove_cv_t<std::remove_reference_t<typename handled<std::decay_t<F>>::type>>;
 
 /** Calls a handler with as much as it takes: the value, the field, the time. */
 template <class F, class T, class... More>
@@ -559,7 +566,8 @@ template <class... Handlers> void dispatch(const packet &from, Handlers &&...han
     }
 }
 
-/* ---------------------------------------------------------------------------------------- builder */
+/* ---------------------------------------------------------------------------------------- builder
+ */
 
 /** Builds a packet. */
 class builder {
@@ -597,8 +605,7 @@ class builder {
 
   private:
     template <class T, class = void> struct is_command : std::false_type {};
-    template <class T>
-    struct is_command<T, std::void_t<typename T::command>> : std::true_type {};
+    template <class T> struct is_command<T, std::void_t<typename T::command>> : std::true_type {};
 
     mip_builder builder_;
     std::uint8_t buffer_[MIP_MAX_PACKET];

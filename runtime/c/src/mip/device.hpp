@@ -78,8 +78,7 @@ template <> class [[nodiscard]] result<void> {
 /** The outcome of a command with a response, which is zeroed if there is none. */
 template <class Response> class [[nodiscard]] result : public result<void> {
   public:
-    result(const mip_result &of, const Response &response)
-        : result<void>(of), response_(response) {
+    result(const mip_result &of, const Response &response) : result<void>(of), response_(response) {
     }
     const Response &operator*() const {
         return response_;
@@ -100,21 +99,22 @@ auto operator<<(Stream &out, const result<Response> &of)
     return of.reason().empty() ? out : static_cast<Stream &>(out << ", " << of.reason());
 }
 
-/* --------------------------------------------------------------------------------------- commands */
+/* --------------------------------------------------------------------------------------- commands
+ */
 
 /** How the command is answered whose structure of C is given; headers of commands specialize it. */
 template <class Command> struct exchange;
 
 /** Says so for a structure. */
-#define MIP_COMMAND_OF(type, answer)                                                               \
-    template <> struct exchange<::type> {                                                          \
-        using response = answer;                                                                   \
-        static const mip_exchange &answers() {                                                     \
-            return ::type##_exchange;                                                              \
-        }                                                                                          \
-        static const mip_command &command() {                                                      \
-            return ::type##_command;                                                               \
-        }                                                                                          \
+#define MIP_COMMAND_OF(type, answer)           \
+    template <> struct exchange<::type> {      \
+        using response = answer;               \
+        static const mip_exchange &answers() { \
+            return ::type##_exchange;          \
+        }                                      \
+        static const mip_command &command() {  \
+            return ::type##_command;           \
+        }                                      \
     };
 
 /** A command whose data is always the same: nothing, or the function selector. */
@@ -145,7 +145,8 @@ template <class Command, class Response, std::uint8_t... Function> struct fixed_
     }
 };
 
-/* ----------------------------------------------------------------------------------------- ports */
+/* ----------------------------------------------------------------------------------------- ports
+ */
 
 #ifdef __cpp_lib_concepts
 /** A way to the device, and a clock. */
@@ -178,13 +179,12 @@ template <MIP_PORT_TYPE Port> mip_port port_of(Port &port) {
             [](void *user, const std::uint8_t *from, std::size_t size) {
                 return static_cast<bool>(static_cast<Port *>(user)->write(bytes(from, size)));
             },
-            [](void *user) {
-                return static_cast<std::uint32_t>(static_cast<Port *>(user)->now());
-            },
+            [](void *user) { return static_cast<std::uint32_t>(static_cast<Port *>(user)->now()); },
             &port};
 }
 
-/* ---------------------------------------------------------------------------------------- devices */
+/* ---------------------------------------------------------------------------------------- devices
+ */
 
 /**
  * A device at a port. It has room for so many handlers, and does not move, because C holds
