@@ -229,18 +229,20 @@ def test_programs_in_cpp(manual: Manual, generated: Path, tmp_path: Path) -> Non
             ]
         end = 'if (done) printf("%s done\\n", name);'
         calls += [f"{{ name = {what}; done = false; {x} {end} }}" for x in given]
-    source = tmp_path / "programs.cpp"
-    head = re.sub(r"static bool take.*", "", C_HEAD, flags=re.S)
     main = ["int main() {", "uint8_t buffer[MIP_MAX_PACKET];", *calls, "return 0; }"]
-    source.write_text("\n".join([*sorted(includes), head, CPP_HEAD, *functions, *main]), "utf-8")
-    sources = sorted((generated / "c/src/mip").glob("*.c"))
-    (tmp_path / "c").mkdir()
-    for x in sources:
-        run(need("cc"), "-std=c99", "-O0", f"-I{generated}/c/src", "-c", x, "-o", tmp_path / f"c/{x.stem}.o")
-    objects = sorted((tmp_path / "c").glob("*.o"))
-    flags = ["-std=c++20", "-O0", "-Wall", "-Wpedantic", "-Werror", "-Wno-unused"]
-    run(need("g++"), *flags, f"-I{generated}/c/src", source, *objects, "-o", tmp_path / "programs")
-    check(manual, run(tmp_path / "programs"))
+    check(manual, said_in_cpp(generated, tmp_path, includes, [*functions, *main]))
+
+
+def said_in_cpp(generated: Path, where: Path, includes: set[str], lines: list[str]) -> str:
+    """What a program prints that has the port and the device of CPP_HEAD."""
+    for x in sorted((generated / "c/src/mip").glob("*.c")):
+        run(need("cc"), "-std=c99", "-O0", f"-I{generated}/c/src", "-c", x, "-o", where / f"{x.stem}.o")
+    head = re.sub(r"static bool take.*", "", C_HEAD, flags=re.S)
+    source = where / "programs.cpp"
+    source.write_text("\n".join([*sorted(includes), head, CPP_HEAD, *lines]), "utf-8")
+    flags = ["-std=c++20", "-O0", "-Wall", "-Wpedantic", "-Werror", "-Wno-unused", f"-I{generated}/c/src"]
+    run(need("g++"), *flags, source, *sorted(where.glob("*.o")), "-o", where / "programs")
+    return run(where / "programs")
 
 
 # --------------------------------------------------------------------------- Python
