@@ -139,7 +139,7 @@ check: $(BUILD)/biome/stamp tools-check $(VENV)/development.stamp ## validate, c
 	@PYTHONPATH=generator $(VENV)/bin/lint-imports --no-logo --no-cache >$(BUILD)/imports.txt || { cat $(BUILD)/imports.txt; false; }
 	@cd $(OUT)/python && $(abspath $(VENV))/bin/mypy --no-error-summary mip_protocol
 	@cd tools && $(abspath $(VENV))/bin/mypy --no-error-summary
-	@find $(OUT)/c runtime/c tests/c tests/cross \( -name '*.c' -o -name '*.h' \) -print0 | xargs -0 $(VENV)/bin/clang-format --dry-run -Werror
+	@find $(OUT)/c runtime/c tests/c tests/cross \( -name '*.c' -o -name '*.h' -o -name '*.hpp' \) -print0 | xargs -0 $(VENV)/bin/clang-format --dry-run -Werror
 	@find $(OUT)/rust/src tests/rust -name '*.rs' -not -path '*/target/*' -print0 | xargs -0 rustfmt --check --edition 2021 --config-path $(OUT)/rust
 	@if command -v npm >/dev/null 2>&1; then $(BIOME) check --error-on-warnings --log-level=warn .; fi
 	@echo "checked: specification, generated files, ruff, mypy, imports, clang-format, rustfmt$$(command -v npm >/dev/null 2>&1 && echo ', biome; nothing was left out' || echo '; left out: biome (JavaScript), which needs npm (Debian: apt-get install npm)')"
@@ -167,7 +167,7 @@ bench: tools $(VENV)/all.stamp ## measure size and speed; README=1 writes the ta
 .PHONY: conformance-driver
 conformance-driver: $(VENV)/generator.stamp ## build a driver and print its command: make -s conformance-driver TARGET=c
 	@test -x tests/$(TARGET)/build_driver.sh || { echo "make: TARGET must be one of: $(patsubst tests/%/build_driver.sh,%,$(wildcard tests/*/build_driver.sh))" >&2; exit 1; }
-	@PYTHON=$(abspath $(RUN)) tests/$(TARGET)/build_driver.sh $(OUT)/$(TARGET) $(BUILD)/driver-$(TARGET)
+	@PYTHON=$(abspath $(RUN)) tests/$(TARGET)/build_driver.sh $(OUT)/$(patsubst cpp,c,$(TARGET)) $(BUILD)/driver-$(TARGET)
 
 # ----------------------------------------------------------------- tools and dirt
 

@@ -41,6 +41,10 @@ OFFERS: dict[str, tuple[str, ...]] = {
     name: operations for name, s in SOURCES.items() if (operations := s.load().conformance)
 }
 
+#: What has a driver and is no target: it is part of the output of another one.
+WITHIN = {"cpp": "c"}
+OFFERS["cpp"] = ("parse", "decode", "encode")
+
 #: Specification -> where it is and where its output is: the committed one, or what `generate_invented` has made.
 SPECS = {
     "real": (ROOT / "spec", ROOT / "generated"),
@@ -83,6 +87,8 @@ def offering(*operations: str) -> list[Any]:
 
 def needed(target: str) -> str:
     """What `make test` leaves the driver of a target out for: tools of `make test-all`, or a missing program."""
+    if target == "cpp":
+        return "" if shutil.which("g++") else "g++"
     of = SOURCES[target].load()
     return of.needs or (of.program if of.program and shutil.which(of.program) is None else "")
 
@@ -208,12 +214,13 @@ def locked(folder: Path) -> Iterator[None]:
 
 def build_script(language: str) -> Path:
     """What builds the driver of a target: in tests/ for ours, beside its target.py for another."""
-    module = SOURCES[language].module
+    module = None if language in WITHIN else SOURCES[language].module
     return (module.parent if module else ROOT / "tests" / language) / "build_driver.sh"
 
 
 def output(language: str, spec: str) -> Path:
     """What a target makes of a specification: committed for ours, made now for another."""
+    language = WITHIN.get(language, language)
     module = SOURCES[language].module
     if module is None:
         return SPECS[spec][1] / language
@@ -226,13 +233,13 @@ def output(language: str, spec: str) -> Path:
 
 @cache
 def driver(language: str, spec: str) -> Driver:
-    """The driver of a language for a specification's output; C runs under the sanitizers."""
+    """The driver of a language for a specification's output; C and C++ run under the sanitizers."""
     environment = {"PYTHON": os.environ.get("PYTHON", "") or need("python3")}
-    if language == "c":
+    if language in ("c", "cpp"):
         import c_build  # it needs this module itself
 
         environment |= {"MIP_SANITIZE": "1", "ASAN_OPTIONS": "detect_leaks=0", "UBSAN_OPTIONS": "halt_on_error=1"}
-        if SOURCES[language].ours:
+        if SOURCES["c"].ours:
             environment["MIP_LIBRARY"] = str(c_build.archive(spec, "cc", *c_build.SANITIZED))
     if language == "rust":  # optimizing takes longer than all tests
         environment |= {"CARGO_PROFILE_RELEASE_OPT_LEVEL": "0"}

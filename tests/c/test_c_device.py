@@ -16,7 +16,7 @@ from mipgen import model as m
 from mipgen.lower import codec
 from mipgen.targets.c import calls, members, names
 from spec_defaults import filled as filled_in
-from support import PATIENCE, SPECS, heavy, model, need, simulated, small
+from support import PATIENCE, SPECS, model, need, simulated, small
 from test_c import build, constructed, given, record, written
 
 EXAMPLES = folder("real") / "examples"
@@ -260,9 +260,6 @@ int main(void) {
 def example(tmp_path: Path, name: str, *also: Path) -> Path:
     """An example with the library, as its user builds it, and more."""
     out = tmp_path / name.partition(".")[0]
-    if name.endswith(".cpp"):
-        library = archive("real", "cc", "-std=c99")
-        return compiled(out, "real", "g++", EXAMPLES / name, "-std=c++11", library=library)
     library = archive("real", "cc", *SANITIZED)  # that of the unit programs
     return compiled(out, "real", "cc", EXAMPLES / name, "-std=c99", *SANITIZE, also=also, library=library)
 
@@ -273,9 +270,9 @@ def ran(program: Path, *arguments: str) -> tuple[int, str, str]:
 
 
 def test_the_examples_are_these() -> None:
-    assert {p.name for p in EXAMPLES.iterdir()} == {"stream.c", "bare_metal.c", "cplusplus.cpp", "arduino"}
-    style = f"--style=file:{folder('real') / '.clang-format'}"
-    run(need("clang-format"), style, "--dry-run", "-Werror", EXAMPLES / "cplusplus.cpp")
+    assert {p.name for p in EXAMPLES.iterdir()} == {
+        "stream.c", "bare_metal.c", "arduino", "autopilot.cpp", "log.cpp", "node.cpp"
+    }  # fmt: skip
     headers = set(re.findall(r"#include <(.*)>", (EXAMPLES / "bare_metal.c").read_text("utf-8")))
     assert headers == set()  # nothing of the C library
 
@@ -283,14 +280,3 @@ def test_the_examples_are_these() -> None:
 def test_bare_metal(tmp_path: Path) -> None:
     ran_well = ran(example(tmp_path, "bare_metal.c", HERE / "unit/board.c"))
     assert ran_well == (0, "", "")
-
-
-@heavy("g++")
-def test_cplusplus(tmp_path: Path) -> None:
-    program = example(tmp_path, "cplusplus.cpp")
-    with simulated("--tcp", "0", "--speed", "10") as place:
-        host, _, port = place.rpartition(":")
-        code, out, error = ran(program, host, port)
-    name, *lines = out.splitlines()
-    assert (code, error) == (0, "") and name.startswith("3DM-CV7-GNSS/INS") and len(lines) >= 10
-    assert ran(program, host, port)[::2] == (1, f"no connection to {host}:{port}\n")

@@ -105,8 +105,8 @@ def test_every_list_names_every_source(spec: str) -> None:
     wanted = sorted(f"src/mip/{Path(source).name}" for source in sources(spec))
     for name, line in lists.items():
         assert re.findall(line, (folder(spec) / name).read_text("utf-8"), re.M) == wanted
-    headers = sorted(f"src/mip/{path.name}" for path in (folder(spec) / "src/mip").glob("*.h"))
-    assert re.findall(r"^  '(src/\S+\.h)',$", (folder(spec) / "meson.build").read_text("utf-8"), re.M) == headers
+    headers = sorted(f"src/mip/{path.name}" for path in (folder(spec) / "src/mip").glob("*.h*"))
+    assert re.findall(r"^  '(src/\S+\.h(?:pp)?)',$", (folder(spec) / "meson.build").read_text("utf-8"), re.M) == headers
 
 
 @pytest.mark.parametrize(

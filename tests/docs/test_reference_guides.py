@@ -15,9 +15,10 @@ import pytest
 from mipgen.facts.sample_values import SampleValues
 from mipgen.lower import codec
 from mipgen.model.guides import Guide, Sequence
+from mipgen.targets.markdown.snippets import LANGUAGES
 from reference import Manual, cells, path_of, prose, small, tables, words
 from support import BUILD, SPECS, need
-from test_reference_programs import C_HEAD, PY_HEAD, reply, run, rust_bytes, said_in_rust
+from test_reference_programs import C_HEAD, PY_HEAD, needs_cpp, reply, run, rust_bytes, said_in_cpp, said_in_rust
 
 Play = tuple[str, Guide, Sequence]
 
@@ -75,9 +76,9 @@ def test_every_step_is_told(manual: Manual) -> None:
         for step in sequence.steps:
             wanted += [step.packet, *([step.answer] if step.answer else []), *(d.packet for d in step.data)]
             assert prose(step.why, manual.model) in words(part_of(manual, guide, sequence))
-            if step.host:  # in the step, and in three programs
+            if step.host:  # in the step, and in the program of each language
                 page = part_of(manual, guide, sequence)
-                assert len(re.findall(rf"(?://|#|/\*) {re.escape(step.host)}", page)) == 3
+                assert len(re.findall(rf"(?://|#|/\*) {re.escape(step.host)}", page)) == len(LANGUAGES)
                 assert f"Then {step.host[0].lower()}{step.host[1:]}" in page
         assert blocks == [spaced(w) for w in wanted]
         for packet in wanted:
@@ -230,6 +231,22 @@ def test_guides_in_c(manual: Manual, generated: Path, tmp_path: Path) -> None:
     library = sorted((generated / "c/src/mip").glob("*.c"))
     run(need("cc"), *flags, f"-I{generated}/c/src", source, *library, "-o", tmp_path / "guides")
     check(manual, run(tmp_path / "guides"))
+
+
+@needs_cpp
+@small
+def test_guides_in_cpp(manual: Manual, generated: Path, tmp_path: Path) -> None:
+    includes, functions, calls = {'#include "mip/device.hpp"'}, [], []
+    for play in plays(manual):
+        needs, body = program(manual, play, "cpp")
+        includes |= set(needs)
+        functions.append("static " + body)
+        answers = ", ".join(f'"{s.answer.hex()}"' for s in play[2].steps)
+        calls.append(
+            f'{{ static const char *const a[] = {{{answers}, ""}}; answers = a; name = "{play[0]}"; '
+            f'if ({play[0]}(device_cpp)) printf("%s done\\n", name); }}'
+        )
+    check(manual, said_in_cpp(generated, tmp_path, includes, [*functions, "int main() {", *calls, "return 0; }"]))
 
 
 @small

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import re
+import shutil
 import subprocess
 import sys
 import textwrap
@@ -15,9 +16,11 @@ import pytest
 from mipgen import model as m
 from mipgen.lower import codec
 from reference import Manual, path_of, small, table_with, words
-from support import SPECS, mypy, need
+from support import SPECS, heavy, mypy, need
 
 ACKNOWLEDGE = 0xF1
+
+needs_cpp = heavy("g++") if shutil.which("g++") is None else lambda test: test
 
 
 def asked(manual: Manual) -> list[m.Field]:
@@ -180,6 +183,66 @@ def test_programs_in_c(manual: Manual, generated: Path, tmp_path: Path) -> None:
     library = sorted((generated / "c/src/mip").glob("*.c"))
     run(need("cc"), *flags, f"-I{generated}/c/src", source, *library, "-o", tmp_path / "programs")
     check(manual, run(tmp_path / "programs"))
+
+
+# --------------------------------------------------------------------------- C++
+
+CPP_HEAD = """
+struct Port {
+    std::optional<std::size_t> read(mip::span<std::uint8_t> room) {
+        return bytes_of(*answers++, room.data());
+    }
+    bool write(mip::bytes packet) { return put(nullptr, packet.data(), packet.size()); }
+    std::uint32_t now() { return 0; }
+};
+static Port port_;
+static mip::device<> device_cpp(port_);
+"""
+
+
+@needs_cpp
+@small
+def test_programs_in_cpp(manual: Manual, generated: Path, tmp_path: Path) -> None:
+    includes, functions, calls = {'#include "mip/device.hpp"'}, [], []
+    for f in asked(manual):
+        needs, body = program(manual, f, "cpp")
+        includes |= set(needs)
+        name, what = f"f_{len(functions)}", f'"{f.full_name}"'
+        if f.role == m.COMMAND:
+            body = re.sub(r"// (\w+\.reason\(\)) says why", r'printf("%s\\n", \1.data()); return;', body)
+            packets = ready(manual, f)
+            texts = ", ".join(f'"{reply(manual, p).hex()}"' for p in packets)
+            functions.append(f"static void {name}() {{ auto &device = device_cpp;\n{body}\ndone = true; }}\n")
+            given = [f'static const char *const a[] = {{{texts}, ""}}; answers = a; {name}();']
+        else:
+            members = re.findall(r"value->\w+(?:\(\))?", body)
+            body = re.sub(
+                r"// (?:value->|it holds).*", " ".join(f"(void){x};" for x in members) + " done = true;", body
+            )
+            body, why = re.subn(r"// it is another field.*", r'printf("%s refused\\n", name);', body)
+            assert why == 1
+            functions.append(f"static void {name}(const mip::field &field) {{\n{body}\n}}\n")
+            given = [
+                f'{{ const size_t n = bytes_of("{p.hex()}", buffer); const auto p = *mip::packet::check({{buffer, n}});'
+                f' auto at = p.begin(); if (at == p.end()) printf("%s refused\\n", name); else {name}(*at); }}'
+                for p in (sample(manual, f), *broken(manual, f))
+            ]
+        end = 'if (done) printf("%s done\\n", name);'
+        calls += [f"{{ name = {what}; done = false; {x} {end} }}" for x in given]
+    main = ["int main() {", "uint8_t buffer[MIP_MAX_PACKET];", *calls, "return 0; }"]
+    check(manual, said_in_cpp(generated, tmp_path, includes, [*functions, *main]))
+
+
+def said_in_cpp(generated: Path, where: Path, includes: set[str], lines: list[str]) -> str:
+    """What a program prints that has the port and the device of CPP_HEAD."""
+    for x in sorted((generated / "c/src/mip").glob("*.c")):
+        run(need("cc"), "-std=c99", "-O0", f"-I{generated}/c/src", "-c", x, "-o", where / f"{x.stem}.o")
+    head = re.sub(r"static bool take.*", "", C_HEAD, flags=re.S)
+    source = where / "programs.cpp"
+    source.write_text("\n".join([*sorted(includes), head, CPP_HEAD, *lines]), "utf-8")
+    flags = ["-std=c++20", "-O0", "-Wall", "-Wpedantic", "-Werror", "-Wno-unused", f"-I{generated}/c/src"]
+    run(need("g++"), *flags, source, *sorted(where.glob("*.o")), "-o", where / "programs")
+    return run(where / "programs")
 
 
 # --------------------------------------------------------------------------- Python

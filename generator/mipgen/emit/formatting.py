@@ -52,7 +52,7 @@ def _ruff() -> str:
 CLANG_FORMAT = Formatter(
     package="clang-format",
     program=_clang_format,
-    suffixes=(".c", ".h"),
+    suffixes=(".c", ".h", ".hpp"),
     style=".clang-format",
     steps=(("-i", "--style=file:.clang-format", "--fail-on-incomplete-format"),),
 )

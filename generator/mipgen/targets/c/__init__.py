@@ -13,18 +13,21 @@ from mipgen.facts import describe
 from mipgen.lower import memory
 from mipgen.model import SHARED_DESCRIPTORS
 
-from . import bytecode, calls, direct, literals, members, names, tables
+from . import bytecode, calls, cpp, direct, literals, members, names, tables
 from .comments import Comments, comment
 from .identifiers import identifiers
 from .names import GRAMMAR
 
 #: Programs for several kinds of systems. Arduino's IDE wants each in a folder of its name.
-EXAMPLES = ("stream.c", "bare_metal.c", "cplusplus.cpp", "arduino/arduino.ino")
+EXAMPLES = ("stream.c", "bare_metal.c", "node.cpp", "autopilot.cpp", "log.cpp", "arduino/arduino.ino")
 
 
 def files(model: m.Model) -> Iterator[File]:
     made = list(code(model))
     made.append(File("src/mip/mip.h", "mip.h.j2", {"headers": everything(made)}))
+    made += list(in_cpp(model))
+    headers = sorted(name for name in present(made) if name.endswith(".hpp"))
+    made.append(File("src/mip/mip.hpp", "mip.hpp.j2", {"headers": [x for x in headers if x != "ostream.hpp"]}))
     yield from made
     yield from packages(model, made)
     quickstart = model.program("quickstart.c")
@@ -34,6 +37,7 @@ def files(model: m.Model) -> Iterator[File]:
         if example := model.program(name.rpartition("/")[2]):
             yield File(f"examples/{name}", "verbatim.j2", {"text": example})
     shown = {name: model.program(f"{name}.c").rstrip() for name in ("device", "client", "present", "receivers")}
+    shown |= {name: model.program(f"{name}.cpp").rstrip() for name in ("cpp", "cpp_stream")}
     shown |= {"vendor_sdk": model.program("vendor_sdk.md").rstrip(), "bench": model.program("bench_c.md").rstrip()}
     shown["bench_peer"] = model.program("bench_c_peer.md").rstrip()
     session = calls.session(model)
@@ -74,6 +78,16 @@ def inline(header: str, fields: Iterable[m.Field]) -> Iterator[File]:
         yield File(f"src/mip/{header}_inline.h", "inline.h.j2", {"header": header, "fields": plain})
 
 
+def in_cpp(model: m.Model) -> Iterator[File]:
+    """Headers of C++."""
+    yield File("src/mip/types.hpp", "types.hpp.j2")
+    for x in model.families:
+        name = names.module(x.name)
+        yield File(f"src/mip/{name}.hpp", "family.hpp.j2", {"family": x})
+        if calls.commands(x):
+            yield File(f"src/mip/{name}_commands.hpp", "commands.hpp.j2", {"family": x})
+
+
 def everything(made: list[File]) -> list[str]:
     """The headers that programs include; of the runtime too."""
     inner = ("checksum.h", "export.h", "mip.h", "program.h")
@@ -92,7 +106,7 @@ def packages(model: m.Model, made: list[File]) -> Iterator[File]:
     names = present(made)
     facts = {
         "sources": [name for name in names if name.endswith(".c")],
-        "headers": [name for name in names if name.endswith(".h")],
+        "headers": [name for name in names if name.endswith((".h", ".hpp"))],
         "soversion": ".".join(model.protocol.version.split(".")[:2]),
         "summary": f"The {model.protocol.title}",
         "keywords": list(
@@ -159,6 +173,14 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "calls": lambda f: calls.calls(f, model),
         "bits_type": members.bits_type,
         "has_accessor": members.has_accessor,
+        # C++
+        "namespace": cpp.namespace,
+        "cpp_word": cpp.word,
+        "cpp_bare": cpp.bare,
+        "cpp_qualified": cpp.qualified,
+        "cpp_accessors": cpp.accessors,
+        "cpp_commands": lambda f: cpp.commands(f, model),
+        "cpp_response": lambda f: cpp.whole_response(f, model),
         # layouts
         "program": lambda f: bytecode.program(f, model.layouts(f), model.sizes(f)),
         "numbers_only": lambda f: f.min_size if bytecode.is_numbers(f, model.layouts(f)) else 0,

@@ -1,4 +1,5 @@
-"""What other targets may ask of C: its names of fields and types, what writes programs needs, and programs."""
+"""What other targets may ask of C: its names of fields and types, what writes programs needs, and programs in C and
+C++."""
 
 from __future__ import annotations
 
@@ -9,11 +10,12 @@ from mipgen import model as m
 from mipgen.emit.symbols import Symbols, others, parameters, things
 
 from . import calls, names
+from .cpp_snippets import Programs as CppPrograms
 from .identifiers import of_field, of_type
 from .members import constructors
 from .snippets import Programs
 
-__all__ = ["Programs", "symbol", "symbols", "writing"]
+__all__ = ["CppPrograms", "Programs", "symbol", "symbols", "writing"]
 
 
 def symbol(thing: m.Type | m.Field) -> str:

@@ -8,7 +8,7 @@ from mipgen import model as m
 from mipgen.emit.naming import Identifier
 from mipgen.lower.memory import members
 
-from . import calls, tables
+from . import calls, cpp, tables
 from .direct import direct
 from .members import constructors, has_accessor, last_present
 from .names import (  # fmt: skip
@@ -48,6 +48,7 @@ def identifiers(model: m.Model) -> Iterator[Identifier]:
                 yield Identifier("C", name, f.full_name, f.position)
     for d in model.devices:
         yield Identifier("C", f"mip_profile_{d.name}", f"device {d.id}", d.position)
+    yield from cpp.identifiers(model)
 
 
 def of_type(t: m.Type) -> Iterator[Identifier]:

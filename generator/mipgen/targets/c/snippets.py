@@ -66,11 +66,11 @@ class Programs:
 def _call(f: m.Field, shown: m.Call, samples: SampleValues, result: str, width: int = 96) -> list[str]:
     """What must be declared before, and the call, whose result is assigned."""
     values = literals.record(f.parameters, samples.values(f, shown))
-    chosen = _chosen(f, shown, samples)
+    chosen = call_of(f, shown, samples)
     before: list[Expression] = []
     given: list[Expression] = ["device"]
     if chosen.whole:  # all of it is reserved
-        before.append(after(f"const struct {field_name(f)} command = ", _record(values)))
+        before.append(after(f"const struct {field_name(f)} command = ", record(values)))
         given.append("&command")
     for p in chosen.given:
         declared, arguments = _argument(p, f, values[p.name])
@@ -80,14 +80,14 @@ def _call(f: m.Field, shown: m.Call, samples: SampleValues, result: str, width: 
         before.append(f"struct {field_name(chosen.response)} response")
         given.append("&response")
     asked = Brackets(f"{result}{chosen.name}(", given, ")", comma="")
-    return [laid_out(_statement(line), width) for line in (*before, asked)]
+    return [laid_out(statement(line), width) for line in (*before, asked)]
 
 
-def _statement(x: Expression) -> Expression:
+def statement(x: Expression) -> Expression:
     return f"{x};" if isinstance(x, str) else replace(x, tail=f"{x.tail};")
 
 
-def _chosen(f: m.Field, shown: m.Call, samples: SampleValues) -> Call:
+def call_of(f: m.Field, shown: m.Call, samples: SampleValues) -> Call:
     """The function that calls it in this way, and decodes what answers that."""
     replies = samples.replies(f, shown)
     wanted = replies[0].layouts[0] if replies else None
@@ -101,21 +101,21 @@ def _argument(p: m.Parameter, f: m.Field, x: Literal) -> tuple[list[Expression],
     name = argument_name(p.name)
     match x:
         case literals.Alternative():
-            return [after(f"const union {union_name(p, f)} {name} = ", _value(x))], [f"&{name}"]
+            return [after(f"const union {union_name(p, f)} {name} = ", value(x))], [f"&{name}"]
         case literals.Text():
-            return [], [*_count(p, x.text), _value(x)]
+            return [], [*_count(p, x.text), value(x)]
         case literals.Items(items=()):
             return [], [*_count(p, ()), "NULL"]
         case literals.Items(items=(first, *_)):
             inner = f"[{len(first.items)}]" if isinstance(first, literals.Items) else ""
-            return [after(f"const {_type(p)} {name}[]{inner} = ", _value(x))], [*_count(p, x.items), name]
+            return [after(f"const {_type(p)} {name}[]{inner} = ", value(x))], [*_count(p, x.items), name]
         case literals.Structure() | literals.Octets():
-            return [after(f"const {_type(p)} {name} = ", _value(x))], [f"&{name}"]
+            return [after(f"const {_type(p)} {name} = ", value(x))], [f"&{name}"]
         case literals.Choice(known=None) if takes_enum(p):
             return [], [f"(enum {type_name(x.type)}){x.number.value}"]
         case literals.Choice(known=m.EnumValue() as known) if takes_enum(p):
             return [], [constant(x.type, known)]
-    return [], [_value(x)]
+    return [], [value(x)]
 
 
 def _type(p: m.Parameter) -> str:
@@ -128,13 +128,13 @@ def _count(p: m.Parameter, items: Sequence[object]) -> list[str]:
     return [str(len(items))] if p.fills else []
 
 
-def _record(values: dict[str, Literal]) -> Brackets:
+def record(values: dict[str, Literal]) -> Brackets:
     """A union without a value is left out: compilers want more braces than {0} for it."""
     held = {k: x for k, x in values.items() if not (isinstance(x, literals.Alternative) and x.value is None)}
-    return Brackets("{", [after(f".{member(k)} = ", _value(x)) for k, x in held.items()] or ["0"], "}")
+    return Brackets("{", [after(f".{member(k)} = ", value(x)) for k, x in held.items()] or ["0"], "}")
 
 
-def _value(x: Literal) -> Expression:
+def value(x: Literal) -> Expression:
     match x:
         case literals.Decimal():
             return x.text + ("F" if x.size == 4 else "")
@@ -143,7 +143,7 @@ def _value(x: Literal) -> Expression:
         case literals.Whole():
             return str(x.value) if x.value < 0 else number(x.value, x.size, x.text)
         case literals.Choice():
-            return constant(x.type, x.known) if x.known else _value(x.number)
+            return constant(x.type, x.known) if x.known else value(x.number)
         case literals.Flags():
             return " | ".join(constant(x.type, b) for b in x.names) or number(x.number.value, x.number.size)
         case literals.Octets():
@@ -151,9 +151,9 @@ def _value(x: Literal) -> Expression:
         case literals.Text():
             return string(x.text)
         case literals.Items():
-            return Brackets("{", [*map(_value, x.items)] or ["0"], "}")
+            return Brackets("{", [*map(value, x.items)] or ["0"], "}")
         case literals.Structure():
-            return _record(x.members)
+            return record(x.members)
         case literals.Alternative():
             held = x.case.parameter if x.case and x.value else None
-            return Brackets("{", [after(f".{member(held.name)} = ", _value(x.value)) if held and x.value else "0"], "}")
+            return Brackets("{", [after(f".{member(held.name)} = ", value(x.value)) if held and x.value else "0"], "}")

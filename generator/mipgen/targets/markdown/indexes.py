@@ -19,8 +19,8 @@ from .text import code, hexadecimal, inline, table
 def index(page: Page, name: str) -> list[Section]:
     """One of `places.INDEXES`."""
     language = next((x for x in LANGUAGES if x.name == name), None)
-    if language is not None:
-        return of_language(page, language.api.symbols(page.model))
+    if language is not None and language.symbols is not None:
+        return of_language(page, language.symbols(page.model))
     return {"descriptors": descriptors, "names": names, "types": type_users, "units": units, "vendor": vendor}[name](
         page
     )

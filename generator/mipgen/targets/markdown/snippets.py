@@ -24,23 +24,20 @@ class Programs(Protocol):
     def sequence(self, name: str, steps: Sequence[tuple[m.Field, GivenValues]]) -> str: ...
 
 
-class Api(Protocol):
-    """What the target of a language offers."""
-
-    @property
-    def Programs(self) -> Callable[[SampleValues], Programs]: ...
-    @property
-    def symbols(self) -> Callable[[m.Model], Iterator[Symbols]]: ...
-
-
 @dataclass(frozen=True, slots=True)
 class Language:
     title: str
     name: str  # in paths, and of fenced blocks
-    api: Api
+    programs: Callable[[SampleValues], Programs]
+    symbols: Callable[[m.Model], Iterator[Symbols]] | None = None  # what its index lists, if it has one
 
 
-LANGUAGES = (Language("C", "c", c), Language("Python", "python", python), Language("Rust", "rust", rust))
+LANGUAGES = (
+    Language("C", "c", c.Programs, c.symbols),
+    Language("C++", "cpp", c.CppPrograms),
+    Language("Python", "python", python.Programs, python.symbols),
+    Language("Rust", "rust", rust.Programs, rust.symbols),
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,4 +57,4 @@ def sequences(page: Page, name: str, steps: Sequence[tuple[m.Field, GivenValues]
 
 
 def _each(page: Page, write: Callable[[Programs], str]) -> list[Program]:
-    return [Program(x.title, x.name, write(x.api.Programs(page.index.samples))) for x in LANGUAGES]
+    return [Program(x.title, x.name, write(x.programs(page.index.samples))) for x in LANGUAGES]

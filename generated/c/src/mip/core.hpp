@@ -1,0 +1,616 @@
+/**
+ * @file
+ * C++17 on the C library: packets and fields as ranges, values by their type, names.
+ *
+ * Header only, without heap, exceptions, virtual functions or run-time type information. Nothing
+ * is kept beside what C keeps, so objects of both can be mixed freely.
+ */
+#ifndef MIP_CORE_HPP
+#define MIP_CORE_HPP
+
+#if __cplusplus < 201703L && !(defined(_MSVC_LANG) && _MSVC_LANG >= 201703L)
+#error "mip/core.hpp needs C++17: -std=c++17. The headers *.h also work in C++11."
+#endif
+
+#include "mip/core.h"
+#include "mip/reflect.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <optional>
+#include <string_view>
+#include <type_traits>
+#if __cplusplus > 201703L
+#include <version>
+#endif
+#ifdef __cpp_lib_span
+#include <span>
+#endif
+
+namespace mip {
+
+/* --------------------------------------------------------------------------------------- layouts
+ */
+
+/**
+ * What is known of a layout: `key`, as mip_field_key gives it, or 0 if the layout occurs in several
+ * descriptor sets; `descriptor`; `name`, that of the specification; and `codec()`. Headers of
+ * descriptor sets specialize it for each structure of C; types derived from one have the same.
+ */
+template <class T, class = void> struct traits;
+template <class T>
+struct traits<T, std::void_t<typename T::c_type>> : traits<typename T::c_type> {};
+
+/** Says so for a structure of C. */
+#define MIP_LAYOUT(type, constant, number)                                \
+    template <> struct traits<::type> {                                   \
+        using c_type = ::type;                                            \
+        static constexpr std::uint16_t key = number;                      \
+        static constexpr std::uint8_t descriptor = constant##_DESCRIPTOR; \
+        static constexpr std::string_view name = constant##_NAME;         \
+        static const mip_codec &codec() {                                 \
+            return ::type##_codec;                                        \
+        }                                                                 \
+    };
+
+/** The descriptor of a layout: `{mip::descriptor<mip::..._data::...>, decimation}`. */
+template <class T> inline constexpr std::uint8_t descriptor = traits<T>::descriptor;
+
+/** The structure of C of a layout. */
+template <class T> using c_type = typename traits<T>::c_type;
+
+#ifdef __cpp_concepts
+/** A type of field. */
+template <class T>
+concept layout = requires { traits<T>::codec(); };
+/** What stands in place of `class` where a type must be one of field. */
+#define MIP_LAYOUT_TYPE ::mip::layout
+#else
+#define MIP_LAYOUT_TYPE class
+#endif
+
+/* ----------------------------------------------------------------------------------------- spans
+ */
+
+/** Elements in memory of somebody else, in place of a pointer and a count. */
+template <class T> class span {
+  public:
+    constexpr span() = default;
+    constexpr span(T *data, std::size_t size) : data_(data), size_(size) {
+    }
+    template <std::size_t Size> constexpr span(T (&items)[Size]) : data_(items), size_(Size) {
+    }
+    /** Of std::array, std::vector, std::span and others that have data and size. */
+    template <class Container, class = std::enable_if_t<std::is_convertible_v<
+                                   decltype(std::declval<Container &>().data()), T *>>>
+    constexpr span(Container &&items) : data_(items.data()), size_(items.size()) {
+    }
+    constexpr T *data() const {
+        return data_;
+    }
+    constexpr std::size_t size() const {
+        return size_;
+    }
+    constexpr bool empty() const {
+        return size_ == 0;
+    }
+    constexpr T *begin() const {
+        return data_;
+    }
+    constexpr T *end() const {
+        return data_ + size_;
+    }
+    constexpr T &operator[](std::size_t index) const {
+        return data_[index];
+    }
+#ifdef __cpp_lib_span
+    constexpr operator std::span<T>() const {
+        return {data_, size_};
+    }
+#endif
+
+  private:
+    T *data_ = nullptr;
+    std::size_t size_ = 0;
+};
+
+/** Bytes of a stream. */
+using bytes = span<const std::uint8_t>;
+
+/** A string that ends with a NUL, or with its array. */
+template <std::size_t Size> std::string_view text(const char (&characters)[Size]) {
+    const auto *end = static_cast<const char *>(::memchr(characters, '\0', Size));
+    return {characters, end != nullptr ? static_cast<std::size_t>(end - characters) : Size};
+}
+
+/* ------------------------------------------------------------------------- enumerations and flags
+ */
+
+/* Enumerations and bitfields are `enum class`. What names_of returns says which of them a type is,
+ * and where its names are. */
+
+/** The names of the values of an enumeration. */
+struct value_names {
+    /** They. */
+    const mip_names &table;
+};
+
+/** The names of the flags of a bitfield, which is a number. */
+struct flag_names {
+    /** They. */
+    const mip_names &table;
+};
+
+/** The names of the bits of a bitfield in bytes. */
+struct bit_names {
+    /** They. */
+    const mip_names &table;
+};
+
+namespace detail {
+
+/** The number of elements as C takes it; too many for it are too many for any array. */
+template <class Items> constexpr std::uint8_t count(const Items &items) {
+    return static_cast<std::uint8_t>(items.size() < 0xFF ? items.size() : 0xFF);
+}
+
+template <class E, class Names, class = void> struct has_names : std::false_type {};
+template <class E, class Names>
+struct has_names<E, Names, std::void_t<decltype(names_of(std::declval<E>()))>>
+    : std::is_same<decltype(names_of(std::declval<E>())), Names> {};
+
+template <class E> using if_value = std::enable_if_t<has_names<E, value_names>::value>;
+template <class E> using if_flags = std::enable_if_t<has_names<E, flag_names>::value>;
+template <class E> using if_bits = std::enable_if_t<has_names<E, bit_names>::value>;
+
+/** How far a mask is shifted. */
+template <class Number> constexpr unsigned shift(Number mask) {
+    unsigned places = 0;
+    while (mask != 0 && (mask >> places & 1U) == 0) {
+        places++;
+    }
+    return places;
+}
+
+} // namespace detail
+
+/** The number of an enumeration or a bitfield: as std::to_underlying. */
+template <class E> constexpr std::underlying_type_t<E> number(E value) {
+    return static_cast<std::underlying_type_t<E>>(value);
+}
+
+template <class E, class = detail::if_flags<E>> constexpr E operator|(E a, E b) {
+    return static_cast<E>(number(a) | number(b));
+}
+template <class E, class = detail::if_flags<E>> constexpr E operator&(E a, E b) {
+    return static_cast<E>(number(a) & number(b));
+}
+template <class E, class = detail::if_flags<E>> constexpr E operator^(E a, E b) {
+    return static_cast<E>(number(a) ^ number(b));
+}
+template <class E, class = detail::if_flags<E>> constexpr E operator~(E a) {
+    return static_cast<E>(~number(a));
+}
+template <class E, class = detail::if_flags<E>> constexpr E &operator|=(E &a, E b) {
+    return a = a | b;
+}
+template <class E, class = detail::if_flags<E>> constexpr E &operator&=(E &a, E b) {
+    return a = a & b;
+}
+template <class E, class = detail::if_flags<E>> constexpr E &operator^=(E &a, E b) {
+    return a = a ^ b;
+}
+
+/** Are all of these flags set? */
+template <class E, class = detail::if_flags<E>> constexpr bool has(E flags, E wanted) {
+    return (flags & wanted) == wanted;
+}
+
+/** A number inside a bitfield. */
+template <class E, class = detail::if_flags<E>>
+constexpr std::underlying_type_t<E> get(E flags, E mask) {
+    return static_cast<std::underlying_type_t<E>>(number(flags & mask) >>
+                                                  detail::shift(number(mask)));
+}
+
+/** Bits of a bitfield in bytes: a flag is 0 or 1. */
+template <class Flags, class E, class = detail::if_bits<E>>
+std::uint64_t get(const Flags &flags, E bits) {
+    return mip_get_bits(flags.bytes, number(bits) & 0xFFU, number(bits) >> 8);
+}
+
+/** Is this flag of a bitfield in bytes set, or any bit of this number in it? */
+template <class Flags, class E, class = detail::if_bits<E>> bool has(const Flags &flags, E bits) {
+    return get(flags, bits) != 0;
+}
+
+/** The name of a value in the specification; empty if it has none. */
+template <class E, class = detail::if_value<E>> std::string_view to_string(E value) {
+    const char *name = mip_value_name(&names_of(value).table, number(value));
+    return name != nullptr ? name : std::string_view();
+}
+
+/** The name of one flag, or of a number in a bitfield; empty if it has none. */
+template <class E, class = detail::if_flags<E>, class = void> std::string_view to_string(E flag) {
+    const mip_names &names = names_of(flag).table;
+    for (std::size_t i = 0; i < names.count; i++) {
+        const std::uint64_t mask = (~UINT64_C(0) >> (64 - names.bits[i].width))
+                                   << names.bits[i].first;
+        if (mask == number(flag)) {
+            return mip_names_label(&names, i);
+        }
+    }
+    return {};
+}
+
+/** The error as one word: "truncated". */
+inline std::string_view to_string(mip_error error) {
+    return mip_error_name(error);
+}
+
+/** Writes the name of a value, or its number if it has none, to a stream such as std::ostream. */
+template <class Stream, class E, class = detail::if_value<E>>
+Stream &operator<<(Stream &out, E value) {
+    const std::string_view name = to_string(value);
+    name.empty() ? out << +number(value) : out << name;
+    return out;
+}
+
+/** Writes the names of the flags that are set: "a | b"; bits without a name as a number. */
+template <class Stream, class E, class = detail::if_flags<E>, class = void>
+Stream &operator<<(Stream &out, E flags) {
+    const mip_names &names = names_of(flags).table;
+    auto left = number(flags);
+    const char *between = "";
+    for (std::size_t i = 0; i < names.count; i++) {
+        const auto bit = static_cast<decltype(left)>(1ULL << names.bits[i].first);
+        if (names.bits[i].width == 1 && (left & bit) != 0) {
+            out << between << mip_names_label(&names, i);
+            left = static_cast<decltype(left)>(left & ~bit);
+            between = " | ";
+        }
+    }
+    if (left != 0 || *between == '\0') {
+        out << between << +left;
+    }
+    return out;
+}
+
+/* --------------------------------------------------------------------------- fields and packets */
+
+/** One field of a packet, not yet decoded. */
+struct field : mip_field {
+    field() = default;
+    field(const mip_field &other) : mip_field(other) {
+    }
+
+    /** Descriptor set and descriptor as one number: `case traits<T>::key`. */
+    std::uint16_t key() const {
+        return mip_field_key(this);
+    }
+    /** Its data, without its header. */
+    mip::bytes bytes() const {
+        return {data, size};
+    }
+    /** Is it of this type, in any of the descriptor sets in which the type occurs? */
+    template <MIP_LAYOUT_TYPE T> bool is() const {
+        return mip_field_is(this, &traits<T>::codec());
+    }
+    /** Its value, if it is of this type. */
+    template <MIP_LAYOUT_TYPE T> std::optional<T> as() const {
+        T value;
+        if (descriptor != traits<T>::descriptor || decode(value) != MIP_OK) {
+            return std::nullopt;
+        }
+        return value;
+    }
+    /** Decodes it. If it is not of this type or too short, `value` is zeroed. `trailing` receives
+     * the number of bytes after the last known parameter. */
+    template <MIP_LAYOUT_TYPE T> mip_error decode(T &value, std::size_t *trailing = nullptr) const {
+        c_type<T> &to = value;
+        return mip_decode(&traits<T>::codec(), &to, this, trailing);
+    }
+};
+
+/** The end of the ranges here. */
+struct end_of_range {};
+
+/** A packet: a range of fields. It ends before a field whose length is impossible. */
+struct packet : mip_packet {
+    packet() = default;
+    packet(const mip_packet &other) : mip_packet(other) {
+    }
+
+    /** Goes through the fields. */
+    class iterator {
+      public:
+        using iterator_category = std::input_iterator_tag;
+        using value_type = field;
+        using difference_type = std::ptrdiff_t;
+        using pointer = const field *;
+        using reference = field;
+
+        explicit iterator(const mip_packet &packet) : walk_(mip_walk_packet(&packet)) {
+            ++*this;
+        }
+        /* By value, so that the compiler keeps the walk in registers. */
+        field operator*() const {
+            return field_;
+        }
+        iterator &operator++() {
+            more_ = mip_walk_next(&walk_, &field_);
+            return *this;
+        }
+        void operator++(int) {
+            ++*this;
+        }
+        friend bool operator==(const iterator &at, end_of_range) {
+            return !at.more_;
+        }
+        friend bool operator!=(const iterator &at, end_of_range) {
+            return at.more_;
+        }
+        /** At the end: MIP_ERROR_FIELD_LENGTH if it is that of a malformed field, else MIP_OK. */
+        mip_error error() const {
+            return walk_.error;
+        }
+
+      private:
+        mip_walk walk_;
+        field field_;
+        bool more_ = false;
+    };
+
+    iterator begin() const {
+        return iterator(*this);
+    }
+    end_of_range end() const {
+        return {};
+    }
+    /** The packet that these bytes are, if they are exactly one. `why` receives what is wrong. */
+    static std::optional<packet> check(mip::bytes of, mip_error *why = nullptr) {
+        packet checked;
+        const mip_error error = mip_packet_check(of.data(), of.size(), &checked);
+        if (why != nullptr) {
+            *why = error;
+        }
+        return error == MIP_OK ? std::optional<packet>(checked) : std::nullopt;
+    }
+};
+
+/* ---------------------------------------------------------------------------------------- streams
+ */
+
+/** The packets in a piece of a stream; of the last piece, those behind its first bytes, too. */
+template <bool Last> class packet_range {
+  public:
+    packet_range(mip_parser &parser, bytes piece)
+        : parser_(&parser), at_(piece.data()), left_(piece.size()) {
+    }
+
+    /** Goes through them. */
+    class iterator {
+      public:
+        using iterator_category = std::input_iterator_tag;
+        using value_type = packet;
+        using difference_type = std::ptrdiff_t;
+        using pointer = const packet *;
+        using reference = const packet &;
+
+        explicit iterator(packet_range &range) : range_(&range) {
+            ++*this;
+        }
+        const packet &operator*() const {
+            return packet_;
+        }
+        const packet *operator->() const {
+            return &packet_;
+        }
+        iterator &operator++() {
+            more_ = range_->next(packet_);
+            return *this;
+        }
+        void operator++(int) {
+            ++*this;
+        }
+        friend bool operator==(const iterator &at, end_of_range) {
+            return !at.more_;
+        }
+        friend bool operator!=(const iterator &at, end_of_range) {
+            return at.more_;
+        }
+
+      private:
+        packet_range *range_;
+        packet packet_;
+        bool more_ = false;
+    };
+
+    iterator begin() {
+        return iterator(*this);
+    }
+    end_of_range end() const {
+        return {};
+    }
+
+  private:
+    bool next(packet &found) {
+        if (mip_parser_next(parser_, &at_, &left_, &found)) {
+            return true;
+        }
+        if constexpr (Last) {
+            return mip_parser_flush(parser_, &found);
+        }
+        return false;
+    }
+
+    mip_parser *parser_;
+    const std::uint8_t *at_;
+    std::size_t left_;
+};
+
+/** Finds packets in a stream of bytes that comes in pieces. */
+class parser : public mip_parser {
+  public:
+    parser() {
+        mip_parser_init(this);
+    }
+    /** The packets that are complete with this piece. Go through all of them: a loop that is left
+     * early loses the rest of the piece. A packet is valid as long as the piece, until the next
+     * one. */
+    packet_range<false> feed(bytes piece) {
+        return {*this, piece};
+    }
+    /** The packets that noise has held back: for the end of a file, and for a line that has been
+     * silent for longer than a packet takes. See mip_parser_flush. */
+    packet_range<true> flush() {
+        return {*this, {}};
+    }
+};
+
+/** All packets of bytes in memory, such as a mapped file: `for (packet p : packets(file))`. */
+class packets {
+  public:
+    explicit packets(bytes stream) : range_(parser_, stream) {
+    }
+    packets(const packets &) = delete;
+    packets &operator=(const packets &) = delete;
+
+    packet_range<true>::iterator begin() {
+        return range_.begin();
+    }
+    end_of_range end() const {
+        return {};
+    }
+    /** So far, bytes that are not part of a packet. */
+    std::uint32_t skipped() const {
+        return parser_.skipped;
+    }
+
+  private:
+    parser parser_;
+    packet_range<true> range_;
+};
+
+/* --------------------------------------------------------------------------------------- dispatch
+ */
+
+namespace detail {
+
+template <class R, class C, class T, class... More> T first_parameter(R (C::*)(T, More...) const);
+template <class R, class C, class T, class... More> T first_parameter(R (C::*)(T, More...));
+template <class R, class T, class... More> T first_parameter(R (*)(T, More...));
+
+template <class F, class = void> struct handled {
+    using type = decltype(first_parameter(&F::operator()));
+};
+template <class F>
+struct handled<F, std::enable_if_t<std::is_function_v<std::remove_pointer_t<F>>>> {
+    using type = decltype(first_parameter(std::declval<F>()));
+};
+/** The type that a handler's first parameter names. */
+template <class F>
+using handled_by =
+    std::remove_cv_t<std::remove_reference_t<typename handled<std::decay_t<F>>::type>>;
+
+/** Calls a handler with as much as it takes: the value, the field, the time. */
+template <class F, class T, class... More>
+void call(F &handler, const T &value, const field &from, More... more) {
+    if constexpr (std::is_invocable_v<F &, const T &, const field &, More...>) {
+        handler(value, from, more...);
+    } else if constexpr (std::is_invocable_v<F &, const T &, const field &>) {
+        handler(value, from);
+    } else {
+        handler(value);
+    }
+}
+
+/** Calls a handler if it is for this field. */
+template <class F> bool offer(const field &from, std::uint16_t key, F &handler) {
+    using T = handled_by<F>;
+    if constexpr (std::is_same_v<T, field>) {
+        (void)key;
+        handler(from);
+        return true;
+    } else {
+        if (traits<T>::key != 0 ? key != traits<T>::key
+                                : from.descriptor != traits<T>::descriptor) {
+            return false;
+        }
+        T value;
+        if (from.decode(value) != MIP_OK) {
+            return false;
+        }
+        call(handler, value, from);
+        return true;
+    }
+}
+
+} // namespace detail
+
+/**
+ * Calls the first handler whose parameter names the type of the field: `[](const T &value) {...}`,
+ * or `[](const T &value, const field &from) {...}`. One that takes only a field gets all that are
+ * not for an earlier one. True if any was called.
+ */
+template <class... Handlers> bool dispatch(const field &from, Handlers &&...handlers) {
+    const std::uint16_t key = from.key();
+    return (detail::offer(from, key, handlers) || ...);
+}
+
+/** The same with each field of a packet. */
+template <class... Handlers> void dispatch(const packet &from, Handlers &&...handlers) {
+    for (const field &each : from) {
+        dispatch(each, handlers...);
+    }
+}
+
+/* ---------------------------------------------------------------------------------------- builder
+ */
+
+/** Builds a packet. */
+class builder {
+  public:
+    explicit builder(std::uint8_t descriptor_set) {
+        (void)mip_builder_start(&builder_, buffer_, sizeof(buffer_), descriptor_set);
+    }
+    builder(const builder &) = delete;
+    builder &operator=(const builder &) = delete;
+
+    /** Adds a field, or a command such as `write_...{}`. What is refused leaves the packet as it
+     * was. */
+    template <class T> [[nodiscard]] mip_error add(const T &value) {
+        if constexpr (is_command<T>::value) {
+            typename T::command command;
+            const typename T::command *filled = value.fill(&command);
+            return mip_encode(&traits<typename T::command>::codec(), filled, &builder_);
+        } else {
+            const c_type<T> &from = value;
+            return mip_encode(&traits<T>::codec(), &from, &builder_);
+        }
+    }
+    /** Adds a field from its bytes. */
+    [[nodiscard]] mip_error add(std::uint8_t descriptor, bytes data) {
+        return mip_builder_add(&builder_, descriptor, data.data(), data.size());
+    }
+    /** The first error of starting the packet or adding to it; MIP_OK if there was none. */
+    mip_error error() const {
+        return builder_.error;
+    }
+    /** The packet, which lies in the builder. */
+    packet finish() {
+        return mip_builder_finish(&builder_);
+    }
+
+  private:
+    template <class T, class = void> struct is_command : std::false_type {};
+    template <class T> struct is_command<T, std::void_t<typename T::command>> : std::true_type {};
+
+    mip_builder builder_;
+    std::uint8_t buffer_[MIP_MAX_PACKET];
+};
+
+} // namespace mip
+
+#endif

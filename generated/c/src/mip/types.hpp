@@ -1,0 +1,620 @@
+/**
+ * @file
+ * What all descriptor sets share, in C++17: see mip/types.h and mip/protocol.h.
+ */
+#ifndef MIP_TYPES_HPP
+#define MIP_TYPES_HPP
+
+#include "mip/core.hpp"
+#include "mip/names.h"
+#include "mip/protocol.h"
+
+namespace mip {
+
+MIP_LAYOUT(mip_protocol_acknowledge, MIP_PROTOCOL_ACKNOWLEDGE, MIP_PROTOCOL_ACKNOWLEDGE)
+
+/** mip_function_selector: function_selector */
+enum class function_selector : uint8_t {
+    write = MIP_FUNCTION_SELECTOR_WRITE,
+    read = MIP_FUNCTION_SELECTOR_READ,
+    save = MIP_FUNCTION_SELECTOR_SAVE,
+    load = MIP_FUNCTION_SELECTOR_LOAD,
+    default_ = MIP_FUNCTION_SELECTOR_DEFAULT,
+    apply = MIP_FUNCTION_SELECTOR_APPLY,
+};
+inline value_names names_of(function_selector) {
+    return {::mip_names_function_selector};
+}
+
+/** mip_gx5_built_in_test: gx5_built_in_test */
+enum class gx5_built_in_test : uint32_t {
+    watchdog_reset = MIP_GX5_BUILT_IN_TEST_WATCHDOG_RESET,
+    imu_comm_fault = MIP_GX5_BUILT_IN_TEST_IMU_COMM_FAULT,
+    mag_fault = MIP_GX5_BUILT_IN_TEST_MAG_FAULT,
+    pressure_sensor_fault = MIP_GX5_BUILT_IN_TEST_PRESSURE_SENSOR_FAULT,
+    solution_fault = MIP_GX5_BUILT_IN_TEST_SOLUTION_FAULT,
+};
+inline flag_names names_of(gx5_built_in_test) {
+    return {::mip_names_gx5_built_in_test};
+}
+
+/** mip_cv7_built_in_test: cv7_built_in_test */
+enum class cv7_built_in_test : uint32_t {
+    general_hardware_fault = MIP_CV7_BUILT_IN_TEST_GENERAL_HARDWARE_FAULT,
+    general_firmware_fault = MIP_CV7_BUILT_IN_TEST_GENERAL_FIRMWARE_FAULT,
+    timing_overload = MIP_CV7_BUILT_IN_TEST_TIMING_OVERLOAD,
+    buffer_overrun = MIP_CV7_BUILT_IN_TEST_BUFFER_OVERRUN,
+    accel_fault = MIP_CV7_BUILT_IN_TEST_ACCEL_FAULT,
+    gyro_fault = MIP_CV7_BUILT_IN_TEST_GYRO_FAULT,
+    mag_fault = MIP_CV7_BUILT_IN_TEST_MAG_FAULT,
+    pressure_sensor_fault = MIP_CV7_BUILT_IN_TEST_PRESSURE_SENSOR_FAULT,
+    calibration_error = MIP_CV7_BUILT_IN_TEST_CALIBRATION_ERROR,
+    general_imu_fault = MIP_CV7_BUILT_IN_TEST_GENERAL_IMU_FAULT,
+    filter_solution_fault = MIP_CV7_BUILT_IN_TEST_FILTER_SOLUTION_FAULT,
+    general_filter_fault = MIP_CV7_BUILT_IN_TEST_GENERAL_FILTER_FAULT,
+};
+inline flag_names names_of(cv7_built_in_test) {
+    return {::mip_names_cv7_built_in_test};
+}
+
+/** mip_cv7_continuous_bit: cv7_continuous_built_in_test */
+using cv7_continuous_built_in_test = ::mip_cv7_continuous_bit;
+/** Its bits: the first one, and 256 times how many. */
+enum class cv7_continuous_built_in_test_bits : std::uint16_t {
+    system_clock_failure = 0 | 1 << 8,
+    power_fault = 1 | 1 << 8,
+    firmware_fault = 4 | 1 << 8,
+    timing_overload = 5 | 1 << 8,
+    buffer_overrun = 6 | 1 << 8,
+    imu_process_fault = 16 | 1 << 8,
+    imu_data_process_time_exceeded = 17 | 1 << 8,
+    imu_data_rate_error = 18 | 1 << 8,
+    imu_stall = 19 | 1 << 8,
+    filter_process_fault = 20 | 4 << 8,
+    filter_major_cycle_fault = 20 | 1 << 8,
+    filter_minor_cycle_fault = 21 | 1 << 8,
+    filter_data_rate_error = 22 | 1 << 8,
+    filter_process_stall = 23 | 1 << 8,
+    gnss_subsystem_fault = 24 | 4 << 8,
+    gnss_main_process_fault = 24 | 1 << 8,
+    gnss_receiver_1_stall = 25 | 1 << 8,
+    gnss_receiver_2_stall = 26 | 1 << 8,
+    imu_comm_fault = 33 | 1 << 8,
+    imu_timing_overrun = 34 | 1 << 8,
+    imu_calibration_error_accel = 36 | 1 << 8,
+    imu_calibration_error_gyro = 37 | 1 << 8,
+    imu_calibration_error_mag = 38 | 1 << 8,
+    accel_general_fault = 40 | 1 << 8,
+    accel_over_range = 41 | 1 << 8,
+    accel_self_test_fail = 42 | 1 << 8,
+    gyro_general_fault = 44 | 1 << 8,
+    gyro_over_range = 45 | 1 << 8,
+    gyro_self_test_fail = 46 | 1 << 8,
+    mag_general_fault = 48 | 1 << 8,
+    mag_over_range = 49 | 1 << 8,
+    mag_self_test_fail = 50 | 1 << 8,
+    pressure_sensor_general_fault = 52 | 1 << 8,
+    pressure_sensor_over_range = 53 | 1 << 8,
+    pressure_sensor_self_test_fail = 54 | 1 << 8,
+    factory_bits_invalid = 56 | 1 << 8,
+    filter_timing_overrun = 66 | 1 << 8,
+    filter_timing_underrun = 67 | 1 << 8,
+    receiver_1_fault = 105 | 1 << 8,
+    receiver_1_no_solution = 108 | 1 << 8,
+    receiver_2_fault = 110 | 1 << 8,
+    receiver_2_no_solution = 113 | 1 << 8,
+};
+inline bit_names names_of(cv7_continuous_built_in_test_bits) {
+    return {::mip_names_cv7_continuous_bit};
+}
+
+/** mip_cv7_inertial_bit: cv7_inertial_continuous_built_in_test */
+using cv7_inertial_continuous_built_in_test = ::mip_cv7_inertial_bit;
+/** Its bits: the first one, and 256 times how many. */
+enum class cv7_inertial_continuous_built_in_test_bits : std::uint16_t {
+    system_clock_failure = 0 | 1 << 8,
+    power_fault = 1 | 1 << 8,
+    firmware_fault = 4 | 1 << 8,
+    timing_overload = 5 | 1 << 8,
+    buffer_overrun = 6 | 1 << 8,
+    imu_process_fault = 16 | 1 << 8,
+    imu_data_rate_mismatch = 17 | 1 << 8,
+    imu_overrun_dropped_data = 18 | 1 << 8,
+    imu_stuck = 19 | 1 << 8,
+    filter_process_fault = 20 | 1 << 8,
+    filter_dropped_data = 21 | 1 << 8,
+    filter_rate_mismatch = 22 | 1 << 8,
+    filter_stuck = 23 | 1 << 8,
+    imu_clock_fault = 32 | 1 << 8,
+    imu_comm_fault = 33 | 1 << 8,
+    imu_timing_overrun = 34 | 1 << 8,
+    imu_calibration_error_accel = 36 | 1 << 8,
+    imu_calibration_error_gyro = 37 | 1 << 8,
+    imu_calibration_error_mag = 38 | 1 << 8,
+    accel_general_fault = 40 | 1 << 8,
+    accel_over_range = 41 | 1 << 8,
+    accel_self_test_fail = 42 | 1 << 8,
+    gyro_general_fault = 44 | 1 << 8,
+    gyro_over_range = 45 | 1 << 8,
+    gyro_self_test_fail = 46 | 1 << 8,
+    mag_general_fault = 48 | 1 << 8,
+    mag_over_range = 49 | 1 << 8,
+    mag_self_test_fail = 50 | 1 << 8,
+    pressure_sensor_general_fault = 52 | 1 << 8,
+    pressure_sensor_over_range = 53 | 1 << 8,
+    pressure_sensor_self_test_fail = 54 | 1 << 8,
+    factory_bits_invalid = 56 | 1 << 8,
+    filter_fault = 64 | 1 << 8,
+    filter_timing_overrun = 66 | 1 << 8,
+    filter_timing_underrun = 67 | 1 << 8,
+};
+inline bit_names names_of(cv7_inertial_continuous_built_in_test_bits) {
+    return {::mip_names_cv7_inertial_bit};
+}
+
+/** mip_gq7_bit: gq7_continuous_built_in_test */
+using gq7_continuous_built_in_test = ::mip_gq7_bit;
+/** Its bits: the first one, and 256 times how many. */
+enum class gq7_continuous_built_in_test_bits : std::uint16_t {
+    system_clock_failure = 0 | 1 << 8,
+    power_fault = 1 | 1 << 8,
+    firmware_fault = 4 | 1 << 8,
+    timing_overload = 5 | 1 << 8,
+    buffer_overrun = 6 | 1 << 8,
+    imu_ipc_fault = 16 | 4 << 8,
+    filter_ipc_fault = 20 | 4 << 8,
+    gnss_ipc_fault = 24 | 4 << 8,
+    imu_clock_fault = 32 | 1 << 8,
+    imu_comm_fault = 33 | 1 << 8,
+    imu_timing_overrun = 34 | 1 << 8,
+    imu_calibration_error_accel = 36 | 1 << 8,
+    imu_calibration_error_gyro = 37 | 1 << 8,
+    imu_calibration_error_mag = 38 | 1 << 8,
+    accel_general_fault = 40 | 1 << 8,
+    accel_over_range = 41 | 1 << 8,
+    accel_self_test_fail = 42 | 1 << 8,
+    gyro_general_fault = 44 | 1 << 8,
+    gyro_over_range = 45 | 1 << 8,
+    gyro_self_test_fail = 46 | 1 << 8,
+    mag_general_fault = 48 | 1 << 8,
+    mag_over_range = 49 | 1 << 8,
+    mag_self_test_fail = 50 | 1 << 8,
+    pressure_sensor_general_fault = 52 | 1 << 8,
+    pressure_sensor_over_range = 53 | 1 << 8,
+    pressure_sensor_self_test_fail = 54 | 1 << 8,
+    filter_clock_fault = 64 | 1 << 8,
+    filter_hardware_fault = 65 | 1 << 8,
+    filter_timing_overrun = 66 | 1 << 8,
+    filter_timing_underrun = 67 | 1 << 8,
+    filter_comm_error = 68 | 4 << 8,
+    gnss_clock_fault = 96 | 1 << 8,
+    gnss_hardware_fault = 97 | 1 << 8,
+    gnss_comm_error = 98 | 3 << 8,
+    gps_time_fault = 101 | 1 << 8,
+    gnss_timing_overrun = 102 | 1 << 8,
+    receiver_1_power_fault = 104 | 1 << 8,
+    receiver_1_fault = 105 | 1 << 8,
+    antenna_1_shorted = 106 | 1 << 8,
+    antenna_1_open = 107 | 1 << 8,
+    receiver_1_solution_fault = 108 | 1 << 8,
+    receiver_2_power_fault = 109 | 1 << 8,
+    receiver_2_fault = 110 | 1 << 8,
+    antenna_2_shorted = 111 | 1 << 8,
+    antenna_2_open = 112 | 1 << 8,
+    receiver_2_solution_fault = 113 | 1 << 8,
+    rtcm_comm_fault = 114 | 1 << 8,
+    rtk_dongle_fault = 115 | 1 << 8,
+};
+inline bit_names names_of(gq7_continuous_built_in_test_bits) {
+    return {::mip_names_gq7_bit};
+}
+
+/** mip_event_trigger_type: event_trigger_type */
+enum class event_trigger_type : uint8_t {
+    none = MIP_EVENT_TRIGGER_TYPE_NONE,
+    gpio = MIP_EVENT_TRIGGER_TYPE_GPIO,
+    threshold = MIP_EVENT_TRIGGER_TYPE_THRESHOLD,
+    combination = MIP_EVENT_TRIGGER_TYPE_COMBINATION,
+};
+inline value_names names_of(event_trigger_type) {
+    return {::mip_names_event_trigger_type};
+}
+
+/** mip_event_action_type: event_action_type */
+enum class event_action_type : uint8_t {
+    none = MIP_EVENT_ACTION_TYPE_NONE,
+    gpio = MIP_EVENT_ACTION_TYPE_GPIO,
+    message = MIP_EVENT_ACTION_TYPE_MESSAGE,
+};
+inline value_names names_of(event_action_type) {
+    return {::mip_names_event_action_type};
+}
+
+/** mip_event_trigger_mode: event_trigger_mode */
+enum class event_trigger_mode : uint8_t {
+    disabled = MIP_EVENT_TRIGGER_MODE_DISABLED,
+    enabled = MIP_EVENT_TRIGGER_MODE_ENABLED,
+    test = MIP_EVENT_TRIGGER_MODE_TEST,
+    test_pulse = MIP_EVENT_TRIGGER_MODE_TEST_PULSE,
+};
+inline value_names names_of(event_trigger_mode) {
+    return {::mip_names_event_trigger_mode};
+}
+
+/** mip_event_trigger_status: event_trigger_status */
+enum class event_trigger_status : uint8_t {
+    active = MIP_EVENT_TRIGGER_STATUS_ACTIVE,
+    enabled = MIP_EVENT_TRIGGER_STATUS_ENABLED,
+    test = MIP_EVENT_TRIGGER_STATUS_TEST,
+};
+inline flag_names names_of(event_trigger_status) {
+    return {::mip_names_event_trigger_status};
+}
+
+/** mip_event_trigger_gpio_mode: event_trigger_gpio_mode */
+enum class event_trigger_gpio_mode : uint8_t {
+    disabled = MIP_EVENT_TRIGGER_GPIO_MODE_DISABLED,
+    while_high = MIP_EVENT_TRIGGER_GPIO_MODE_WHILE_HIGH,
+    while_low = MIP_EVENT_TRIGGER_GPIO_MODE_WHILE_LOW,
+    edge = MIP_EVENT_TRIGGER_GPIO_MODE_EDGE,
+};
+inline value_names names_of(event_trigger_gpio_mode) {
+    return {::mip_names_event_trigger_gpio_mode};
+}
+
+/** mip_event_threshold_type: event_threshold_type */
+enum class event_threshold_type : uint8_t {
+    window = MIP_EVENT_THRESHOLD_TYPE_WINDOW,
+    interval = MIP_EVENT_THRESHOLD_TYPE_INTERVAL,
+};
+inline value_names names_of(event_threshold_type) {
+    return {::mip_names_event_threshold_type};
+}
+
+/** mip_event_action_gpio_mode: event_action_gpio_mode */
+enum class event_action_gpio_mode : uint8_t {
+    disabled = MIP_EVENT_ACTION_GPIO_MODE_DISABLED,
+    active_high = MIP_EVENT_ACTION_GPIO_MODE_ACTIVE_HIGH,
+    active_low = MIP_EVENT_ACTION_GPIO_MODE_ACTIVE_LOW,
+    oneshot_high = MIP_EVENT_ACTION_GPIO_MODE_ONESHOT_HIGH,
+    oneshot_low = MIP_EVENT_ACTION_GPIO_MODE_ONESHOT_LOW,
+    toggle = MIP_EVENT_ACTION_GPIO_MODE_TOGGLE,
+};
+inline value_names names_of(event_action_gpio_mode) {
+    return {::mip_names_event_action_gpio_mode};
+}
+
+/** mip_event_trigger_gpio */
+using event_trigger_gpio = ::mip_event_trigger_gpio;
+
+/** mip_event_threshold_window */
+using event_threshold_window = ::mip_event_threshold_window;
+
+/** mip_event_threshold_interval */
+using event_threshold_interval = ::mip_event_threshold_interval;
+
+/** mip_event_trigger_threshold */
+using event_trigger_threshold = ::mip_event_trigger_threshold;
+
+/** mip_event_trigger_combination */
+using event_trigger_combination = ::mip_event_trigger_combination;
+
+/** mip_event_action_gpio */
+using event_action_gpio = ::mip_event_action_gpio;
+
+/** mip_event_action_message */
+using event_action_message = ::mip_event_action_message;
+
+/** mip_gnss_constellation: gnss_constellation */
+enum class gnss_constellation : uint8_t {
+    unknown = MIP_GNSS_CONSTELLATION_UNKNOWN,
+    gps = MIP_GNSS_CONSTELLATION_GPS,
+    glonass = MIP_GNSS_CONSTELLATION_GLONASS,
+    galileo = MIP_GNSS_CONSTELLATION_GALILEO,
+    beidou = MIP_GNSS_CONSTELLATION_BEIDOU,
+    sbas = MIP_GNSS_CONSTELLATION_SBAS,
+};
+inline value_names names_of(gnss_constellation) {
+    return {::mip_names_gnss_constellation};
+}
+
+/** mip_gnss_fix_type: gnss_fix_type */
+enum class gnss_fix_type : uint8_t {
+    fix_3d = MIP_GNSS_FIX_TYPE_FIX_3D,
+    fix_2d = MIP_GNSS_FIX_TYPE_FIX_2D,
+    fix_time_only = MIP_GNSS_FIX_TYPE_FIX_TIME_ONLY,
+    fix_none = MIP_GNSS_FIX_TYPE_FIX_NONE,
+    fix_invalid = MIP_GNSS_FIX_TYPE_FIX_INVALID,
+    fix_rtk_float = MIP_GNSS_FIX_TYPE_FIX_RTK_FLOAT,
+    fix_rtk_fixed = MIP_GNSS_FIX_TYPE_FIX_RTK_FIXED,
+    fix_differential = MIP_GNSS_FIX_TYPE_FIX_DIFFERENTIAL,
+};
+inline value_names names_of(gnss_fix_type) {
+    return {::mip_names_gnss_fix_type};
+}
+
+/** mip_gnss_signal: gnss_signal */
+enum class gnss_signal : uint8_t {
+    unknown = MIP_GNSS_SIGNAL_UNKNOWN,
+    gps_l1ca = MIP_GNSS_SIGNAL_GPS_L1CA,
+    gps_l1p = MIP_GNSS_SIGNAL_GPS_L1P,
+    gps_l1z = MIP_GNSS_SIGNAL_GPS_L1Z,
+    gps_l2ca = MIP_GNSS_SIGNAL_GPS_L2CA,
+    gps_l2p = MIP_GNSS_SIGNAL_GPS_L2P,
+    gps_l2z = MIP_GNSS_SIGNAL_GPS_L2Z,
+    gps_l2cl = MIP_GNSS_SIGNAL_GPS_L2CL,
+    gps_l2cm = MIP_GNSS_SIGNAL_GPS_L2CM,
+    gps_l2cml = MIP_GNSS_SIGNAL_GPS_L2CML,
+    gps_l5i = MIP_GNSS_SIGNAL_GPS_L5I,
+    gps_l5q = MIP_GNSS_SIGNAL_GPS_L5Q,
+    gps_l5iq = MIP_GNSS_SIGNAL_GPS_L5IQ,
+    gps_l1cd = MIP_GNSS_SIGNAL_GPS_L1CD,
+    gps_l1cp = MIP_GNSS_SIGNAL_GPS_L1CP,
+    gps_l1cdp = MIP_GNSS_SIGNAL_GPS_L1CDP,
+    glonass_g1ca = MIP_GNSS_SIGNAL_GLONASS_G1CA,
+    glonass_g1p = MIP_GNSS_SIGNAL_GLONASS_G1P,
+    glonass_g2c = MIP_GNSS_SIGNAL_GLONASS_G2C,
+    glonass_g2p = MIP_GNSS_SIGNAL_GLONASS_G2P,
+    galileo_e1c = MIP_GNSS_SIGNAL_GALILEO_E1C,
+    galileo_e1a = MIP_GNSS_SIGNAL_GALILEO_E1A,
+    galileo_e1b = MIP_GNSS_SIGNAL_GALILEO_E1B,
+    galileo_e1bc = MIP_GNSS_SIGNAL_GALILEO_E1BC,
+    galileo_e1abc = MIP_GNSS_SIGNAL_GALILEO_E1ABC,
+    galileo_e6c = MIP_GNSS_SIGNAL_GALILEO_E6C,
+    galileo_e6a = MIP_GNSS_SIGNAL_GALILEO_E6A,
+    galileo_e6b = MIP_GNSS_SIGNAL_GALILEO_E6B,
+    galileo_e6bc = MIP_GNSS_SIGNAL_GALILEO_E6BC,
+    galileo_e6abc = MIP_GNSS_SIGNAL_GALILEO_E6ABC,
+    galileo_e5bi = MIP_GNSS_SIGNAL_GALILEO_E5BI,
+    galileo_e5bq = MIP_GNSS_SIGNAL_GALILEO_E5BQ,
+    galileo_e5biq = MIP_GNSS_SIGNAL_GALILEO_E5BIQ,
+    galileo_e5abi = MIP_GNSS_SIGNAL_GALILEO_E5ABI,
+    galileo_e5abq = MIP_GNSS_SIGNAL_GALILEO_E5ABQ,
+    galileo_e5abiq = MIP_GNSS_SIGNAL_GALILEO_E5ABIQ,
+    galileo_e5ai = MIP_GNSS_SIGNAL_GALILEO_E5AI,
+    galileo_e5aq = MIP_GNSS_SIGNAL_GALILEO_E5AQ,
+    galileo_e5aiq = MIP_GNSS_SIGNAL_GALILEO_E5AIQ,
+    sbas_l1ca = MIP_GNSS_SIGNAL_SBAS_L1CA,
+    sbas_l5i = MIP_GNSS_SIGNAL_SBAS_L5I,
+    sbas_l5q = MIP_GNSS_SIGNAL_SBAS_L5Q,
+    sbas_l5iq = MIP_GNSS_SIGNAL_SBAS_L5IQ,
+    qzss_l1ca = MIP_GNSS_SIGNAL_QZSS_L1CA,
+    qzss_lexs = MIP_GNSS_SIGNAL_QZSS_LEXS,
+    qzss_lexl = MIP_GNSS_SIGNAL_QZSS_LEXL,
+    qzss_lexsl = MIP_GNSS_SIGNAL_QZSS_LEXSL,
+    qzss_l2cm = MIP_GNSS_SIGNAL_QZSS_L2CM,
+    qzss_l2cl = MIP_GNSS_SIGNAL_QZSS_L2CL,
+    qzss_l2cml = MIP_GNSS_SIGNAL_QZSS_L2CML,
+    qzss_l5i = MIP_GNSS_SIGNAL_QZSS_L5I,
+    qzss_l5q = MIP_GNSS_SIGNAL_QZSS_L5Q,
+    qzss_l5iq = MIP_GNSS_SIGNAL_QZSS_L5IQ,
+    qzss_l1cd = MIP_GNSS_SIGNAL_QZSS_L1CD,
+    qzss_l1cp = MIP_GNSS_SIGNAL_QZSS_L1CP,
+    qzss_l1cdp = MIP_GNSS_SIGNAL_QZSS_L1CDP,
+    beidou_b1i = MIP_GNSS_SIGNAL_BEIDOU_B1I,
+    beidou_b1q = MIP_GNSS_SIGNAL_BEIDOU_B1Q,
+    beidou_b1iq = MIP_GNSS_SIGNAL_BEIDOU_B1IQ,
+    beidou_b3i = MIP_GNSS_SIGNAL_BEIDOU_B3I,
+    beidou_b3q = MIP_GNSS_SIGNAL_BEIDOU_B3Q,
+    beidou_b3iq = MIP_GNSS_SIGNAL_BEIDOU_B3IQ,
+    beidou_b2i = MIP_GNSS_SIGNAL_BEIDOU_B2I,
+    beidou_b2q = MIP_GNSS_SIGNAL_BEIDOU_B2Q,
+    beidou_b2iq = MIP_GNSS_SIGNAL_BEIDOU_B2IQ,
+    beidou_b2a = MIP_GNSS_SIGNAL_BEIDOU_B2A,
+};
+inline value_names names_of(gnss_signal) {
+    return {::mip_names_gnss_signal};
+}
+
+/** mip_gpio_feature: gpio_feature */
+enum class gpio_feature : uint8_t {
+    unused = MIP_GPIO_FEATURE_UNUSED,
+    gpio = MIP_GPIO_FEATURE_GPIO,
+    pps = MIP_GPIO_FEATURE_PPS,
+    encoder = MIP_GPIO_FEATURE_ENCODER,
+    timestamp = MIP_GPIO_FEATURE_TIMESTAMP,
+    uart = MIP_GPIO_FEATURE_UART,
+};
+inline value_names names_of(gpio_feature) {
+    return {::mip_names_gpio_feature};
+}
+
+/** mip_gpio_unused_behavior: gpio_unused_behavior */
+enum class gpio_unused_behavior : uint8_t {
+    unused = MIP_GPIO_UNUSED_BEHAVIOR_UNUSED,
+};
+inline value_names names_of(gpio_unused_behavior) {
+    return {::mip_names_gpio_unused_behavior};
+}
+
+/** mip_gpio_behavior: gpio_behavior */
+enum class gpio_behavior : uint8_t {
+    input = MIP_GPIO_BEHAVIOR_INPUT,
+    output_low = MIP_GPIO_BEHAVIOR_OUTPUT_LOW,
+    output_high = MIP_GPIO_BEHAVIOR_OUTPUT_HIGH,
+};
+inline value_names names_of(gpio_behavior) {
+    return {::mip_names_gpio_behavior};
+}
+
+/** mip_gpio_pps_behavior: gpio_pps_behavior */
+enum class gpio_pps_behavior : uint8_t {
+    input = MIP_GPIO_PPS_BEHAVIOR_INPUT,
+    output = MIP_GPIO_PPS_BEHAVIOR_OUTPUT,
+};
+inline value_names names_of(gpio_pps_behavior) {
+    return {::mip_names_gpio_pps_behavior};
+}
+
+/** mip_gpio_encoder_behavior: gpio_encoder_behavior */
+enum class gpio_encoder_behavior : uint8_t {
+    a = MIP_GPIO_ENCODER_BEHAVIOR_A,
+    b = MIP_GPIO_ENCODER_BEHAVIOR_B,
+};
+inline value_names names_of(gpio_encoder_behavior) {
+    return {::mip_names_gpio_encoder_behavior};
+}
+
+/** mip_gpio_timestamp_behavior: gpio_timestamp_behavior */
+enum class gpio_timestamp_behavior : uint8_t {
+    rising = MIP_GPIO_TIMESTAMP_BEHAVIOR_RISING,
+    falling = MIP_GPIO_TIMESTAMP_BEHAVIOR_FALLING,
+    either = MIP_GPIO_TIMESTAMP_BEHAVIOR_EITHER,
+};
+inline value_names names_of(gpio_timestamp_behavior) {
+    return {::mip_names_gpio_timestamp_behavior};
+}
+
+/** mip_gpio_uart_behavior: gpio_uart_behavior */
+enum class gpio_uart_behavior : uint8_t {
+    port_2_tx = MIP_GPIO_UART_BEHAVIOR_PORT_2_TX,
+    port_2_rx = MIP_GPIO_UART_BEHAVIOR_PORT_2_RX,
+    port_3_tx = MIP_GPIO_UART_BEHAVIOR_PORT_3_TX,
+    port_3_rx = MIP_GPIO_UART_BEHAVIOR_PORT_3_RX,
+};
+inline value_names names_of(gpio_uart_behavior) {
+    return {::mip_names_gpio_uart_behavior};
+}
+
+/** mip_gpio_pin_mode: gpio_pin_mode */
+enum class gpio_pin_mode : uint8_t {
+    open_drain = MIP_GPIO_PIN_MODE_OPEN_DRAIN,
+    pulldown = MIP_GPIO_PIN_MODE_PULLDOWN,
+    pullup = MIP_GPIO_PIN_MODE_PULLUP,
+};
+inline flag_names names_of(gpio_pin_mode) {
+    return {::mip_names_gpio_pin_mode};
+}
+
+/** mip_nmea_message_id: nmea_message_id */
+enum class nmea_message_id : uint8_t {
+    gga = MIP_NMEA_MESSAGE_ID_GGA,
+    gll = MIP_NMEA_MESSAGE_ID_GLL,
+    gsv = MIP_NMEA_MESSAGE_ID_GSV,
+    rmc = MIP_NMEA_MESSAGE_ID_RMC,
+    vtg = MIP_NMEA_MESSAGE_ID_VTG,
+    hdt = MIP_NMEA_MESSAGE_ID_HDT,
+    zda = MIP_NMEA_MESSAGE_ID_ZDA,
+    gst = MIP_NMEA_MESSAGE_ID_GST,
+    msra = MIP_NMEA_MESSAGE_ID_MSRA,
+    msrr = MIP_NMEA_MESSAGE_ID_MSRR,
+};
+inline value_names names_of(nmea_message_id) {
+    return {::mip_names_nmea_message_id};
+}
+
+/** mip_nmea_talker_id: nmea_talker_id */
+enum class nmea_talker_id : uint8_t {
+    ignored = MIP_NMEA_TALKER_ID_IGNORED,
+    gnss = MIP_NMEA_TALKER_ID_GNSS,
+    gps = MIP_NMEA_TALKER_ID_GPS,
+    galileo = MIP_NMEA_TALKER_ID_GALILEO,
+    glonass = MIP_NMEA_TALKER_ID_GLONASS,
+};
+inline value_names names_of(nmea_talker_id) {
+    return {::mip_names_nmea_talker_id};
+}
+
+/** mip_nmea_message */
+using nmea_message = ::mip_nmea_message;
+
+/** mip_comm_interface: comm_interface */
+enum class comm_interface : uint8_t {
+    all = MIP_COMM_INTERFACE_ALL,
+    main = MIP_COMM_INTERFACE_MAIN,
+    uart_1 = MIP_COMM_INTERFACE_UART_1,
+    uart_2 = MIP_COMM_INTERFACE_UART_2,
+    uart_3 = MIP_COMM_INTERFACE_UART_3,
+    usb_1 = MIP_COMM_INTERFACE_USB_1,
+    usb_2 = MIP_COMM_INTERFACE_USB_2,
+};
+inline value_names names_of(comm_interface) {
+    return {::mip_names_comm_interface};
+}
+
+/** mip_rtk_status_flags: rtk_status_flags */
+enum class rtk_status_flags : uint32_t {
+    modem_state = MIP_RTK_STATUS_FLAGS_MODEM_STATE,
+    connection_type = MIP_RTK_STATUS_FLAGS_CONNECTION_TYPE,
+    rssi = MIP_RTK_STATUS_FLAGS_RSSI,
+    signal_quality = MIP_RTK_STATUS_FLAGS_SIGNAL_QUALITY,
+    tower_change_indicator = MIP_RTK_STATUS_FLAGS_TOWER_CHANGE_INDICATOR,
+    nmea_timeout = MIP_RTK_STATUS_FLAGS_NMEA_TIMEOUT,
+    server_timeout = MIP_RTK_STATUS_FLAGS_SERVER_TIMEOUT,
+    corrections_timeout = MIP_RTK_STATUS_FLAGS_CORRECTIONS_TIMEOUT,
+    device_out_of_range = MIP_RTK_STATUS_FLAGS_DEVICE_OUT_OF_RANGE,
+    corrections_unavailable = MIP_RTK_STATUS_FLAGS_CORRECTIONS_UNAVAILABLE,
+    version = MIP_RTK_STATUS_FLAGS_VERSION,
+};
+inline flag_names names_of(rtk_status_flags) {
+    return {::mip_names_rtk_status_flags};
+}
+
+/** mip_rtk_status_flags_legacy: rtk_status_flags_legacy */
+enum class rtk_status_flags_legacy : uint32_t {
+    controller_state = MIP_RTK_STATUS_FLAGS_LEGACY_CONTROLLER_STATE,
+    platform_state = MIP_RTK_STATUS_FLAGS_LEGACY_PLATFORM_STATE,
+    controller_status_code = MIP_RTK_STATUS_FLAGS_LEGACY_CONTROLLER_STATUS_CODE,
+    platform_status_code = MIP_RTK_STATUS_FLAGS_LEGACY_PLATFORM_STATUS_CODE,
+    reset_code = MIP_RTK_STATUS_FLAGS_LEGACY_RESET_CODE,
+    signal_quality = MIP_RTK_STATUS_FLAGS_LEGACY_SIGNAL_QUALITY,
+    rssi = MIP_RTK_STATUS_FLAGS_LEGACY_RSSI,
+    rsrp = MIP_RTK_STATUS_FLAGS_LEGACY_RSRP,
+    rsrq = MIP_RTK_STATUS_FLAGS_LEGACY_RSRQ,
+    sinr = MIP_RTK_STATUS_FLAGS_LEGACY_SINR,
+};
+inline flag_names names_of(rtk_status_flags_legacy) {
+    return {::mip_names_rtk_status_flags_legacy};
+}
+
+/** mip_ack_code: ack_code */
+enum class ack_code : uint8_t {
+    ok = MIP_ACK_CODE_OK,
+    unknown_command = MIP_ACK_CODE_UNKNOWN_COMMAND,
+    bad_checksum = MIP_ACK_CODE_BAD_CHECKSUM,
+    invalid_parameter = MIP_ACK_CODE_INVALID_PARAMETER,
+    command_failed = MIP_ACK_CODE_COMMAND_FAILED,
+    command_timeout = MIP_ACK_CODE_COMMAND_TIMEOUT,
+    unknown_descriptor_set = MIP_ACK_CODE_UNKNOWN_DESCRIPTOR_SET,
+};
+inline value_names names_of(ack_code) {
+    return {::mip_names_ack_code};
+}
+
+/** mip_descriptor_rate */
+using descriptor_rate = ::mip_descriptor_rate;
+
+/** mip_sensor_gps_timestamp_flags: sensor_gps_timestamp_flags */
+enum class sensor_gps_timestamp_flags : uint16_t {
+    pps_valid = MIP_SENSOR_GPS_TIMESTAMP_FLAGS_PPS_VALID,
+    time_refresh = MIP_SENSOR_GPS_TIMESTAMP_FLAGS_TIME_REFRESH,
+    time_initialized = MIP_SENSOR_GPS_TIMESTAMP_FLAGS_TIME_INITIALIZED,
+    tow_valid = MIP_SENSOR_GPS_TIMESTAMP_FLAGS_TOW_VALID,
+    week_number_valid = MIP_SENSOR_GPS_TIMESTAMP_FLAGS_WEEK_NUMBER_VALID,
+};
+inline flag_names names_of(sensor_gps_timestamp_flags) {
+    return {::mip_names_sensor_gps_timestamp_flags};
+}
+
+/** mip_gx5_sensor_gps_timestamp_flags: gx5_sensor_gps_timestamp_flags */
+enum class gx5_sensor_gps_timestamp_flags : uint16_t {
+    pps_valid = MIP_GX5_SENSOR_GPS_TIMESTAMP_FLAGS_PPS_VALID,
+    time_refresh = MIP_GX5_SENSOR_GPS_TIMESTAMP_FLAGS_TIME_REFRESH,
+    time_initialized = MIP_GX5_SENSOR_GPS_TIMESTAMP_FLAGS_TIME_INITIALIZED,
+};
+inline flag_names names_of(gx5_sensor_gps_timestamp_flags) {
+    return {::mip_names_gx5_sensor_gps_timestamp_flags};
+}
+
+struct acknowledge_ : ::mip_protocol_acknowledge {
+    using c_type = ::mip_protocol_acknowledge;
+    ::mip::ack_code code() const {
+        return static_cast<::mip::ack_code>(c_type::code);
+    }
+};
+/** Acknowledge. See struct mip_protocol_acknowledge. */
+using acknowledge = acknowledge_;
+
+} // namespace mip
+
+#endif

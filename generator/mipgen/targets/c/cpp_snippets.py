@@ -1,0 +1,109 @@
+"""How a program in C++ uses a field: a few lines for documentation, with sample values."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from mipgen import model as m
+from mipgen.emit.wrapping import Brackets, Expression, after, laid_out
+from mipgen.facts import literals
+from mipgen.facts.literals import Literal
+from mipgen.facts.sample_values import GivenValues, SampleValues, title_of
+from mipgen.lower.memory import members
+
+from . import snippets
+from .cpp import accessors, command_name, namespace, qualified, word
+from .literals import string
+from .names import c_type, field_name, member, module
+
+
+@dataclass(frozen=True)
+class Programs:
+    samples: SampleValues
+
+    def command(self, f: m.Field) -> str:
+        """Calls it at a device."""
+        lines = [f'#include "mip/{module(f.family)}_commands.hpp"']
+        for i, shown in enumerate(self.samples.shown(f)):
+            name = "answer" if i else "result"
+            lines += ["", *_call(f, shown, self.samples, f"const auto {name} = ")]
+            lines += [f"if (!{name}) {{", f"    // {name}.reason() says why", "}"]
+        return "\n".join(lines)
+
+    def sequence(self, name: str, steps: Sequence[tuple[m.Field, GivenValues]]) -> str:
+        """A function that sends several commands; it ends with the first one that is not acknowledged."""
+        lines = sorted({f'#include "mip/{module(f.family)}_commands.hpp"' for f, _ in steps})
+        lines += ["", f"mip::result<> {name}(mip::device<> &device) {{"]
+        for i, (f, given) in enumerate(steps):
+            asked = _call(f, given.call, given, "result = " if i else "mip::result<> result = ", 88)
+            title = f"// {i + 1}: {title_of(f, given)}"
+            body = "\n".join(asked + ([f"// {given.host}"] if given.host else [])).split("\n")
+            if i == 0:
+                lines += [f"    {line}" for line in (title, *body)]
+            else:
+                lines += [f"    if (result) {{ {title}", *(f"        {line}" for line in body), "    }"]
+        return "\n".join([*lines, "    return result;", "}"])
+
+    def data(self, f: m.Field) -> str:
+        """Reads it from a field of a packet."""
+        called = {a.name for a in accessors(f)}
+        counted = {p.counter for p in members(f) if p.counter}
+        shown = [p for p in members(f) if p.name not in counted]
+        names = [f"value->{word(p.name)}()" if word(p.name) in called else f"value->{member(p.name)}" for p in shown]
+        read = ", ".join(names[:3]) + (" …" if len(names) > 3 else "")
+        return "\n".join([
+            f'#include "mip/{module(f.family)}.hpp"',
+            "",
+            f"if (const auto value = field.as<{qualified(f)}>()) {{",
+            f"    // {read or 'it holds nothing'}",
+            *(["    // field.descriptor_set is the set in which it came"] if len(f.occurrences) > 1 else []),
+            "} else {",
+            "    // it is another field, or too short: field.decode says which",
+            "}",
+        ])  # fmt: skip
+
+
+def _call(f: m.Field, shown: m.Call, samples: SampleValues, result: str, width: int = 96) -> list[str]:
+    """What must be declared before, and the call, whose result is assigned."""
+    values = literals.record(f.parameters, samples.values(f, shown))
+    chosen = snippets.call_of(f, shown, samples)
+    before: list[Expression] = []
+    if chosen.whole:  # all of it is reserved
+        before.append(after(f"const {field_name(f)} command = ", snippets.record(values)))
+        asked = Brackets(f"{result}device.call(", ["command"], ");", comma="")
+        return [laid_out(line, width) for line in (*(snippets.statement(x) for x in before), asked)]
+    counted = {p.counter for p in chosen.given if p.counter}
+    given: list[Expression] = []
+    for p in chosen.given:
+        if p.name in counted:
+            continue
+        declared, value = _argument(p, values[p.name])
+        before += declared
+        given.append(value)
+    command = f"mip::{namespace(f.family)}::{command_name(f, chosen)}"
+    asked = Brackets(f"{result}device.call({command}{{", given, "});", comma="")
+    return [laid_out(line, width) for line in (*(snippets.statement(x) for x in before), asked)]
+
+
+def _argument(p: m.Parameter, x: Literal) -> tuple[list[Expression], Expression]:
+    """What must be declared before, and the member of the command."""
+    match x:
+        case literals.Choice(known=None):
+            return [], f"static_cast<{qualified(x.type)}>({x.number.value})"
+        case literals.Choice(known=m.EnumValue() as known):
+            return [], f"{qualified(x.type)}::{word(known.name)}"
+        case literals.Flags(names=()):
+            return [], f"static_cast<{qualified(x.type)}>({x.number.text})"
+        case literals.Flags():
+            return [], " | ".join(f"{qualified(x.type)}::{word(b.name)}" for b in x.names)
+        case literals.Text():
+            return [], string(x.text)
+        case literals.Items(items=(first, *_)) if p.counter or p.fills:
+            assert p.element is not None
+            one = qualified(p.element) if isinstance(p.element, m.Struct) else c_type(p.element)
+            inner = f"[{len(first.items)}]" if isinstance(first, literals.Items) else ""
+            return [after(f"const {one} {word(p.name)}[]{inner} = ", snippets.value(x))], word(p.name)
+        case literals.Items(items=()):
+            return [], "{}"
+    return [], snippets.value(x)

@@ -1,0 +1,319 @@
+/**
+ * @file
+ * A device at a port, in C++17: calls of commands, and handlers for data.
+ */
+#ifndef MIP_DEVICE_HPP
+#define MIP_DEVICE_HPP
+
+#include "mip/core.hpp"
+#include "mip/device.h"
+#include "mip/types.hpp"
+
+#include <new>
+#ifdef __cpp_lib_concepts
+#include <concepts>
+#endif
+
+namespace mip {
+
+/** The outcome of a command. */
+enum class outcome {
+    /** It does not fit into a packet, or the port could not write. */
+    not_sent = MIP_NOT_SENT,
+    /** The device has carried it out. */
+    acknowledged = MIP_ACKNOWLEDGED,
+    /** It was sent; devices do not answer it. */
+    sent = MIP_SENT,
+    /** The device has refused it: `code` says why. */
+    refused = MIP_REFUSED,
+    /** No answer came in time. */
+    timed_out = MIP_TIMED_OUT,
+    /** The device has acknowledged it without sending its response. */
+    missing_response = MIP_MISSING_RESPONSE,
+    /** The device has sent a response that cannot be decoded: `error` says why. */
+    undecodable = MIP_UNDECODABLE,
+    /** The port was gone before the answer came. */
+    closed = MIP_CLOSED,
+    /** It was called from a handler of the same device. */
+    busy = MIP_BUSY
+};
+
+/** The outcome in words: "timed out". */
+inline std::string_view to_string(outcome value) {
+    return mip_outcome_name(static_cast<enum mip_outcome>(value));
+}
+
+/** The outcome of a command, and the response of one that has a response: `if (r) { r->... }`. */
+template <class Response = void> class result;
+
+/** The outcome of a command without a response. */
+template <> class [[nodiscard]] result<void> {
+  public:
+    result(const mip_result &of) : result_(of) {
+    }
+    /** Has the command been carried out, as far as is known? */
+    explicit operator bool() const {
+        return mip_succeeded(result_);
+    }
+    mip::outcome outcome() const {
+        return static_cast<mip::outcome>(result_.outcome);
+    }
+    /** The device's answer, if there was one: why it has refused the command. */
+    ack_code code() const {
+        return static_cast<ack_code>(result_.code);
+    }
+    /** With not_sent and undecodable: what is wrong. */
+    mip_error error() const {
+        return static_cast<mip_error>(result_.error);
+    }
+    /** The name of the code or the error, if there is one. */
+    std::string_view reason() const {
+        return mip_result_reason(result_);
+    }
+
+  private:
+    mip_result result_;
+};
+
+/** The outcome of a command with a response, which is zeroed if there is none. */
+template <class Response> class [[nodiscard]] result : public result<void> {
+  public:
+    result(const mip_result &of, const Response &response) : result<void>(of), response_(response) {
+    }
+    const Response &operator*() const {
+        return response_;
+    }
+    const Response *operator->() const {
+        return &response_;
+    }
+
+  private:
+    Response response_;
+};
+
+/** Writes "refused, unknown_command" to a stream such as std::ostream. */
+template <class Stream, class Response>
+auto operator<<(Stream &out, const result<Response> &of)
+    -> decltype(static_cast<Stream &>(out << std::string_view())) {
+    out << to_string(of.outcome());
+    return of.reason().empty() ? out : static_cast<Stream &>(out << ", " << of.reason());
+}
+
+/* --------------------------------------------------------------------------------------- commands
+ */
+
+/** How the command is answered whose structure of C is given; headers of commands specialize it. */
+template <class Command> struct exchange;
+
+/** Says so for a structure. */
+#define MIP_COMMAND_OF(type, answer)           \
+    template <> struct exchange<::type> {      \
+        using response = answer;               \
+        static const mip_exchange &answers() { \
+            return ::type##_exchange;          \
+        }                                      \
+        static const mip_command &command() {  \
+            return ::type##_command;           \
+        }                                      \
+    };
+
+/** A command whose data is always the same: nothing, or the function selector. */
+template <class Command, class Response, std::uint8_t... Function> struct fixed_command {
+    using command = Command;
+    using response = Response;
+
+    /** Sends it, and waits for the answer. */
+    mip_result call(mip_device *device) const {
+        return send(device, nullptr, nullptr);
+    }
+    template <class T> mip_result call(mip_device *device, T *to) const {
+        c_type<T> *answer = to;
+        return send(device, &traits<T>::codec(), answer);
+    }
+    /** The structure of C. */
+    const command *fill(command *to) const {
+        *to = {};
+        ((to->function = Function), ...);
+        return to;
+    }
+
+  private:
+    static mip_result send(mip_device *device, const mip_codec *codec, void *answer) {
+        const std::uint8_t data[] = {Function..., 0};
+        return mip_device_send(device, &exchange<Command>::answers(), data, sizeof...(Function),
+                               codec, answer);
+    }
+};
+
+/* ----------------------------------------------------------------------------------------- ports
+ */
+
+#ifdef __cpp_lib_concepts
+/** A way to the device, and a clock. */
+template <class T>
+concept port = requires(T &way, span<std::uint8_t> room, bytes packet) {
+    /* As many bytes as have arrived, perhaps 0; without a value if the port is gone. */
+    { way.read(room) } -> std::convertible_to<std::optional<std::size_t>>;
+    /* Sends all of them; false if that failed. */
+    { way.write(packet) } -> std::convertible_to<bool>;
+    /* Milliseconds, which may wrap around. */
+    { way.now() } -> std::convertible_to<std::uint32_t>;
+};
+#define MIP_PORT_TYPE ::mip::port
+#else
+#define MIP_PORT_TYPE class
+#endif
+
+/**
+ * The port of C that calls an object of yours, which must outlive the device:
+ * `std::optional<std::size_t> read(mip::span<std::uint8_t> room)`, `bool write(mip::bytes packet)`
+ * and `std::uint32_t now()`. They do what the functions of struct mip_port do.
+ */
+template <MIP_PORT_TYPE Port> mip_port port_of(Port &port) {
+    return {[](void *user, std::uint8_t *to, std::size_t size, std::size_t *count) {
+                const std::optional<std::size_t> read =
+                    static_cast<Port *>(user)->read(span<std::uint8_t>(to, size));
+                *count = read.value_or(0);
+                return read.has_value();
+            },
+            [](void *user, const std::uint8_t *from, std::size_t size) {
+                return static_cast<bool>(static_cast<Port *>(user)->write(bytes(from, size)));
+            },
+            [](void *user) { return static_cast<std::uint32_t>(static_cast<Port *>(user)->now()); },
+            &port};
+}
+
+/* ---------------------------------------------------------------------------------------- devices
+ */
+
+/**
+ * A device at a port. It has room for so many handlers, and does not move, because C holds
+ * addresses of its parts.
+ */
+template <std::size_t Handlers = 8> class device {
+  public:
+    explicit device(const mip_port &port) {
+        mip_device_init(&device_, &port, entries_, 0);
+    }
+    template <MIP_PORT_TYPE Port, class = std::enable_if_t<!std::is_same_v<Port, mip_port>>>
+    explicit device(Port &port) : device(port_of(port)) {
+    }
+    device(const device &) = delete;
+    device &operator=(const device &) = delete;
+
+    /**
+     * Calls a handler with each value of type T that arrives: `(const T &value)`, or also with
+     * `const field &from`, and `std::uint32_t arrived`, the time of the port. Only the first
+     * handler of a field is called. It must not wait, nor call the device.
+     *
+     * The device keeps a copy, so a lambda may capture at most two pointers, such as `[this]` or
+     * `[&a, &b]`. If there is no room for it, poll returns false from then on.
+     */
+    template <MIP_LAYOUT_TYPE T, class F> void on(F handler) {
+        on<T>(MIP_ANY_SET, handler);
+    }
+    /** The same for one of the descriptor sets in which the type occurs. */
+    template <MIP_LAYOUT_TYPE T, class F> void on(std::uint8_t descriptor_set, F handler) {
+        static_assert(std::is_invocable_v<F &, const T &> ||
+                          std::is_invocable_v<F &, const T &, const field &> ||
+                          std::is_invocable_v<F &, const T &, const field &, std::uint32_t>,
+                      "a handler takes the value, and perhaps the field and the time");
+        add(&traits<T>::codec(), descriptor_set, handler,
+            [](void *user, const mip_field *from, std::uint32_t arrived) {
+                const field received(*from);
+                T value;
+                if (received.decode(value) == MIP_OK) {
+                    detail::call(*std::launder(static_cast<F *>(user)), value, received, arrived);
+                }
+            });
+    }
+    /** Calls a handler with each field that no earlier one is for: `(const field &from)`, perhaps
+     * with the time. */
+    template <class F> void on_other(F handler) {
+        add(MIP_ANY_FIELD, MIP_ANY_SET, handler,
+            [](void *user, const mip_field *from, std::uint32_t arrived) {
+                F &call = *std::launder(static_cast<F *>(user));
+                if constexpr (std::is_invocable_v<F &, const field &, std::uint32_t>) {
+                    call(field(*from), arrived);
+                } else {
+                    (void)arrived;
+                    call(field(*from));
+                }
+            });
+    }
+
+    /** Reads once, and calls the handlers of the fields that are now complete. False if the port is
+     * gone, if a handler calls it, or if there were too many handlers. */
+    bool poll() {
+        return !full_ && mip_device_poll(&device_);
+    }
+
+    /** Sends a command, such as `write_...{}`, and waits for its answer. */
+    template <class Command, class = typename Command::command>
+    result<typename Command::response> call(const Command &command) {
+        if constexpr (std::is_void_v<typename Command::response>) {
+            return command.call(&device_);
+        } else {
+            typename Command::response response;
+            const mip_result done = command.call(&device_, &response);
+            return {done, response};
+        }
+    }
+    /** The same with a structure of C, for optional parameters. */
+    template <class Command, class Response = typename exchange<Command>::response>
+    result<Response> call(const Command &command) {
+        const mip_command &sent = exchange<Command>::command();
+        if constexpr (std::is_void_v<Response>) {
+            return mip_device_call(&device_, &sent, &command, nullptr, nullptr);
+        } else {
+            Response response;
+            c_type<Response> &to = response;
+            const mip_result done =
+                mip_device_call(&device_, &sent, &command, &traits<Response>::codec(), &to);
+            return {done, response};
+        }
+    }
+
+    /** Milliseconds that the device may take to answer. */
+    void timeout(std::uint32_t milliseconds) {
+        device_.client.timeout = milliseconds;
+    }
+    /** The packet whose field a handler is called with: an empty one outside handlers. */
+    packet current() const {
+        return device_.packet != nullptr ? *device_.packet : mip_packet{nullptr, 0, 0};
+    }
+    /** The device of C, for what has no name here. */
+    mip_device &c() {
+        return device_;
+    }
+
+  private:
+    /** What a handler captures. */
+    struct alignas(void *) room {
+        unsigned char bytes[2 * sizeof(void *)];
+    };
+
+    template <class F>
+    void add(const mip_codec *type, std::uint8_t descriptor_set, const F &handler,
+             void (*handle)(void *, const mip_field *, std::uint32_t)) {
+        static_assert(std::is_trivially_copyable_v<F> && std::is_trivially_destructible_v<F> &&
+                          sizeof(F) <= sizeof(room) && alignof(F) <= alignof(room),
+                      "a handler captures too much: capture a reference, or use std::ref");
+        const std::size_t next = device_.handler_count;
+        if (next == Handlers) {
+            full_ = true;
+            return;
+        }
+        entries_[next] = {type, descriptor_set, handle, new (captured_[next].bytes) F(handler)};
+        device_.handler_count++;
+    }
+
+    mip_device device_;
+    mip_handler entries_[Handlers];
+    room captured_[Handlers];
+    bool full_ = false;
+};
+
+} // namespace mip
+
+#endif

@@ -1,0 +1,248 @@
+"""C++17: what it does, what compiles and what must not, and what it costs beside C."""
+
+from __future__ import annotations
+
+import re
+import shutil
+import struct
+import subprocess
+from pathlib import Path
+
+import pytest
+from c_build import SANITIZE, SANITIZED, WARNINGS, archive, compiled, folder, include, run
+from mipgen.lower import codec
+from support import PATIENCE, ROOT, SPECS, heavy, model, need, simulated
+
+HERE = Path(__file__).parent
+EXAMPLES = folder("real") / "examples"
+if shutil.which("g++") is None:
+    pytestmark = heavy("g++")
+BARE = ["-fno-exceptions", "-fno-rtti"]
+both = pytest.mark.parametrize("spec", sorted(SPECS))
+compilers = pytest.mark.parametrize(
+    ("compiler", "standard"),
+    [
+        ("g++", "-std=c++17"),
+        pytest.param("g++", "-std=c++20", marks=heavy("g++")),
+        pytest.param("clang++", "-std=c++17", marks=heavy("clang")),
+        pytest.param("clang++", "-std=c++20", marks=heavy("clang")),
+        pytest.param("x86_64-w64-mingw32-g++", "-std=c++17", marks=heavy("mingw")),
+    ],
+)
+
+
+def checked(source: Path, compiler: str, *flags: str, spec: str = "real") -> subprocess.CompletedProcess[str]:
+    """Reads a program without building it."""
+    command = [need(compiler), *WARNINGS, *flags, include(spec), "-fsyntax-only", str(source)]
+    return subprocess.run(command, capture_output=True, text=True)
+
+
+def built(tmp: Path, source: Path, *flags: str) -> Path:
+    library = archive("real", "cc", *SANITIZED)
+    return compiled(tmp / source.stem, "real", "g++", source, "-std=c++17", *SANITIZE, *flags, library=library)
+
+
+# --------------------------------------------------------------------------- what compiles
+
+
+@compilers
+@both
+def test_all_headers_compile(spec: str, compiler: str, standard: str, tmp_path: Path) -> None:
+    program = tmp_path / "all.cpp"
+    program.write_text('#include "mip/mip.hpp"\n')
+    assert (done := checked(program, compiler, standard, *BARE, spec=spec)).returncode == 0, done.stderr
+
+
+@heavy("each header alone")
+@both
+def test_each_header_compiles_alone(spec: str, tmp_path: Path) -> None:
+    headers = sorted((folder(spec) / "src/mip").glob("*.hpp"))
+    assert len(headers) > 5
+    for path in headers:
+        program = tmp_path / f"{path.stem}.cpp"
+        program.write_text(f'#include "mip/{path.name}"\n')
+        flags = [] if path.name == "ostream.hpp" else BARE
+        assert (done := checked(program, "g++", "-std=c++17", *flags, spec=spec)).returncode == 0, done.stderr
+
+
+MISUSE = {
+    "another language": ("", "-std=c++14", "needs C++17"),
+    "a value of another enumeration": (
+        "auto c = mip::mip_3dm::write_pps_source_control{mip::ack_code::ok};", "-std=c++17", "cannot convert"),
+    "flags of another bitfield": (
+        "auto f = mip::gnss_data::dop_flags{} | mip::gnss_data::sv_flags{};", "-std=c++17", "no match"),
+    "what captures too much": (
+        "void f(mip::device<> &d, double a, double b, double c) {"
+        " d.on<mip::acknowledge>([=](const auto &) { (void)(a + b + c); }); }", "-std=c++17", "captures too much"),
+    "what takes something else": (
+        "void f(mip::device<> &d) { d.on<mip::acknowledge>([](int) {}); }", "-std=c++17", "a handler takes the value"),
+    "a field that is not looked at": (
+        "void f(mip::builder &b) { b.add(mip::base::ping{}); }", "-std=c++17", "nodiscard"),
+    "an outcome that is not looked at": (
+        "void f(mip::device<> &d) { d.call(mip::base::ping{}); }", "-std=c++17", "nodiscard"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", MISUSE)
+def test_what_must_not_compile(name: str, tmp_path: Path) -> None:
+    code, standard, message = MISUSE[name]
+    program = tmp_path / "misuse.cpp"
+    program.write_text(f'#include "mip/mip.hpp"\n{code}\n')
+    done = checked(program, "g++", standard)
+    assert done.returncode != 0 and message in done.stderr, done.stderr
+
+
+def test_readme_shows_programs_that_compile(tmp_path: Path) -> None:
+    section = (folder("real") / "README.md").read_text("utf-8").partition("\n## C++17\n")[2].partition("\n## ")[0]
+    blocks = re.findall(r"```cpp\n(.*?)```", section, re.S)
+    assert len(blocks) == 2
+    program = tmp_path / "blocks.cpp"
+    includes = "".join(line + "\n" for block in blocks for line in re.findall("^#include.*", block, re.M))
+    outside = (
+        "static void show(const float *) {}\nstatic void report(std::string_view, std::string_view) {}\n"
+        "static void report(unsigned, unsigned) {}\n"
+    )
+    outside += (
+        "struct Port {\n  std::optional<std::size_t> read(mip::span<std::uint8_t>) { return 0; }\n"
+        "  bool write(mip::bytes) { return true; }\n  std::uint32_t now() { return 0; }\n};\n"
+    )
+    used = "int main() {\n  Port port;\n  mip::builder b(1);\n  return run(port) && ask(b);\n}\n"
+    bodies = "".join(re.sub("^#include.*\n", "", block, flags=re.M) for block in blocks)
+    program.write_text(f"{includes}{outside}{bodies}{used}")
+    assert (done := checked(program, "g++", "-std=c++17", *BARE)).returncode == 0, done.stderr
+
+
+# --------------------------------------------------------------------------- what it does
+
+
+@pytest.mark.parametrize(
+    ("compiler", "standard"), [("g++", "-std=c++17"), pytest.param("clang++", "-std=c++20", marks=heavy("clang"))]
+)
+def test_unit(compiler: str, standard: str, tmp_path: Path) -> None:
+    """Under the sanitizers."""
+    library = archive("real", "cc" if compiler == "g++" else "clang", *SANITIZED)
+    flags = [standard, *SANITIZE, *BARE]
+    run(compiled(tmp_path / "use", "real", compiler, HERE / "unit/use.cpp", *flags, library=library))
+
+
+def test_examples_are_in_the_style_of_the_folder() -> None:
+    style = f"--style=file:{folder('real') / '.clang-format'}"
+    paths = sorted(EXAMPLES.glob("*.cpp"))
+    assert [p.name for p in paths] == ["autopilot.cpp", "log.cpp", "node.cpp"]
+    run(need("clang-format"), style, "--dry-run", "-Werror", *paths)
+
+
+def test_the_autopilot_needs_nothing_of_the_system() -> None:
+    text = (EXAMPLES / "autopilot.cpp").read_text("utf-8")
+    assert re.findall(r"#include <.*>|\bnew \w+[({\[]|\bthrow\b|\btry\b|std::(?:string|vector|function)", text) == []
+    done = checked(EXAMPLES / "autopilot.cpp", "g++", "-std=c++17", *BARE)
+    assert done.returncode == 0, done.stderr
+
+
+def test_the_log_reader_reads_a_log(tmp_path: Path) -> None:
+    of, log = model("real"), tmp_path / "log.bin"
+    fields = {name: of.field(f"filter_data.{name}") for name in ("timestamp", "llh_position")}
+    data = {
+        "timestamp": struct.pack(">dHH", 12.5, 2000, 1),
+        "llh_position": struct.pack(">dddH", 48.5, 11.25, 500.0, 1),
+    }
+    parts = [(f.descriptor, data[name]) for name, f in fields.items() if f]
+    packet = codec.build(of, 0x82, parts)
+    log.write_bytes(b"$GPGGA\r\n" + packet + b"ue" + packet)
+    program = built(tmp_path, EXAMPLES / "log.cpp")
+    done = subprocess.run([program, log], capture_output=True, text=True)
+    line = "12.5,48.5,11.25,valid\n"
+    assert (done.returncode, done.stdout) == (0, f"time,latitude,longitude,flags\n{line}{line}"), done.stderr
+    assert "2 x llh_position\n2 x timestamp\n10 bytes are not part of a packet\n" in done.stderr
+    assert subprocess.run([program], capture_output=True).returncode == 2
+
+
+@heavy("g++")
+def test_the_node_publishes_what_a_device_sends(tmp_path: Path) -> None:
+    program = built(tmp_path, EXAMPLES / "node.cpp")
+    with simulated("--tcp", "0", "--speed", "10") as place:
+        host, _, port = place.rpartition(":")
+        done = subprocess.run([program, host, port], capture_output=True, text=True, timeout=PATIENCE)
+    name, *lines = done.stdout.splitlines()
+    assert (done.returncode, done.stderr) == (0, "") and "3DM-CV7-GNSS/INS" in name and len(lines) >= 10
+    done = subprocess.run([program, host, port], capture_output=True, text=True)
+    assert (done.returncode, done.stderr) == (1, f"no connection to {host}:{port}\n")
+
+
+@pytest.mark.parametrize("how", ["subdirectory", pytest.param("installed", marks=heavy("g++"))])
+def test_cmake(how: str, tmp_path: Path) -> None:
+    project, prefix = tmp_path / "project", tmp_path / "prefix"
+    project.mkdir()
+    fast = ("-G", "Ninja", f"-DCMAKE_MAKE_PROGRAM={need('ninja')}", "-DCMAKE_C_FLAGS=-O0")
+    if how == "installed":
+        run(need("cmake"), "-S", folder("real"), "-B", tmp_path / "mip", f"-DCMAKE_INSTALL_PREFIX={prefix}", *fast)
+        run(need("cmake"), "--build", tmp_path / "mip", "--target", "install")
+    found = "find_package(mip REQUIRED)" if how == "installed" else f"add_subdirectory({folder('real')} mip)"
+    (project / "CMakeLists.txt").write_text(
+        "cmake_minimum_required(VERSION 3.14)\nproject(user LANGUAGES C CXX)\nadd_executable(main main.cpp)\n"
+        f"{found}\ntarget_link_libraries(main mip::mip_cpp)\n"
+    )
+    (project / "main.cpp").write_text(
+        '#include "mip/sensor.hpp"\nint main() { return mip::field(mip_field{}).is<mip::sensor::scaled_accel>(); }\n'
+    )
+    run(need("cmake"), "-S", project, "-B", tmp_path / "build", f"-DCMAKE_PREFIX_PATH={prefix}", *fast)
+    run(need("cmake"), "--build", tmp_path / "build", "--target", "main")
+    run(tmp_path / "build/main")
+
+
+# --------------------------------------------------------------------------- what it costs
+
+#: Functions of the board and of the C library, so that a program links without either.
+OUTSIDE = ("memchr", "memcmp", "memcpy", "memmove", "memset", "strlen", "uart", "use")
+#: Bytes of a program on a Cortex-M4 beyond the same one in C.
+MORE_BYTES = 150
+#: Instructions in place of those of C.
+RATIO = 1.03
+
+
+@heavy("arm-none-eabi-g++")
+def test_firmware_is_hardly_larger_than_in_c(tmp_path: Path) -> None:
+    flags = ["-mcpu=cortex-m4", "-mthumb", "-Os", "-ffunction-sections", "-fdata-sections"]
+    library = archive("real", "arm-none-eabi-gcc", "-std=c99", *flags)
+    link = ["-nostdlib", "-lgcc", "-Wl,--gc-sections", "-Wl,-e,start", *(f"-Wl,--defsym={n}=0" for n in OUTSIDE)]
+    sizes = {}
+    for name, how in {"c": ["-std=c99"], "cpp": ["-std=c++17", *BARE, "-fno-threadsafe-statics"]}.items():
+        compiler = need("arm-none-eabi-gcc" if name == "c" else "arm-none-eabi-g++")
+        source, elf = HERE / f"cost/firmware.{name}", tmp_path / name
+        run(compiler, *WARNINGS, *how, *flags, include("real"), source, library, *link, "-o", elf)
+        code, data = run(need("arm-none-eabi-size"), elf).splitlines()[1].split()[:2]
+        sizes[name] = int(code) + int(data)
+    assert sizes["cpp"] - sizes["c"] <= MORE_BYTES, sizes
+
+
+@heavy("valgrind")
+def test_a_recording_takes_hardly_more_instructions_than_in_c(tmp_path: Path) -> None:
+    of, log, empty = model("real"), tmp_path / "log.bin", tmp_path / "empty.bin"
+    cycle = (("sensor.scaled_accel", "sensor.scaled_gyro"), ("filter_data.ned_velocity", "filter_data.status"))
+    packets = bytearray()
+    for names in cycle:
+        fields = [f for name in names if (f := of.field(name))]
+        packets += codec.build(of, fields[0].set, [(f.descriptor, bytes(f.min_size)) for f in fields])
+    log.write_bytes(packets * 4000)
+    empty.write_bytes(b"")
+    library, spent, sums = archive("real", "cc", "-std=c99", "-O2"), {}, set()
+    for name, compiler, standard in (("c", "cc", "-std=c99"), ("cpp", "g++", "-std=c++17")):
+        source = HERE / f"cost/recording.{name}"
+        program = compiled(tmp_path / name, "real", compiler, source, standard, "-O2", library=library)
+        spent[name] = instructions(program, log) - instructions(program, empty)
+        sums.add(run(program, log))
+    assert len(sums) == 1 and spent["cpp"] <= RATIO * spent["c"], spent
+
+
+def instructions(program: Path, log: Path) -> int:
+    tool = ("--tool=cachegrind", "--cache-sim=no", "--cachegrind-out-file=/dev/null")
+    done = subprocess.run([need("valgrind"), *tool, program, log], capture_output=True, text=True, check=True)
+    return int(re.search(r"I\s+refs:\s+([\d,]+)", done.stderr)[1].replace(",", ""))  # type: ignore[index]
+
+
+def test_the_driver_is_built_from_every_layout() -> None:
+    """So that none is left out of the conformance suite."""
+    headers = (folder("real") / "src/mip").glob("*.hpp")
+    listed = re.findall(r"^MIP_LAYOUT\((\w+),", "".join(p.read_text("utf-8") for p in headers), re.M)
+    assert len(listed) == len(set(listed)) == len(model("real").fields) + 1
+    assert (ROOT / "tests/cpp/build_driver.sh").is_file()
