@@ -16,7 +16,7 @@ from mipgen import model as m
 from mipgen.lower import codec
 from mipgen.targets.c import calls, members, names
 from spec_defaults import filled as filled_in
-from support import PATIENCE, SPECS, model, need, simulated, small
+from support import PATIENCE, SPECS, model, need, small
 from test_c import build, constructed, given, record, written
 
 EXAMPLES = folder("real") / "examples"
