@@ -190,9 +190,8 @@ record! {
     /// [3DM-GX5-10](crate::devices::GX5_10), [3DM-GX5-25](crate::devices::GX5_25),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
-    /// - Level and at rest, z reads −1 g: the opposite of the gravity vector. The packet that both
-    ///   manuals print shows it, if the exchanged halves of its z are put in order: 0xBF7F7FE5 is
-    ///   −0.998 g.
+    /// - Level and at rest, z reads −1 g: the opposite of the gravity vector. In the packet that
+    ///   both manuals print, z is −0.998 g (0xBF7F7FE5) once its exchanged halves are put in order.
     ///
     /// Source: 3dm-gx5-15: 5.1.1 Scaled Accelerometer Vector (0x80, 0x04); 3dm-cv7-gnss-ins: Scaled
     /// Accel (0x80,0x04).
