@@ -388,9 +388,9 @@ PATIENCE = 60
 
 
 @contextmanager
-def simulated(*arguments: str) -> Iterator[str]:
+def simulated(*arguments: str, device: str = "3dm-cv7-gnss-ins") -> Iterator[str]:
     """Runs a virtual device, and says where it is."""
-    command = [sys.executable, "-m", "mip_tools", "simulate", "3dm-cv7-gnss-ins", *arguments]
+    command = [sys.executable, "-m", "mip_tools", "simulate", device, *arguments]
     environment = {**os.environ, "PYTHONPATH": PYTHONPATH}
     process = subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, text=True)
     try:

@@ -92,9 +92,9 @@ def test_the_example_for_windows(tmp_path: Path) -> None:
     run(compiler, *flags, EXAMPLE, *SOURCES, library, "-lws2_32", "-o", tmp_path / "stream.exe")
 
 
-def good(result: tuple[int, list[str], str], most: int = 1000) -> None:
+def good(result: tuple[int, list[str], str], most: int = 1000, model: str = "3DM-CV7-GNSS/INS") -> None:
     code, (name, *lines), error = result
-    assert (code, error) == (0, "") and name.startswith("3DM-CV7-GNSS/INS")
+    assert (code, error) == (0, "") and name.strip().startswith(model)
     assert 50 < len(lines) < most and all(LINE.fullmatch(line) for line in lines), lines[:3]
 
 
@@ -113,6 +113,12 @@ def test_tcp(stream: Path) -> None:
     assert code == 1 and error == f"{place}: Connection refused\n"
     assert ran(stream, "no.such.host.invalid:1")[0] == 1
     assert ran(stream, "h" * 300 + ":1")[2].endswith(": the name of the host is too long\n")
+
+
+def test_a_device_with_the_older_commands(stream: Path) -> None:
+    """It rejects the base rate and the format of any set, and has commands for each of its sets."""
+    with simulated("--tcp", "0", "--duration", "2", device="3dm-gx5-15") as place:
+        good(ran(stream, place), most=310, model="3DM-GX5-15")
 
 
 def test_faults(stream: Path, tmp_path: Path) -> None:

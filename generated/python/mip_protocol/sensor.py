@@ -224,7 +224,7 @@ class ScaledAccel(Data):
     3DM-GX5-10, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     Level and at rest, z reads −1 g: the opposite of the gravity vector. In the packet that both
-    manuals print, z is −0.998 g (0xBF7F7FE5) once its exchanged halves are put in order.
+    manuals show, z is −0.998 g (0xBF7F7FE5) once its exchanged halves are put in order.
 
     - 3dm-gx5-15: 5.1.1 Scaled Accelerometer Vector (0x80, 0x04)
     - 3dm-cv7-gnss-ins: Scaled Accel (0x80,0x04)

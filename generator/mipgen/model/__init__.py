@@ -46,7 +46,7 @@ from .fields import (
     Set,
 )
 from .parameters import DEVICE, REST, Case, Group, Parameter, Shape, Shown, Union, Variant, groups
-from .protocol import OWN_PACKAGE, Chapter, Clock, Conversion, Protocol, Session, Usage, Word
+from .protocol import OWN_PACKAGE, Chapter, Clock, Conversion, Older, Protocol, Session, Usage, Word
 from .specification import Model
 from .types import (
     SCALARS,
@@ -108,6 +108,7 @@ __all__ = [
     "Named",
     "Note",
     "Occurrence",
+    "Older",
     "Parameter",
     "Port",
     "Position",

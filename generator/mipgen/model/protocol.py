@@ -64,6 +64,17 @@ class Clock:
 
 
 @dataclass(frozen=True, slots=True)
+class Older:
+    """How older devices start the data of one set: full names of commands."""
+
+    set: str
+    base_rate: str
+    format: str
+    stream: int  # in place of the descriptor set
+    position: Position | None = field(default=None, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
 class Session:
     """What a program sends to get to know a device and to start its data: full names of commands."""
 
@@ -76,6 +87,7 @@ class Session:
     base_rate: str
     format: str
     stream: str
+    older: tuple[Older, ...] = ()
     position: Position | None = field(default=None, compare=False)
 
     @property

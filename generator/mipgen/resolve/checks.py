@@ -27,6 +27,12 @@ SESSION = {
     "stream": (("u8", "bool"), "a descriptor set, and whether its data is sent"),
 }
 
+#: The same of commands for one set.
+OLDER = {
+    "base_rate": ((), "no parameters"),
+    "format": (("u8", "[u8 u16]"), "a count, and that many descriptors with decimations"),
+}
+
 #: What the response of such a command has.
 ANSWERS = {"identify": "the texts of `model_numbers`", "base_rate": "one parameter in Hz"}
 
@@ -225,15 +231,28 @@ def session(model: m.Model, problems: Problems) -> None:
     if found is None:
         return
     for role, (types, words) in SESSION.items():
-        name = getattr(found, role)
-        f = model.field(name)
-        if f is None or f.role != m.COMMAND:
-            names = {x.full_name for x in model.fields if x.role == m.COMMAND}
-            problems.add(found.position, f"`{role}`: no command '{name}'{nearest(name, names)}")
-        elif tuple(_type(p) for p in f.calls[0].required) != types:
-            problems.add(found.position, f"`{role}`: '{name}' must take {words}")
-        elif role in ANSWERS and not _answers(role, model.responses(f), found):
-            problems.add(found.position, f"`{role}`: '{name}' must have one response, with {ANSWERS[role]}")
+        if problem := _unfit(role, getattr(found, role), types, words, model, found):
+            problems.add(found.position, problem)
+    sets = {s.name for s in model.sets if s.kind == "data"}
+    for older in found.older:
+        if older.set not in sets:
+            problems.add(older.position, f"`older`: no data set '{older.set}'{nearest(older.set, sets)}")
+        for role, (types, words) in OLDER.items():
+            if problem := _unfit(role, getattr(older, role), types, words, model, found):
+                problems.add(older.position, problem)
+
+
+def _unfit(role: str, name: str, types: tuple[str, ...], words: str, model: m.Model, session: m.Session) -> str | None:
+    """Why a command cannot have a role in a session."""
+    f = model.field(name)
+    if f is None or f.role != m.COMMAND:
+        names = {x.full_name for x in model.fields if x.role == m.COMMAND}
+        return f"`{role}`: no command '{name}'{nearest(name, names)}"
+    if tuple(_type(p) for p in f.calls[0].required) != types:
+        return f"`{role}`: '{name}' must take {words}"
+    if role in ANSWERS and not _answers(role, model.responses(f), session):
+        return f"`{role}`: '{name}' must have one response, with {ANSWERS[role]}"
+    return None
 
 
 def _answers(role: str, responses: tuple[m.Field, ...], session: m.Session) -> bool:

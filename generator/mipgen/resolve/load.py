@@ -199,8 +199,12 @@ def _session(node: Node | None) -> m.Session | None:
     if node is None:
         return None
     return m.Session(
-        **{name: node[name].value for name in node.keys if name != "model_numbers"},
+        **{name: node[name].value for name in node.keys if name not in ("model_numbers", "older")},
         model_numbers=tuple(node["model_numbers"].plain()),
+        older=tuple(
+            m.Older(name, **{key: n[key].value for key in n.keys}, position=n.position)
+            for name, n in (node["older"].items() if "older" in node else ())
+        ),
         position=node.position,
     )
 

@@ -8,6 +8,8 @@ struct fake {
     uint32_t baud, rate, clock, base_rate;
     /* Answers that it does not send, of all and of this command; a command that it refuses; data that it sends. */
     unsigned lose, lose_of, refuse, data;
+    /* Has it the older commands for some sets, in place of the others? */
+    bool older;
     /* The rates that the port has: those up to this one. Reads and writes until the port is gone. */
     uint32_t fastest;
     unsigned reads_left, writes_left;
@@ -16,6 +18,8 @@ struct fake {
     uint32_t tried[20];
     uint8_t format[MIP_MAX_PAYLOAD];
     size_t format_size;
+    /* The stream that was switched on. */
+    uint8_t stream;
     uint8_t out[2 * MIP_MAX_PACKET];
     size_t out_size;
 };
@@ -48,7 +52,9 @@ static bool fake_read(void *user, uint8_t *bytes, size_t size, size_t *count) {
 static bool fake_write(void *user, const uint8_t *bytes, size_t size) {
     struct fake *f = (struct fake *)user;
     const unsigned command = bytes[2] * 0x100u + bytes[5];
-    const uint8_t acknowledge[2] = {bytes[5], (uint8_t)(command == f->refuse)};
+    const bool known = f->older ? command != 0x0C0E && command != 0x0C0F && command != 0x0C07
+                                : command < 0x0C06 || command > 0x0C0B;
+    const uint8_t acknowledge[2] = {bytes[5], (uint8_t)(command == f->refuse || !known)};
     struct mip_builder answer;
     uint8_t data[82];
     if (f->writes_left == 0 || --f->writes_left == 0) {
@@ -79,9 +85,16 @@ static bool fake_write(void *user, const uint8_t *bytes, size_t size) {
         mip_put_16(data + 1, (uint16_t)f->base_rate);
         CHECK(mip_builder_add(&answer, 0x8E, data, 3) == MIP_OK);
     }
-    if (command == 0x0C0F) {
+    if (acknowledge[1] == 0 && (command == 0x0C06 || command == 0x0C0B)) {
+        mip_put_16(data, (uint16_t)f->base_rate);
+        CHECK(mip_builder_add(&answer, command == 0x0C06 ? 0x83 : 0x8A, data, 2) == MIP_OK);
+    }
+    if (command == 0x0C0F || command == 0x0C08 || command == 0x0C0A) {
         f->format_size = bytes[4] - 2u;
         memcpy(f->format, bytes + 6, f->format_size);
+    }
+    if (command == 0x0C11) {
+        f->stream = bytes[7];
     }
     f->out_size = mip_builder_finish(&answer).size;
     return true;
@@ -247,7 +260,8 @@ static void streams(void) {
     for (unsigned i = 0; i < 4; i++) {
         start(115200);
         fake.refuse = commands[i];
-        CHECK(mip_device_stream(&device, 0x80, rates, 2).outcome == MIP_REFUSED && fake.count == i + 1);
+        CHECK(mip_device_stream(&device, 0x80, rates, 2).outcome == MIP_REFUSED);
+        CHECK(fake.count == (i == 0 ? 2 : i + 1)); /* it may be an older device */
         start(115200);
         fake.lose = 2;
         fake.lose_of = commands[i];
@@ -256,6 +270,30 @@ static void streams(void) {
         fake.reads_left = i + 1;
         CHECK(mip_device_stream(&device, 0x80, rates, 2).outcome == MIP_CLOSED);
     }
+}
+
+/* Older devices have commands for each of their sets, and streams with numbers. */
+static void older(void) {
+    static const struct {
+        uint8_t set;
+        unsigned commands[5];
+    } sets[] = {{0x80, {0x0C0E, 0x0C06, 0x0C08, 0x0C11, 0x0106}}, {0x82, {0x0C0E, 0x0C0B, 0x0C0A, 0x0C11, 0x0106}}};
+    struct mip_rate rates[] = {{0x05, 100, 0}};
+    for (unsigned i = 0; i < 2; i++) {
+        start(115200);
+        fake.older = true;
+        CHECK(mip_device_stream(&device, sets[i].set, rates, 1).outcome == MIP_ACKNOWLEDGED && fake.count == 5);
+        CHECK(memcmp(fake.commands, sets[i].commands, sizeof(sets[i].commands)) == 0);
+        CHECK(fake.format_size == 5 && memcmp(fake.format, "\x01\x01\x05\x00\x0A", 5) == 0);
+        CHECK(fake.stream == (i == 0 ? 1 : 3));
+    }
+    /* A set that it does not have, and one for which there is no older command: the first answer. */
+    start(115200);
+    fake.older = true;
+    CHECK(mip_device_stream(&device, 0x81, rates, 1).outcome == MIP_REFUSED && fake.count == 2);
+    start(115200);
+    fake.older = true;
+    CHECK(mip_device_stream(&device, 0xA0, rates, 1).outcome == MIP_REFUSED && fake.count == 1);
 }
 
 static void retries(void) {
@@ -273,6 +311,7 @@ int main(void) {
     connects();
     patient();
     streams();
+    older();
     retries();
     return 0;
 }

@@ -94,14 +94,51 @@ struct mip_result mip_device_connect(struct mip_device *device,
 struct plan {
     uint8_t descriptor_set;
     uint8_t count;
+    /* Does the device have only the commands of older ones? */
+    bool older;
     struct mip_rate *rates;
     struct mip_3dm_get_base_rate_response base;
     struct mip_descriptor_rate fields[83];
 };
 
+/** The base rate, from a command for this set. */
+static struct mip_result older_base_rate(struct mip_device *device, struct plan *plan,
+                                         struct mip_result result) {
+    switch (plan->descriptor_set) {
+    case 0x80: {
+        struct mip_3dm_get_imu_base_rate_response base;
+        result = mip_call_3dm_get_imu_base_rate(device, &base);
+        plan->base.rate = base.rate;
+        break;
+    }
+    case 0x81: {
+        struct mip_3dm_get_gnss_base_rate_response base;
+        result = mip_call_3dm_get_gnss_base_rate(device, &base);
+        plan->base.rate = base.rate;
+        break;
+    }
+    case 0x82: {
+        struct mip_3dm_get_filter_base_rate_response base;
+        result = mip_call_3dm_get_filter_base_rate(device, &base);
+        plan->base.rate = base.rate;
+        break;
+    }
+    default:
+        break;
+    }
+    return result;
+}
+
 static struct mip_result base_rate(struct mip_device *device, void *shared) {
     struct plan *plan = (struct plan *)shared;
-    return mip_call_3dm_get_base_rate(device, plan->descriptor_set, &plan->base);
+    struct mip_result result =
+        mip_call_3dm_get_base_rate(device, plan->descriptor_set, &plan->base);
+    if (result.outcome == MIP_REFUSED) {
+        const struct mip_result older = older_base_rate(device, plan, result);
+        plan->older = older.outcome != MIP_REFUSED; /* else the device does not have this set */
+        result = plan->older ? older : result;
+    }
+    return result;
 }
 
 /** The decimation whose rate is nearest to the wanted one, which is not 0. */
@@ -140,13 +177,31 @@ static struct mip_result divide(struct mip_device *device, void *shared) {
 
 static struct mip_result format(struct mip_device *device, void *shared) {
     const struct plan *plan = (const struct plan *)shared;
+    if (plan->older && plan->descriptor_set == 0x80) {
+        return mip_call_3dm_imu_message_format_write(device, plan->count, plan->fields);
+    }
+    if (plan->older && plan->descriptor_set == 0x81) {
+        return mip_call_3dm_gnss_message_format_write(device, plan->count, plan->fields);
+    }
+    if (plan->older && plan->descriptor_set == 0x82) {
+        return mip_call_3dm_filter_message_format_write(device, plan->count, plan->fields);
+    }
     return mip_call_3dm_message_format_write(device, plan->descriptor_set, plan->count,
                                              plan->fields);
 }
 
 static struct mip_result stream(struct mip_device *device, void *shared) {
-    return mip_call_3dm_data_stream_control_write(
-        device, ((const struct plan *)shared)->descriptor_set, true);
+    const struct plan *plan = (const struct plan *)shared;
+    if (plan->older && plan->descriptor_set == 0x80) {
+        return mip_call_3dm_data_stream_control_write(device, 1, true);
+    }
+    if (plan->older && plan->descriptor_set == 0x81) {
+        return mip_call_3dm_data_stream_control_write(device, 2, true);
+    }
+    if (plan->older && plan->descriptor_set == 0x82) {
+        return mip_call_3dm_data_stream_control_write(device, 3, true);
+    }
+    return mip_call_3dm_data_stream_control_write(device, plan->descriptor_set, true);
 }
 
 static struct mip_result resume(struct mip_device *device, void *shared) {
@@ -164,6 +219,7 @@ struct mip_result mip_device_stream(struct mip_device *device, uint8_t descripto
     }
     plan.descriptor_set = descriptor_set;
     plan.count = count;
+    plan.older = false;
     plan.rates = rates;
     return run(device, steps, sizeof(steps) / sizeof(steps[0]), &plan);
 }

@@ -68,7 +68,8 @@ struct mip_rate {
 /**
  * Starts the data of a set: asks the base rate of the set, writes which fields are sent and how
  * often, in this order, switches the stream on, and ends the idle state. Fields that all sets
- * share, such as time stamps, come first.
+ * share, such as time stamps, come first. If the device rejects the first command, the older
+ * commands of the set take its place.
  *
  * A device divides its base rate by whole numbers. If it does not have a wanted rate, nothing is
  * changed, and the outcome is MIP_NO_SUCH_RATE: the rates that it does not have are those that

@@ -191,7 +191,7 @@ record! {
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// - Level and at rest, z reads −1 g: the opposite of the gravity vector. In the packet that
-    ///   both manuals print, z is −0.998 g (0xBF7F7FE5) once its exchanged halves are put in order.
+    ///   both manuals show, z is −0.998 g (0xBF7F7FE5) once its exchanged halves are put in order.
     ///
     /// Source: 3dm-gx5-15: 5.1.1 Scaled Accelerometer Vector (0x80, 0x04); 3dm-cv7-gnss-ins: Scaled
     /// Accel (0x80,0x04).

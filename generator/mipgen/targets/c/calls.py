@@ -96,6 +96,18 @@ def sends(f: m.Field, model: m.Model) -> list[Send]:
 
 
 @dataclass(frozen=True, slots=True)
+class Older:
+    """The same for the data of one set of an older device."""
+
+    set: int
+    base_rate: str
+    base_rates: str
+    rate: str
+    format: str
+    stream: int
+
+
+@dataclass(frozen=True, slots=True)
 class Session:
     """What mip_device_connect and mip_device_stream call: names of functions, structures and members."""
 
@@ -116,6 +128,7 @@ class Session:
     decimation: str
     capacity: int
     stream: str
+    older: tuple[Older, ...]
 
 
 def session(model: m.Model) -> Session | None:
@@ -126,7 +139,8 @@ def session(model: m.Model) -> Session | None:
         return None
     commands = [f for f in found if f is not None]
     ping, idle, resume, identify, base_rate, message_format, stream = (next(iter(calls(f, model))) for f in commands)
-    assert identify.response and base_rate.response
+    assert identify.response
+    rates, rate = _base_rate(base_rate)
     array = next(p for p in message_format.field.calls[0].required if p.kind == "array")
     assert array.item.struct
     descriptor, decimation = array.item.struct.parameters
@@ -141,15 +155,35 @@ def session(model: m.Model) -> Session | None:
         identity=field_name(identify.response),
         model_numbers=tuple(".".join(map(member, path.split("."))) for path in given.model_numbers),
         base_rate=base_rate.name,
-        base_rates=field_name(base_rate.response),
-        rate=next(member(p.name) for p in base_rate.response.parameters if p.units == ("Hz",)),
+        base_rates=rates,
+        rate=rate,
         format=message_format.name,
         item=type_name(array.item.struct),
         descriptor=member(descriptor.name),
         decimation=member(decimation.name),
         capacity=array.capacity,
         stream=stream.name,
+        older=tuple(_older(older, model) for older in given.older if _has(older, model)),
     )
+
+
+def _base_rate(call: Call) -> tuple[str, str]:
+    """The structure of a response, and its member in Hz."""
+    assert call.response
+    return field_name(call.response), next(member(p.name) for p in call.response.parameters if p.units == ("Hz",))
+
+
+def _has(older: m.Older, model: m.Model) -> bool:
+    """A part of a specification does not have all of these commands."""
+    return all(model.field(name) for name in (older.base_rate, older.format))
+
+
+def _older(older: m.Older, model: m.Model) -> Older:
+    base_rate, message_format = (
+        next(iter(calls(f, model))) for f in map(model.field, (older.base_rate, older.format)) if f
+    )
+    (number,) = (s.number for s in model.sets if s.name == older.set)
+    return Older(number, base_rate.name, *_base_rate(base_rate), message_format.name, older.stream)
 
 
 # --------------------------------------------------------------------------- calls
