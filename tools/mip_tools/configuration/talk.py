@@ -1,0 +1,219 @@
+"""What is said to a device about its settings."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any
+
+from ..binding import Device, MipError, NoAnswer, Refused, info
+from ..cli import device_file, listing, signals
+from ..errors import Failure
+from ..simulator.codes import SAVE
+from .settings import Place, can, ends_talk, in_order, listed, of, parameters, places, response_names
+
+if TYPE_CHECKING:
+    from ..binding import DeviceAtPort
+
+#: Seconds in which a device that streams sends something. One that sends less does no harm while it is asked.
+QUIET = 0.3
+#: How often a command is sent that is not answered.
+ATTEMPTS = 2
+#: How often what other settings have changed meanwhile is written again.
+ROUNDS = 3
+
+#: Settings and their values, as commands that would write them.
+Held = dict[Place, Any]
+
+
+class Talk:
+    """A device that is asked for its settings, and given them."""
+
+    def __init__(self, link: DeviceAtPort, port: str, complain: Callable[[str], None]) -> None:
+        """Finds out which device it is. Raises Failure."""
+        self.link, self.port, self.complain = link, port, complain
+        self.told = listing.identity(link, port, complain)
+        self.model = device_file.model(self.told)
+        self.profile: Device = listed(self.model.profile, self.told.title, self.told.descriptors)
+
+    # ----------------------------------------------------------------- reading
+
+    def pull(self, beside: Mapping[Place, Any] | None = None) -> Held:
+        """All settings; `beside`: values in whose form those with several forms are read."""
+        held: Held = {}
+        for kind in of(self.profile):
+            for place, open_end in places(kind, self.profile):
+                found = self.read(place, (beside or {}).get(place))
+                if found is not None:
+                    held[place] = found
+                elif open_end:
+                    break
+        return held
+
+    def read(self, place: Place, beside: Any = None) -> Any:
+        """The value of a setting as a command that would write it; None if the device does not have it."""
+        try:
+            response = self.request(place.reading(beside))
+        except Refused:
+            return None
+        return None if response is None else written(place, response)
+
+    def request(self, command: Any) -> Any:
+        """The response to a command. Raises Refused, and Failure if there is no answer."""
+        for attempt in range(ATTEMPTS):
+            try:
+                return self.link.request(command)
+            except Refused:
+                raise
+            except NoAnswer:
+                if attempt == ATTEMPTS - 1:
+                    said = f"{self.port} did not answer {command.NAME}; check the line and --baud, and try again"
+                    raise Failure(said, listing.SILENT) from None
+            except MipError as error:
+                raise Failure(f"{self.port}: {command.NAME}: {error}") from None
+        return None
+
+    # ----------------------------------------------------------------- writing
+
+    def push(self, wanted: Held) -> Pushed:
+        """Gives the device these settings, in the order that is safe; those that it has already are not written."""
+        done = Pushed()
+        for _ in range(ROUNDS):
+            now = {place: self.read(place, wanted[place]) for place in wanted}
+            changes = [place for place in in_order(wanted) if differs(now[place], wanted[place])]
+            changes = [place for place in changes if not ends_talk(place)] or changes
+            progress = False
+            for place in changes:
+                progress |= self._change(place, wanted[place], now[place], done)
+            if not changes or not progress:
+                break
+        left = {place: self.read(place, wanted[place]) for place in done.written}
+        done.different = {p: now for p, now in left.items() if differs(now, wanted[p]) and p not in done.refused}
+        return done
+
+    def _change(self, place: Place, command: Any, before: Any, done: Pushed) -> bool:
+        """Writes one setting. Did the device take it?"""
+        if place in done.given_up:
+            return False
+        try:
+            if ends_talk(place):
+                self._change_link(command, before)
+            else:
+                self.request(command)
+        except Refused as error:
+            done.refused[place] = f"{error.code.name.lower()} ({int(error.code)})"
+            return False
+        except Lost as lost:
+            done.refused[place] = str(lost)
+            done.given_up.add(place)
+            return False
+        done.refused.pop(place, None)
+        done.written[place] = done.written.get(place, 0) + 1
+        return done.written[place] < ROUNDS
+
+    def _change_link(self, command: Any, before: Any) -> None:
+        """Changes how the device is reached, and takes it back if it is not heard any more.
+
+        An interrupt waits until this is settled. Raises Refused, Lost, and Failure if the device remains silent.
+        """
+        held = signals.Held()
+        with signals.handled(held):
+            heard = self._changed_link(command)
+            if not heard and not self._taken_back(before):
+                said = f"{self.port} is not heard since {command.NAME} was written, and not after it was taken back"
+                raise Failure(f"{said}; switch the device off and on: nothing has been saved", listing.SILENT)
+        if held.waits:
+            raise KeyboardInterrupt
+        if not heard:
+            raise Lost("the device was not heard any more; the former value is back")
+
+    def _changed_link(self, command: Any) -> bool:
+        if getattr(command, "baud", None) is not None and self.link.baud is not None:
+            try:
+                self.link.change_baud(command)
+            except NoAnswer:
+                return False
+            return True
+        try:
+            self.link.request(command)
+        except NoAnswer:  # its answer may have been lost by the change
+            pass
+        return self.heard()
+
+    def _taken_back(self, before: Any) -> bool:
+        """Writes the former value, also to a device that is not heard: it may still hear."""
+        for _ in range(ATTEMPTS):
+            self.link.send(before)
+            if self.heard():
+                return True
+        return False
+
+    def heard(self) -> bool:
+        for _ in range(ATTEMPTS):
+            try:
+                self.link.request(listing.command_type("base.ping")())
+            except Refused:
+                return True
+            except NoAnswer:
+                continue
+            return True
+        return False
+
+    # ----------------------------------------------------------------- flash memory
+
+    def save(self) -> tuple[int, dict[Place, str]]:
+        """Saves all current settings: how many, and which the device refused, with its reason."""
+        refused: dict[Place, str] = {}
+        saved = 0
+        for kind in of(self.profile):
+            for place, _ in places(kind, self.profile) if can(kind, self.profile, SAVE) else ():
+                if self.read(place) is None:
+                    continue
+                try:
+                    self.request(place.saving())
+                    saved += 1
+                except Refused as error:
+                    refused[place] = f"{error.code.name.lower()} ({int(error.code)})"
+        return saved, refused
+
+    # ----------------------------------------------------------------- streams
+
+    @contextmanager
+    def undisturbed(self) -> Iterator[None]:
+        """The device sends no data meanwhile, and streams afterwards if it did before."""
+        if self.link.next(timeout=QUIET) is None:
+            yield
+            return
+        with listing.idle(self.link, self.port, self.complain):
+            yield
+
+
+class Lost(Exception):
+    """A change after which the device was not heard, and which was taken back."""
+
+
+class Pushed:
+    """What has become of settings."""
+
+    def __init__(self) -> None:
+        self.written: dict[Place, int] = {}
+        self.refused: dict[Place, str] = {}
+        self.different: dict[Place, Any] = {}  # what they are in place of what was written
+        self.given_up: set[Place] = set()
+
+
+def written(place: Place, response: Any) -> Any:
+    """The command that would write what a response tells."""
+    names = response_names(type(response))
+    given: dict[str, Any] = {}
+    for p in parameters(place.kind):
+        name = names.get(p.name, p.name)
+        value = getattr(response, info(type(response))[name].attribute)
+        if value is not None or p.kind == "switch":
+            given[p.attribute] = value
+    return place.kind.write(**given)
+
+
+def differs(a: Any, b: Any) -> bool:
+    """Are these two different values of a setting? What does not count for a device does not differ."""
+    return a is None or b is None or bool(a.encode() != b.encode())
