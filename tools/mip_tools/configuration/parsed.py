@@ -14,9 +14,13 @@ from ..cli import typed, yaml_text
 from ..cli.yaml_text import kind_of
 from ..errors import Failure
 from ..simulator.checks import SAME, inside, set_of
-from .settings import UNKNOWN, Place, on, parameters, settings
+from ..simulator.settings import home
+from .settings import UNKNOWN, Place, of, on, parameters, settings
 from .words import numbers
 from .written import Beside, selectors
+
+#: Descriptors from here on are those of shared data.
+SHARED = 0xD0
 
 KEYS = ("model", "firmware", "date", "settings")
 
@@ -40,16 +44,17 @@ class Wrong(Exception):
         self.node = node
 
 
-def parsed(path: Path) -> File:
-    """Reads a file. Raises Failure, which names all mistakes."""
-    return _Reader(path).file()
+def parsed(path: Path, device: Device | None = None) -> File:
+    """Reads a file, for a device that has told what it has, if one is given. Raises Failure, which names all mistakes."""
+    return _Reader(path, device).file()
 
 
 class _Reader:
-    def __init__(self, path: Path) -> None:
+    def __init__(self, path: Path, device: Device | None) -> None:
         self.path = path
         self.mistakes: list[str] = []
         self.profile = UNKNOWN
+        self.device = device
 
     def file(self) -> File:
         root = yaml_text.composed(yaml_text.contents(self.path), self.path)
@@ -118,7 +123,20 @@ class _Reader:
         for family, commands in self.keys(node, by_family, "'settings'").items():
             for own, values in self.keys(commands, by_family[family], f"'{family}'").items():
                 kind = settings()[f"{family}.{own}"]
-                self.instances(kind, selectors(kind, Place(kind.NAME).keys), {}, values, values, file)
+                if self.device is None or self.has(kind, commands, own):
+                    self.instances(kind, selectors(kind, Place(kind.NAME).keys), {}, values, values, file)
+
+    def has(self, kind: Any, node: Any, own: str) -> bool:
+        """Does the device have this setting, and in this form?"""
+        assert self.device is not None
+        available = of(self.device)
+        if kind in available:
+            return True
+        key = next(key for key, _ in node.value if key.value == own)
+        others = [other.NAME for other in available if home(other) is home(kind)]
+        instead = f"use {others[0]} instead" if others else "remove it"
+        self.wrong(Wrong(key, f"this device has no setting '{kind.NAME}'; {instead}"))
+        return False
 
     def instances(
         self, kind: Any, rest: list[str], selected: dict[str, int], key: Any, node: Any, file: File
@@ -262,6 +280,8 @@ class _Reader:
 
     def check(self, p: Parameter, value: Any, node: Any, set: int | None) -> None:
         """Is it a value that a device can have?"""
+        if self.device is not None and p.refers == "field" and not self.sends(set, int(value)):
+            raise Wrong(node, f"this device does not have the field '{node.value}'; remove it")
         known = numbers(p, set, self.profile)
         enumerated = known and not p.refers and not isinstance(value, IntFlag)
         if enumerated and int(value) not in known.values():
@@ -270,6 +290,13 @@ class _Reader:
             unit = f" {p.unit}" if p.unit not in ("", "1") else ""
             limits = f"{p.range or 'a number'}{unit}" if p.constant is None else p.constant
             raise Wrong(node, f"'{p.name}' must be {limits}, not {node.value}")
+
+
+    def sends(self, set: int | None, descriptor: int) -> bool:
+        """Does the device have this field, for certain or probably? It may list shared data in one set only."""
+        assert self.device is not None
+        fields = self.device.fields | self.profile.fields
+        return set is None or descriptor >= SHARED or (set, descriptor) in fields
 
 
 def _hint(word: str, known: Iterable[str], otherwise: str = "") -> str:

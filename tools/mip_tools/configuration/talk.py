@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
-from ..binding import Device, MipError, NoAnswer, Refused, info
+from ..binding import AckCode, Device, MipError, NoAnswer, Refused, info
 from ..cli import device_file, listing, signals
 from ..errors import Failure
 from ..simulator.codes import SAVE
@@ -38,17 +38,21 @@ class Talk:
 
     # ----------------------------------------------------------------- reading
 
-    def pull(self, beside: Mapping[Place, Any] | None = None) -> Held:
-        """All settings; `beside`: values in whose form those with several forms are read."""
+    def pull(self) -> Held:
+        """All settings."""
         held: Held = {}
         for kind in of(self.profile):
             for place, open_end in places(kind, self.profile):
-                found = self.read(place, (beside or {}).get(place))
+                found = self.read(place)
                 if found is not None:
                     held[place] = found
                 elif open_end:
                     break
         return held
+
+    def read_all(self, wanted: Held) -> dict[Place, Any]:
+        """The values that the device has now, in the form of those that are given; None where it has no setting."""
+        return {place: self.read(place, value) for place, value in wanted.items()}
 
     def read(self, place: Place, beside: Any = None) -> Any:
         """The value of a setting as a command that would write it; None if the device does not have it."""
@@ -79,7 +83,7 @@ class Talk:
         """Gives the device these settings, in the order that is safe; those that it has already are not written."""
         done = Pushed()
         for _ in range(ROUNDS):
-            now = {place: self.read(place, wanted[place]) for place in wanted}
+            now = self.read_all(wanted)
             changes = [place for place in in_order(wanted) if differs(now[place], wanted[place])]
             changes = [place for place in changes if not ends_talk(place)] or changes
             progress = False
@@ -101,7 +105,7 @@ class Talk:
             else:
                 self.request(command)
         except Refused as error:
-            done.refused[place] = f"{error.code.name.lower()} ({int(error.code)})"
+            done.refused[place] = why(error)
             return False
         except Lost as lost:
             done.refused[place] = str(lost)
@@ -173,18 +177,19 @@ class Talk:
                     self.request(place.saving())
                     saved += 1
                 except Refused as error:
-                    refused[place] = f"{error.code.name.lower()} ({int(error.code)})"
+                    refused[place] = why(error)
         return saved, refused
 
     # ----------------------------------------------------------------- streams
 
+    @staticmethod
     @contextmanager
-    def undisturbed(self) -> Iterator[None]:
-        """The device sends no data meanwhile, and streams afterwards if it did before."""
-        if self.link.next(timeout=QUIET) is None:
+    def idle(link: DeviceAtPort, port: str, complain: Callable[[str], None]) -> Iterator[None]:
+        """A device that sends data is idle meanwhile, and streams afterwards; any other is left alone."""
+        if link.next(timeout=QUIET) is None:
             yield
             return
-        with listing.idle(self.link, self.port, self.complain):
+        with listing.idle(link, port, complain):
             yield
 
 
@@ -200,6 +205,13 @@ class Pushed:
         self.refused: dict[Place, str] = {}
         self.different: dict[Place, Any] = {}  # what they are in place of what was written
         self.given_up: set[Place] = set()
+
+
+def why(error: Refused) -> str:
+    """The reason of a device in words."""
+    number = int(error.code)
+    known = next((v for v in info(AckCode).values if v.value == number), None)
+    return f"{known.name} ({number}): {known.text}" if known else f"code {number}"
 
 
 def written(place: Place, response: Any) -> Any:
