@@ -177,10 +177,10 @@ class _Reader:
     def members(
         self, what: str, node: Any, members: list[Parameter], required: set[str], given: dict[str, Any], set: int | None
     ) -> dict[str, Any]:
-        """The values of parameters, in their order, so that each finds those that it depends on."""
+        """The values of parameters, so that each finds those that it depends on."""
         nodes = self.keys(node, [p.name for p in members], f"'{what}'")
         missing = []
-        for p in members:
+        for p in sorted(members, key=_depends):
             if p.name in nodes:
                 here = p.of(Beside(given), self.profile.id or None)  # type: ignore[arg-type]
                 try:
@@ -297,6 +297,11 @@ class _Reader:
         assert self.device is not None
         fields = self.device.fields | self.profile.fields
         return set is None or descriptor >= SHARED or (set, descriptor) in fields
+
+
+def _depends(p: Parameter) -> bool:
+    """Does its form depend on another value, which may come later on the wire?"""
+    return bool(p.tag) or any(v.by != "device" for v in p.variants)
 
 
 def _hint(word: str, known: Iterable[str], otherwise: str = "") -> str:
