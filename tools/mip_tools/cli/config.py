@@ -104,7 +104,11 @@ def _push(options: argparse.Namespace) -> int:
         except KeyboardInterrupt:
             _complain("interrupted: some settings may have been written; none are saved")
             raise
-    return _pushed(port, file, done)
+        spoken = talk.link.baud
+    code = _pushed(port, file, done)
+    if spoken != options.baud and spoken is not None and options.baud is not None:
+        print(f"{port}: the baud rate is {spoken} now; use --baud {spoken}")
+    return code
 
 
 def _pushed(port: str, file: parsed.File, done: Pushed) -> int:

@@ -178,7 +178,9 @@ class _Reader:
         self, what: str, node: Any, members: list[Parameter], required: set[str], given: dict[str, Any], set: int | None
     ) -> dict[str, Any]:
         """The values of parameters, so that each finds those that it depends on."""
+        before = len(self.mistakes)
         nodes = self.keys(node, [p.name for p in members], f"'{what}'")
+        unknown = len(self.mistakes) > before  # perhaps what seems to be missing
         missing = []
         for p in sorted(members, key=_depends):
             if p.name in nodes:
@@ -192,7 +194,7 @@ class _Reader:
                 given[p.attribute] = None
             elif p.attribute in required:
                 missing.append(p.name)
-        if missing:
+        if missing and not unknown:
             self.wrong(Wrong(node, f"'{what}' needs {', '.join(missing)} too"))
         return given
 
@@ -306,7 +308,7 @@ def _depends(p: Parameter) -> bool:
 
 def _hint(word: str, known: Iterable[str], otherwise: str = "") -> str:
     near = get_close_matches(word, list(known), n=3)
-    return f"; did you mean {' or '.join(near)}?" if near else otherwise or "; remove it"
+    return f"; did you mean {' or '.join(map(repr, near))}?" if near else otherwise or "; remove it"
 
 
 __all__ = ["File", "parsed"]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
@@ -17,6 +18,8 @@ if TYPE_CHECKING:
 
 #: Seconds in which a device that streams sends something. One that sends less does no harm while it is asked.
 QUIET = 0.3
+#: Seconds until a device has changed its baud rate.
+SETTLE = 0.3
 #: How often a command is sent that is not answered.
 ATTEMPTS = 2
 #: How often what other settings have changed meanwhile is written again.
@@ -80,25 +83,29 @@ class Talk:
     # ----------------------------------------------------------------- writing
 
     def push(self, wanted: Held) -> Pushed:
-        """Gives the device these settings, in the order that is safe; those that it has already are not written."""
+        """Gives the device these settings, in the order that is safe; those that it has already are not written.
+
+        What the device refuses is tried again once others are written, on which it may depend, and so is what others
+        have changed.
+        """
         done = Pushed()
+        ordered = in_order(wanted)
         for _ in range(ROUNDS):
-            now = self.read_all(wanted)
-            changes = [place for place in in_order(wanted) if differs(now[place], wanted[place])]
-            changes = [place for place in changes if not ends_talk(place)] or changes
-            progress = False
-            for place in changes:
-                progress |= self._change(place, wanted[place], now[place], done)
-            if not changes or not progress:
+            if not self._write([place for place in ordered if not ends_talk(place)], wanted, done):
                 break
-        left = {place: self.read(place, wanted[place]) for place in done.written}
-        done.different = {p: now for p, now in left.items() if differs(now, wanted[p]) and p not in done.refused}
+        self._write([place for place in ordered if ends_talk(place)], wanted, done)
+        now = self.read_all({place: wanted[place] for place in done.written})
+        done.different = {p: x for p, x in now.items() if differs(x, wanted[p]) and p not in done.refused}
         return done
+
+    def _write(self, places: list[Place], wanted: Held, done: Pushed) -> bool:
+        """Writes those of the settings that the device does not have. Did it take any?"""
+        now = self.read_all({place: wanted[place] for place in places})
+        changes = [place for place in places if differs(now[place], wanted[place])]
+        return any([self._change(place, wanted[place], now[place], done) for place in changes])
 
     def _change(self, place: Place, command: Any, before: Any, done: Pushed) -> bool:
         """Writes one setting. Did the device take it?"""
-        if place in done.given_up:
-            return False
         try:
             if ends_talk(place):
                 self._change_link(command, before)
@@ -109,11 +116,10 @@ class Talk:
             return False
         except Lost as lost:
             done.refused[place] = str(lost)
-            done.given_up.add(place)
             return False
         done.refused.pop(place, None)
-        done.written[place] = done.written.get(place, 0) + 1
-        return done.written[place] < ROUNDS
+        done.written.add(place)
+        return True
 
     def _change_link(self, command: Any, before: Any) -> None:
         """Changes how the device is reached, and takes it back if it is not heard any more.
@@ -122,7 +128,7 @@ class Talk:
         """
         held = signals.Held()
         with signals.handled(held):
-            heard = self._changed_link(command)
+            heard = self._changed_link(command, before)
             if not heard and not self._taken_back(before):
                 said = f"{self.port} is not heard since {command.NAME} was written, and not after it was taken back"
                 raise Failure(f"{said}; switch the device off and on: nothing has been saved", listing.SILENT)
@@ -131,18 +137,32 @@ class Talk:
         if not heard:
             raise Lost("the device was not heard any more; the former value is back")
 
-    def _changed_link(self, command: Any) -> bool:
+    def _changed_link(self, command: Any, before: Any) -> bool:
+        """Writes a setting of the line. Does the device answer still?"""
         if getattr(command, "baud", None) is not None and self.link.baud is not None:
-            try:
-                self.link.change_baud(command)
-            except NoAnswer:
-                return False
-            return True
+            return self._changed_baud(command, before)
         try:
             self.link.request(command)
         except NoAnswer:  # its answer may have been lost by the change
             pass
         return self.heard()
+
+    def _changed_baud(self, command: Any, before: Any) -> bool:
+        old = self.link.baud
+        try:
+            for rate in (command.baud, old):  # before the device is told: can the port follow?
+                self.link.baud = rate
+        except (OSError, ValueError) as error:
+            raise Lost(f"{self.port} cannot have {command.baud} Bd: {error}") from None
+        try:
+            self.link.change_baud(command)
+            return True
+        except NoAnswer:  # it may hear at the new rate without being heard
+            self.link.baud = command.baud
+            self.link.send(before)
+            time.sleep(SETTLE)
+            self.link.baud = old
+            return False
 
     def _taken_back(self, before: Any) -> bool:
         """Writes the former value, also to a device that is not heard: it may still hear."""
@@ -201,10 +221,9 @@ class Pushed:
     """What has become of settings."""
 
     def __init__(self) -> None:
-        self.written: dict[Place, int] = {}
+        self.written: set[Place] = set()
         self.refused: dict[Place, str] = {}
         self.different: dict[Place, Any] = {}  # what they are in place of what was written
-        self.given_up: set[Place] = set()
 
 
 def why(error: Refused) -> str:
