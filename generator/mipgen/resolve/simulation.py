@@ -164,9 +164,13 @@ class _Values:
         """A parameter of the commands that a response answers must exist."""
         commands = [c for c in self.model.fields if c.role == m.COMMAND and f in self.model.responses(c)]
         known = [p.name for c in commands for p in c.parameters if not p.derived]
-        if node.value not in known:
-            what = f"the command of '{f.full_name}'" if commands else f"'{f.full_name}' is no response: no command"
-            self.problems.add(node.position, f"{what} has no parameter '{node.value}'{nearest(node.value, known)}")
+        if not commands:
+            self.problems.add(node.position, f"'{f.full_name}' is no response, and shows no setting; give a quantity")
+        elif node.value not in known:
+            near = nearest(node.value, known)
+            self.problems.add(
+                node.position, f"'{commands[0].full_name}' has no parameter '{node.value}' to be shown{near}"
+            )
 
     def check_typical(self, q: Quantity | None, p: m.Parameter, factor: float, node: Node) -> None:
         if q is None or q.typical is None:

@@ -6,14 +6,14 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from virtual.commands import commands, trials
 from mip_protocol import Device, devices
 from mip_tools.configuration import parsed, talk
 from mip_tools.configuration.written import text
 from mip_tools.simulator import LivePort, VirtualDevice
 from mipgen import model as m
 from mipgen.lower import codec
-from support import model
+from support import heavy, model
+from virtual.commands import commands, trials
 
 #: Settings that no file has: actions, values that all select an instance, and what ends the conversation.
 LEFT_OUT = {"filter.tare_orientation", "3dm.data_stream_format"}
@@ -61,8 +61,22 @@ def kept(virtual: VirtualDevice) -> dict[Any, Any]:
     return {place: value for place, value in virtual.settings.items() if place[0] not in LEFT_OUT}
 
 
+#: What `make test` samples: of each generation, with few settings and with many.
+SAMPLE = (
+    "3dm-cv7-gnss-ins",
+    "3dm-gq7",
+    "3dm-gv7-ar",
+    "3dm-gx5-45",
+    "3dm-gx5-15",
+    "3dm-gx3-35",
+    "3dm-mv5-ar",
+    "3dm-rtk",
+)
+REST = [pytest.param(id, marks=heavy("all models")) for id in sorted({*devices.DEVICES} - {*SAMPLE})]
+
+
 @pytest.mark.parametrize("only", [0, 1, 2])
-@pytest.mark.parametrize("id", sorted(devices.DEVICES))
+@pytest.mark.parametrize("id", [*SAMPLE, *REST])
 def test_all_settings_of_a_device(tmp_path: Path, id: str, only: int) -> None:
     found = model("real").device(id)
     assert found is not None

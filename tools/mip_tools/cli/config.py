@@ -43,7 +43,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.epilog = EPILOG
     add = parser.add_argument
     add("action", choices=list(_NEEDED), metavar="ACTION", help=", ".join(_NEEDED))
-    add("names", nargs="+", metavar="PORT|FILE", help="a port such as /dev/ttyACM0, COM3, HOST:PORT; a file of settings")
+    add("names", nargs="+", metavar="PORT|FILE", help="such as /dev/ttyACM0, COM3, HOST:PORT; a file of settings")
     add("-o", dest="output", metavar="FILE", default="-", help="pull: write to this file (default: standard output)")
     ports.add_arguments(parser)
 
@@ -173,9 +173,12 @@ def _named(place: Place, profile: Any) -> str:
 @contextmanager
 def _talk(port: str, options: argparse.Namespace) -> Iterator[Talk]:
     """A device that sends nothing meanwhile, and goes on afterwards, also after an interrupt."""
-    with signals.handled(signals.interrupt), ports.opened(port, options) as link:
-        with Talk.idle(link, port, _complain):
-            yield Talk(link, port, _complain)
+    with (
+        signals.handled(signals.interrupt),
+        ports.opened(port, options) as link,
+        Talk.idle(link, port, _complain),
+    ):
+        yield Talk(link, port, _complain)
 
 
 def _complain(text: str) -> None:

@@ -245,4 +245,4 @@ def command_type(name: str) -> Any:
     return kind
 
 
-__all__ = ["REFUSED", "SILENT", "Listing", "ToldPort", "ask", "command_type", "idle", "identity"]
+__all__ = ["REFUSED", "SILENT", "Listing", "ToldPort", "ask", "command_type", "identity", "idle"]

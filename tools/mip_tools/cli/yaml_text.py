@@ -169,7 +169,9 @@ def _leaves(node: Any) -> list[Any]:
 
 def child(node: Any, key: str) -> Any:
     """The value of a key of a mapping; None if there is none."""
-    return next((value for name, value in node.value if name.value == key), None) if kind_of(node) == "mapping" else None
+    return (
+        next((value for name, value in node.value if name.value == key), None) if kind_of(node) == "mapping" else None
+    )
 
 
 def plain(node: Any) -> Any:
@@ -219,4 +221,15 @@ def listed(name: str, words: Iterable[str]) -> list[str]:
     return lines
 
 
-__all__ = ["YamlFile", "child", "composed", "contents", "kind_of", "listed", "parsed", "plain", "quoted", "word"]
+__all__ = [
+    "YamlFile",
+    "child",
+    "composed",
+    "contents",
+    "kind_of",
+    "listed",
+    "parsed",
+    "plain",
+    "quoted",
+    "word",
+]

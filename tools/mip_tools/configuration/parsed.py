@@ -45,7 +45,10 @@ class Wrong(Exception):
 
 
 def parsed(path: Path, device: Device | None = None) -> File:
-    """Reads a file, for a device that has told what it has, if one is given. Raises Failure, which names all mistakes."""
+    """Reads a file, for a device that has told what it has, if one is given.
+
+    Raises Failure, which names all mistakes.
+    """
     return _Reader(path, device).file()
 
 
@@ -89,10 +92,10 @@ class _Reader:
         found: dict[str, Any] = {}
         names = list(known)
         for key, value in self.pairs(node, what):
-            if key.value not in names:
-                self.wrong(Wrong(key, f"{what} has no '{key.value}'{_hint(key.value, names)}"))
-            else:
+            if key.value in names:
                 found[key.value] = value
+            else:
+                self.wrong(Wrong(key, f"{what} has no '{key.value}'{_hint(key.value, names)}"))
         return found
 
     def pairs(self, node: Any, what: str) -> list[tuple[Any, Any]]:
@@ -138,9 +141,7 @@ class _Reader:
         self.wrong(Wrong(key, f"this device has no setting '{kind.NAME}'; {instead}"))
         return False
 
-    def instances(
-        self, kind: Any, rest: list[str], selected: dict[str, int], key: Any, node: Any, file: File
-    ) -> None:
+    def instances(self, kind: Any, rest: list[str], selected: dict[str, int], key: Any, node: Any, file: File) -> None:
         """The values of a setting, below the keys that select instances of it."""
         if not rest:
             self.setting(kind, selected, key, node, file)
@@ -221,9 +222,10 @@ class _Reader:
         if isinstance(length, int) and len(node.value) != length:
             raise Wrong(node, f"'{p.name}' needs {length} values, not {len(node.value)}")
         found = []
+        one = replace(p, kind="scalar")
         for item in node.value:
             try:
-                found.append(self.value(replace(p, kind="struct" if p.type and not p.scalar else "scalar"), item, given, set))
+                found.append(self.value(one, item, given, set))
             except Wrong as mistake:
                 self.wrong(mistake)
         return tuple(found)
@@ -292,7 +294,6 @@ class _Reader:
             unit = f" {p.unit}" if p.unit not in ("", "1") else ""
             limits = f"{p.range or 'a number'}{unit}" if p.constant is None else p.constant
             raise Wrong(node, f"'{p.name}' must be {limits}, not {node.value}")
-
 
     def sends(self, set: int | None, descriptor: int) -> bool:
         """Does the device have this field, for certain or probably? It may list shared data in one set only."""

@@ -73,9 +73,9 @@ def settings() -> dict[str, type[Command]]:
     """
     found: dict[str, type[Command]] = {}
     for _, kind in registry.all_types():
-        if issubclass(kind, Command) and {WRITE, READ, SAVE} <= set(kind.REQUIRED) and not behavior(kind).once:
-            if any(p.attribute not in keys(kind) for p in parameters(kind)):
-                found[kind.NAME] = kind
+        if issubclass(kind, Command) and kind.REQUIRED.keys() >= {WRITE, READ, SAVE} and not behavior(kind).once:
+            values = [p for p in parameters(kind) if p.attribute not in keys(kind)]
+            found |= {kind.NAME: kind} if values else {}
     return found
 
 
@@ -91,7 +91,7 @@ def of(profile: Device) -> list[type[Command]]:
     chosen: dict[tuple[str, tuple[tuple[str, int], ...]], type[Command]] = {}
     for kind in sorted(readable, key=lambda kind: home(kind) is not kind):
         chosen.setdefault((home(kind).NAME, tuple(behavior(kind).key.items())), kind)
-    kept = {name for name, _ in chosen if any(kind.NAME == name for kind in readable)}
+    kept = {name for name, _ in chosen if any(name == kind.NAME for kind in readable)}
     return [k for k in readable if k in chosen.values() and (home(k) is k or home(k).NAME not in kept)]
 
 
@@ -222,8 +222,8 @@ def listed(profile: Device | None, title: str, descriptors: Iterable[tuple[int, 
 
 
 __all__ = [
-    "Place",
     "UNKNOWN",
+    "Place",
     "behavior",
     "can",
     "ends_talk",

@@ -36,7 +36,7 @@ def fields(set: int | None) -> dict[str, int]:
     """The data fields of a set, and the shared ones, by their names without that of the set."""
     found: dict[str, int] = {}
     for number, kind in registry.all_types():
-        if kind.ROLE == "data" and (number == SHARED or number == set):
+        if kind.ROLE == "data" and number in (SHARED, set):
             found.setdefault(kind.name_in(number).partition(".")[2], kind.DESCRIPTOR)
     return found
 
