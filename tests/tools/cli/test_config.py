@@ -377,10 +377,23 @@ def test_nothing_is_saved_unless_asked(at: At, tmp_path: Path) -> None:
     assert at.written(asked).setting == 3
     assert mip("config", "push", "PORT", path)[0] == 0
     code, out, error = mip("config", "save", "PORT")
-    assert (code, error) == (0, "") and out.startswith("PORT: 3DM-CV7-GNSS/INS: ") and out.endswith(" settings saved\n")
+    assert (code, out, error) == (0, "PORT: 3DM-CV7-GNSS/INS: all settings saved\n", "")
     at.device.reset()
     at.device.advance(10)
     assert at.written(asked).setting == 2
+
+
+def test_settings_are_saved_one_by_one_if_there_is_no_other_way(at: At, tmp_path: Path) -> None:
+    at.device.known -= {(0x0C, 0x30)}
+    path = edited(tmp_path, ("setting: 3", "setting: 2"))
+    assert mip("config", "push", "PORT", path)[0] == 0
+    at.commands.clear()
+    code, out, error = mip("config", "save", "PORT")
+    saved = [c for c in at.commands if c.endswith(" save")]
+    assert (code, out, error) == (0, f"PORT: 3DM-CV7-GNSS/INS: {len(saved)} settings saved\n", "") and len(saved) > 100
+    at.device.reset()
+    at.device.advance(10)
+    assert at.written(mip_3dm.SensorRange.read(mip_3dm.SensorRangeType.ACCEL)).setting == 2
 
 
 # --------------------------------------------------------------------------- the command line

@@ -79,7 +79,8 @@ def _save(options: argparse.Namespace) -> int:
         saved, refused = talk.save()
     for place, why in refused.items():
         _complain(f"{_named(place, talk.profile)} was not saved: {why}")
-    print(f"{options.names[0]}: {talk.profile.title}: {counted(saved, 'setting')} saved")
+    how_many = "all settings" if saved is None else counted(saved, "setting")
+    print(f"{options.names[0]}: {talk.profile.title}: {how_many} saved")
     return REFUSED if refused else 0
 
 

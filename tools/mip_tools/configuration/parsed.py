@@ -106,7 +106,7 @@ class _Reader:
             self.wrong(Wrong(node, f"{what} needs keys with values, {{name: value}}"))
             return []
         seen: dict[str, Any] = {}
-        for key, value in node.value:
+        for key, _ in node.value:
             if kind_of(key) != "scalar":
                 self.wrong(Wrong(key, "a key must be one word"))
             elif key.value in seen:

@@ -95,6 +95,13 @@ def of(profile: Device) -> list[type[Command]]:
     return [k for k in readable if k in chosen.values() and (home(k) is k or home(k).NAME not in kept)]
 
 
+def saves_all(profile: Device) -> Any:
+    """The command that saves all settings of a device at once; None if it has none."""
+    commands = (kind for _, kind in registry.all_types() if issubclass(kind, Command))
+    whole = (kind for kind in commands if behavior(kind).effect == "all_settings" and can(kind, profile, SAVE))
+    return next((kind for kind in whole if (kind.SET, kind.DESCRIPTOR) in profile.fields), None)
+
+
 def can(kind: type[Command], profile: Device, function: int) -> bool:
     """Does the device carry out this function of a command?"""
     return any(FUNCTIONS[letter] == function for letter in _letters(kind, profile))
@@ -235,5 +242,6 @@ __all__ = [
     "parameters",
     "places",
     "response_names",
+    "saves_all",
     "settings",
 ]

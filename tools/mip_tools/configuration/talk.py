@@ -8,10 +8,10 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
 from ..binding import AckCode, Device, MipError, NoAnswer, Refused, info
-from ..cli import device_file, listing, signals
+from ..cli import device_file, listing, ports, signals
 from ..errors import Failure
 from ..simulator.codes import SAVE
-from .settings import Place, can, ends_talk, in_order, listed, of, parameters, places, response_names
+from .settings import Place, can, ends_talk, in_order, listed, of, parameters, places, response_names, saves_all
 
 if TYPE_CHECKING:
     from ..binding import DeviceAtPort
@@ -139,26 +139,26 @@ class Talk:
 
     def _changed_link(self, command: Any, before: Any) -> bool:
         """Writes a setting of the line. Does the device answer still?"""
-        if getattr(command, "baud", None) is not None and self.link.baud is not None:
-            return self._changed_baud(command, before)
+        rate, old = getattr(command, "baud", None), self.link.baud
+        if rate is not None and old is not None:
+            return self._changed_baud(command, before, rate, old)
         try:
             self.link.request(command)
         except NoAnswer:  # its answer may have been lost by the change
             pass
         return self.heard()
 
-    def _changed_baud(self, command: Any, before: Any) -> bool:
-        old = self.link.baud
-        try:
-            for rate in (command.baud, old):  # before the device is told: can the port follow?
-                self.link.baud = rate
+    def _changed_baud(self, command: Any, before: Any, rate: int, old: int) -> bool:
+        try:  # before the device is told: can the port follow?
+            self.link.baud = rate
+            self.link.baud = old
         except (OSError, ValueError) as error:
-            raise Lost(f"{self.port} cannot have {command.baud} Bd: {error}") from None
+            raise Lost(f"{self.port} cannot have {rate} Bd: {ports.reason(error)}") from None
         try:
             self.link.change_baud(command)
             return True
         except NoAnswer:  # it may hear at the new rate without being heard
-            self.link.baud = command.baud
+            self.link.baud = rate
             self.link.send(before)
             time.sleep(SETTLE)
             self.link.baud = old
@@ -185,14 +185,19 @@ class Talk:
 
     # ----------------------------------------------------------------- flash memory
 
-    def save(self) -> tuple[int, dict[Place, str]]:
-        """Saves all current settings: how many, and which the device refused, with its reason."""
+    def save(self) -> tuple[int | None, dict[Place, str]]:
+        """Saves all current settings: how many, None if all at once, and which the device refused, with the reason."""
+        whole = saves_all(self.profile)
+        if whole is not None:
+            try:
+                self.request(whole.save())
+            except Refused as error:
+                raise Failure(f"the device refused {whole.NAME}: {why(error)}", listing.REFUSED) from None
+            return None, {}
         refused: dict[Place, str] = {}
         saved = 0
-        for kind in of(self.profile):
-            for place, _ in places(kind, self.profile) if can(kind, self.profile, SAVE) else ():
-                if self.read(place) is None:
-                    continue
+        for place in self.pull():
+            if can(place.kind, self.profile, SAVE):
                 try:
                     self.request(place.saving())
                     saved += 1
