@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from mip_protocol import Device, Packet, base, mip_3dm, registry, system, types
+from mip_protocol import Device, MissingResponse, Packet, base, mip_3dm, registry, system, types
 from mip_tools.cli import ports
 from mip_tools.configuration.talk import Talk
 from mip_tools.simulator import LivePort, VirtualDevice
@@ -131,6 +131,20 @@ def test_an_output_file(at: At, tmp_path: Path) -> None:
     path = tmp_path / "s.yaml"
     assert mip("config", "pull", "PORT", "-o", path)[0] == 0
     assert path.read_text() == pulled(tmp_path / "t.yaml").read_text()
+
+
+def test_an_answer_without_the_setting_is_left_out_and_named(at: At, monkeypatch: pytest.MonkeyPatch) -> None:
+    usual = Talk.request
+
+    def without(talk: Talk, command: Any) -> Any:
+        if isinstance(command, mip_3dm.PpsSourceControl):
+            raise MissingResponse(command.NAME)
+        return usual(talk, command)
+
+    monkeypatch.setattr(Talk, "request", without)
+    code, out, error = mip("config", "pull", "PORT")
+    assert code == 0 and "mip config: 3dm.pps_source_control is left out: " in error
+    assert "pps_source_control" not in out and "odometer_config" in out
 
 
 # --------------------------------------------------------------------------- push

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
-from ..binding import AckCode, Device, MipError, NoAnswer, Refused, info
+from ..binding import AckCode, Device, MipError, NoAnswer, PortClosed, Refused, info
 from ..cli import device_file, listing, ports, signals
 from ..errors import Failure
 from ..simulator.codes import SAVE
@@ -59,25 +59,27 @@ class Talk:
 
     def read(self, place: Place, beside: Any = None) -> Any:
         """The value of a setting as a command that would write it; None if the device does not have it."""
+        command = place.reading(beside)
         try:
-            response = self.request(place.reading(beside))
+            response = self.request(command)
         except Refused:
+            return None
+        except MipError as error:  # an answer, but not one that says what the setting is
+            self.complain(f"{command.NAME} is left out: {error.detail}")
             return None
         return None if response is None else written(place, response)
 
     def request(self, command: Any) -> Any:
-        """The response to a command. Raises Refused, and Failure if there is no answer."""
+        """The response to a command. Raises Failure if there is no answer, and MipError for one that is of no use."""
         for attempt in range(ATTEMPTS):
             try:
                 return self.link.request(command)
-            except Refused:
-                raise
             except NoAnswer:
                 if attempt == ATTEMPTS - 1:
                     said = f"{self.port} did not answer {command.NAME}; check the line and --baud, and try again"
                     raise Failure(said, listing.SILENT) from None
-            except MipError as error:
-                raise Failure(f"{self.port}: {command.NAME}: {error}") from None
+            except PortClosed as error:
+                raise Failure(f"{self.port}: {error}") from None
         return None
 
     # ----------------------------------------------------------------- writing
@@ -114,8 +116,8 @@ class Talk:
         except Refused as error:
             done.refused[place] = why(error)
             return False
-        except Lost as lost:
-            done.refused[place] = str(lost)
+        except (Lost, MipError) as error:
+            done.refused[place] = str(error)
             return False
         done.refused.pop(place, None)
         done.written.add(place)
