@@ -90,3 +90,8 @@ def test_all_settings_of_a_device(tmp_path: Path, id: str, only: int) -> None:
     for place, value in kept(first).items():
         if not any(word in place[0] for word in ROUNDED):
             assert second.settings.current(value) == value, place
+
+
+def test_what_acts_only_once_is_no_setting() -> None:
+    virtual = VirtualDevice("3dm-gx5-25")
+    assert virtual.knows("filter.tare_orientation") and "tare_orientation" not in pulled(virtual)
