@@ -9,7 +9,7 @@ from typing import Any
 
 from mipgen import model as m
 from mipgen.lower import codec
-from support import sent
+from support import model, sent
 
 Values = dict[str, Any]
 
@@ -22,7 +22,17 @@ KNOWN: dict[str, Callable[[m.Device], Iterable[int]]] = {
     "port": lambda device: (p.id for p in device.ports if p.id is not None),
     "baud": lambda device: (rate for p in device.ports for rate in p.baud_rates),
     "model_number": lambda device: (device.model_number or 0,),
+    "target_descriptor": lambda device: filtered(device),
+    "field_descriptor": lambda device: filtered(device),
 }
+
+
+def filtered(device: m.Device) -> Iterable[int]:
+    """The sensor data that low-pass filters affect."""
+    command = model("real").field("3dm.imu_low_pass_filter")
+    affected = model("real").affected(command) if command else ()
+    has = {s.field.full_name for s in device.supports}
+    return [f.descriptor for f in affected if isinstance(f, m.Field) and f.full_name in has]
 
 
 @dataclass(frozen=True)

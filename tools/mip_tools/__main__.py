@@ -7,11 +7,12 @@ import io
 import os
 import sys
 from collections.abc import Generator
+from difflib import get_close_matches
 from typing import Any
 
 from . import __version__, binding
 from .commands import COMMANDS, PACKAGE, loaded, without_package
-from .errors import Failure, NoBinding
+from .errors import Failure, Misuse, NoBinding
 
 EPILOG = """\
 `mip COMMAND --help` shows more.
@@ -91,6 +92,10 @@ def _run(given: list[str]) -> int:
         metavar="NAME",
         help=f"the generated package to work on, or its folder (default: ${binding.VARIABLE}, else {binding.USUAL})",
     )
+    if given and not given[0].startswith("-") and given[0] not in COMMANDS:
+        near = get_close_matches(given[0], COMMANDS, n=2)
+        hint = f"did you mean {' or '.join(map(repr, near))}? " if near else ""
+        raise Misuse(f"'{given[0]}' is not a command; {hint}`mip --help` lists them")
     used = parser
     commands = parser.add_subparsers(metavar="COMMAND", title="commands", dest="command")
     chosen: Any = None

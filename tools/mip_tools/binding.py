@@ -119,7 +119,7 @@ _USED = {
     "parameter": "Flag Parameter",
     "parser": "Parser",
     "port": "READ_TIMEOUT",
-    "profile": "Device Port Support",
+    "profile": "Device Evidence Port Support",
     "protocol": "VERSION AckCode Acknowledge FunctionSelector",
     "reflection": "info items",
     "registry": "MODULES all_types types",
@@ -159,7 +159,7 @@ if TYPE_CHECKING:
     from mip_protocol.parameter import Flag, Parameter
     from mip_protocol.parser import Parser
     from mip_protocol.port import READ_TIMEOUT
-    from mip_protocol.profile import Device, Port, Support
+    from mip_protocol.profile import Device, Evidence, Port, Support
     from mip_protocol.protocol import VERSION, AckCode, Acknowledge, FunctionSelector
     from mip_protocol.reflection import info, items
     from mip_protocol.registry import MODULES, all_types, types

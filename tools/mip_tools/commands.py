@@ -17,6 +17,7 @@ COMMANDS = {
     "record": ("cli.record", "write what a device sends to a file"),
     "monitor": ("cli.monitor", "show the latest values of a device, live"),
     "send": ("cli.send", "send a command and show the answer"),
+    "config": ("cli.config", "copy, compare and restore the settings of a device"),
     "profile": ("cli.profile", "ask a device what it has, and write it for a specification"),
     "fields": ("cli.fields", "look up fields: bytes, values, units, devices"),
     "bandwidth": ("cli.bandwidth", "compute the baud rate that streams need"),

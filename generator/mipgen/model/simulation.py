@@ -35,7 +35,7 @@ class Effect:
 
 @dataclass(frozen=True, slots=True)
 class Value:
-    """What a parameter shows: a quantity, times `factor`, or a constant."""
+    """What a parameter shows: a quantity, times `factor`, a constant, or a parameter of the command."""
 
     path: str  # parameter, or parameter.member of a structure
     quantity: str = ""
@@ -44,6 +44,7 @@ class Value:
     bits: tuple[str, ...] = ()
     number: float | int | None = None
     text: str | None = None
+    parameter: str = ""  # of a response: the parameter of its command whose setting it shows
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,17 +66,21 @@ class Behavior:
     effect: str = ""
     arguments: tuple[tuple[str, str | int], ...] = ()  # of the effect: a parameter, parameter.member, or a number
     all: tuple[tuple[str, int], ...] = ()  # parameter -> the value that means all instances
-    instances: tuple[tuple[str, str], ...] = ()  # parameter -> what its values are: a limit, PORTS, SETS
+    instances: tuple[tuple[str, str], ...] = ()  # parameter -> its values: a limit, PORTS, SETS, AFFECTED
     translate: tuple[tuple[str, tuple[tuple[int, int], ...]], ...] = ()  # parameter -> number -> number of a set
     setting: str = ""  # the command whose setting it is, if not its own
     key: tuple[tuple[str, int], ...] = ()  # which instance of that setting
     initial: tuple[tuple[str, object], ...] = ()  # values on a new device
+    once: bool = False  # a write acts at that moment: what it wrote is no setting to be restored
+    affected: tuple[tuple[int, int], ...] = ()  # set and descriptor of the data that AFFECTED selects from
     answers: tuple[tuple[str, tuple[str, ...]], ...] = ()  # response -> the devices that have this layout
 
 
-#: What instances may be other than numbers up to a limit: the ports of the device, and its data sets.
+#: What instances may be other than numbers up to a limit: the ports of the device, its data sets, and the data fields
+#: that the command is sure to affect.
 PORTS = "ports"
 SETS = "data_sets"
+AFFECTED = "affected"
 
 
 @dataclass(frozen=True, slots=True)

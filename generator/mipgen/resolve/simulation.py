@@ -10,7 +10,7 @@ from mipgen import model as m
 from mipgen.facts import simulated
 from mipgen.lower import codec
 from mipgen.lower.numbers import in_numbers
-from mipgen.model.simulation import PORTS, SETS, Behavior, Effect, Quantity, Simulation, Source, Value
+from mipgen.model.simulation import AFFECTED, PORTS, SETS, Behavior, Effect, Quantity, Simulation, Source, Value
 from mipgen.read.nodes import Node
 from mipgen.read.problems import Problems, nearest
 
@@ -110,7 +110,7 @@ class _Values:
         for path, n in node.items():
             p = None if path == FOR_EACH else self.parameter(f, path, node.keys[path])
             if p is not None:
-                values.append(self.value(path, n, p))
+                values.append(self.value(f, path, n, p))
         own = None if name == f.full_name else self.model.set_of(name)
         return Source(f, own, each.value if each else "", tuple(values))
 
@@ -134,7 +134,7 @@ class _Values:
             return None
         return p
 
-    def value(self, path: str, node: Node, p: m.Parameter) -> Value:
+    def value(self, f: m.Field, path: str, node: Node, p: m.Parameter) -> Value:
         if not isinstance(node.value, dict):
             q = self.quantity(node)
             factor = self.factor(q, p, node) if q else 1.0
@@ -145,6 +145,9 @@ class _Values:
             return Value(path, number=n.value)
         if kind == "text":
             return Value(path, text=n.value)
+        if kind == "parameter":
+            self.asked(f, n)
+            return Value(path, parameter=n.value)
         names = tuple(n.plain())
         types = [t for t in (p.element, *(v.type for v in p.readings)) if isinstance(t, (m.Enum, m.Bitfield))]
         wanted = m.Enum if kind == "name" else m.Bitfield
@@ -156,6 +159,18 @@ class _Values:
                     entry.position, f"'{path}' has no {what} '{entry.value}'{nearest(entry.value, known)}"
                 )
         return Value(path, names=names) if kind == "name" else Value(path, bits=names)
+
+    def asked(self, f: m.Field, node: Node) -> None:
+        """A parameter of the commands that a response answers must exist."""
+        commands = [c for c in self.model.fields if c.role == m.COMMAND and f in self.model.responses(c)]
+        known = [p.name for c in commands for p in c.parameters if not p.derived]
+        if not commands:
+            self.problems.add(node.position, f"'{f.full_name}' is no response, and shows no setting; give a quantity")
+        elif node.value not in known:
+            near = nearest(node.value, known)
+            self.problems.add(
+                node.position, f"'{commands[0].full_name}' has no parameter '{node.value}' to be shown{near}"
+            )
 
     def check_typical(self, q: Quantity | None, p: m.Parameter, factor: float, node: Node) -> None:
         if q is None or q.typical is None:
@@ -219,6 +234,8 @@ class _Commands:
             setting=self.setting(node),
             key=tuple((k, self.number(n)) for k, n in _pairs(node, "key")),
             initial=tuple((k, self.initial(f, k, n)) for k, n in _pairs(node, "initial")),
+            once=bool(node.scalar("once", False)),
+            affected=self.affected(f, node),
             answers=_layouts(f, self.model),
         )
 
@@ -291,10 +308,20 @@ class _Commands:
 
     def instance(self, node: Node) -> str:
         limits = {limit.name for d in self.model.devices for limit in d.limits}
-        if node.value not in limits | {PORTS, SETS}:
-            near = nearest(node.value, sorted(limits | {PORTS, SETS}))
+        if node.value not in limits | {PORTS, SETS, AFFECTED}:
+            near = nearest(node.value, sorted(limits | {PORTS, SETS, AFFECTED}))
             self.problems.add(node.position, f"no device has the limit '{node.value}'{near}")
         return str(node.value)
+
+    def affected(self, f: m.Field, node: Node) -> tuple[tuple[int, int], ...]:
+        """The data fields that the command is sure to affect, if they tell the instances of its setting."""
+        given = [n for _, n in _pairs(node, "instances") if n.value == AFFECTED]
+        if not given:
+            return ()
+        fields = [x for x in self.model.affected(f, True) if isinstance(x, m.Field)]
+        if not fields:
+            self.problems.add(given[0].position, f"'{f.full_name}' lists no data fields that it `affects`; add them")
+        return tuple((number, x.descriptor) for x in fields for number in x.sets)
 
     def setting(self, node: Node) -> str:
         given = node.get("setting")

@@ -199,6 +199,14 @@ class Device:
         """The baud rate of the port; None if it has none."""
         return getattr(self._link.port, "baudrate", None)
 
+    @baud.setter
+    def baud(self, rate: int) -> None:
+        """Changes the rate of the port, not that of the device; see `change_baud`. Raises ValueError if the port
+        has none; what the port raises if it cannot have this one."""
+        if self.baud is None:
+            raise ValueError("the port has no baud rate")
+        self._link.port.baudrate = rate
+
     # ----------------------------------------------------------------- commands
 
     async def request(self, command: Command[R], timeout: float | None = None) -> R:

@@ -67,6 +67,8 @@ class Parameter:
     optional: bool = False  # it may be left out
     reserved: bool = False
     deprecated: bool = False
+    refers: str = ""  # "set" or "field": it is the number of a set, or a field descriptor
+    fields_of: str = ""  # the set of these descriptors: its name, or the parameter that holds it
     only: tuple[str, ...] = ()  # of the values or bits that its type names, those that there are
     variants: tuple[Variant, ...] = ()
     flags_on: dict[str, tuple[Flag, ...]] = field(default_factory=dict)  # by id of the device

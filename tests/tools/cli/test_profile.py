@@ -471,7 +471,7 @@ def test_command_line(place: str, tmp_path: Path) -> None:
     assert path.stat().st_mtime_ns == before and [p.name for p in path.parent.iterdir()] == [path.name]
     code, out, error = mip("profile", place, "--spec", tmp_path, extras=False)
     assert (code, out) == (1, "")
-    assert error == f"mip profile: {path} exists, and to add to it, pyyaml is missing; pip install pyyaml\n"
+    assert error == f"mip profile: {path} exists, and to read it, pyyaml is missing; pip install pyyaml\n"
 
 
 def test_a_terminal(tmp_path: Path) -> None:

@@ -27,7 +27,10 @@ def test_help(name: str, capsys: pytest.CaptureFixture[str]) -> None:
 
 
 def test_exit_status_of_wrong_command_lines(capsys: pytest.CaptureFixture[str]) -> None:
-    for words in (["dumb"], ["dump"], ["dump", "--speed"], ["cut", "x", "-o", "y", "--bytes", "a"], ["send"]):
+    said = "'dumb' is not a command; did you mean 'dump'? `mip --help` lists them"
+    assert run(capsys, "dumb") == (2, "", f"mip: {said}\n")
+    assert run(capsys, "zzz") == (2, "", "mip: 'zzz' is not a command; `mip --help` lists them\n")
+    for words in (["dump"], ["dump", "--speed"], ["cut", "x", "-o", "y", "--bytes", "a"], ["send"]):
         code, out, error = run(capsys, *words)
         assert (code, out) == (2, "") and error.startswith("usage: ") and "error: " in error.splitlines()[-1]
     for words, required in (("send", "PORT"), ("completion", "SHELL"), ("export", "FILE, -o/--output")):

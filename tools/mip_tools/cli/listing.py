@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
 from ..binding import MipError, NoAnswer, PortClosed, Refused, UnknownName, identify, info, lookup
@@ -76,12 +76,21 @@ def ask(link: DeviceAtPort, name: str, complain: Callable[[str], None] = lambda 
     """
     questions = _Questions(link, name, complain)
     questions.greet()
-    with _idle(questions):
+    with idle(link, name, complain):
         return questions.listing()
 
 
+def identity(link: DeviceAtPort, name: str, complain: Callable[[str], None]) -> Listing:
+    """Asks a device only for its identity and its descriptors, also while it streams. Raises Failure."""
+    questions = _Questions(link, name, complain)
+    questions.greet()
+    return questions.identity()
+
+
 @contextmanager
-def _idle(questions: _Questions) -> Iterator[None]:
+def idle(link: DeviceAtPort, name: str, complain: Callable[[str], None] = lambda text: None) -> Iterator[None]:
+    """Sets a device to idle, and resumes its streams, also after an error or an interrupt."""
+    questions = _Questions(link, name, complain)
     resumes = True
     try:
         # A device that refuses it streams on, which does no harm. One that does not answer may be idle.
@@ -89,7 +98,7 @@ def _idle(questions: _Questions) -> Iterator[None]:
         yield
     finally:
         if resumes and not questions.carried_out("base.resume"):
-            questions.complain(f"{questions.name} did not acknowledge base.resume, so it may be idle; send it again")
+            complain(f"{name} did not acknowledge base.resume, so it may be idle; send it again")
 
 
 class _Questions:
@@ -102,7 +111,7 @@ class _Questions:
     def greet(self) -> None:
         """Is there a device? One that refuses a ping is one."""
         try:
-            self._link.request(_type("base.ping")())
+            self._link.request(command_type("base.ping")())
         except Refused:
             pass
         except NoAnswer:
@@ -114,7 +123,7 @@ class _Questions:
     def carried_out(self, command: str) -> bool | None:
         """Did the device do it? None if it has not answered."""
         try:
-            self._link.request(_type(command)())
+            self._link.request(command_type(command)())
         except Refused:
             return False
         except MipError:
@@ -122,19 +131,23 @@ class _Questions:
         return True
 
     def listing(self) -> Listing:
+        told = self.identity()
+        self._listed = frozenset(told.descriptors)
+        return replace(told, base_rates=dict(self._rates()), ports=tuple(self._ports(identify(told.info))))
+
+    def identity(self) -> Listing:
         identity = self._needed("base.get_device_info").device_info
         numbers = list(self._needed("base.get_device_descriptors").descriptors)
-        extended = _type(EXTENDED)
+        extended = command_type(EXTENDED)
         if extended.SET << 8 | extended.DESCRIPTOR in numbers:
             numbers += self._needed(EXTENDED).descriptors
         keys = tuple(sorted({divmod(number, 0x100) for number in numbers}))
-        self._listed = frozenset(keys)
-        return Listing(identity, keys, dict(self._rates()), tuple(self._ports(identify(identity))))
+        return Listing(identity, keys)
 
     def _needed(self, command: str) -> Any:
         """The response to a command without which there is no profile."""
         try:
-            return self._link.request(_type(command)())
+            return self._link.request(command_type(command)())
         except Refused as error:
             code = f"{error.code.name.lower()} ({int(error.code)})"
             raise Failure(f"the device refused {command}: {code}; it cannot be asked what it has", REFUSED) from None
@@ -183,7 +196,7 @@ class _Questions:
         speed, protocols = self._lists(SPEED), self._lists(PROTOCOLS)
         if not (speed or protocols) or _known(PROTOCOLS) is None:
             return
-        numbers = _type(PROTOCOLS).INFO["port"].type
+        numbers = command_type(PROTOCOLS).INFO["port"].type
         names = {value.value: _port_name(value.name) for value in info(numbers).values if value.name != _ALL}
         names |= {port.id: port.name for port in (profile.ports if profile else ()) if port.id is not None}
         for number, name in sorted(names.items()):
@@ -224,11 +237,12 @@ def _known(command: str) -> Any:
         return None
 
 
-def _type(command: str) -> Any:
-    kind = _known(command)
+def command_type(name: str) -> Any:
+    """The type of a command without which a device cannot be asked. Raises Failure."""
+    kind = _known(name)
     if kind is None:
-        raise Failure(f"the generated package has no {command}, with which a device is asked")
+        raise Failure(f"the generated package has no {name}, with which a device is asked")
     return kind
 
 
-__all__ = ["Listing", "ToldPort", "ask"]
+__all__ = ["REFUSED", "SILENT", "Listing", "ToldPort", "ask", "command_type", "identity", "idle"]

@@ -116,8 +116,8 @@ def value(p: Parameter, text: str, before: Mapping[str, Any]) -> Any:
         return _structure(p, text)
     if p.kind == "array":
         parts = [part for part in text.split(",") if part]
-        return tuple(_structure(p, t) if _is_structure(p) else _scalar(p, t) for t in parts)
-    return _scalar(p, text)
+        return tuple(_structure(p, t) if _is_structure(p) else scalar(p, t) for t in parts)
+    return scalar(p, text)
 
 
 def _is_structure(p: Parameter) -> bool:
@@ -162,10 +162,11 @@ def _from_json(p: Parameter, given: Any) -> Any:
         return _made(p, values)
     if isinstance(given, (dict, type(None))):
         raise Misuse(f"{p.name}: {json.dumps(given)} is not a value for it")
-    return _scalar(p, str(given).lower() if isinstance(given, bool) else str(given))
+    return scalar(p, str(given).lower() if isinstance(given, bool) else str(given))
 
 
-def _scalar(p: Parameter, text: str) -> Any:
+def scalar(p: Parameter, text: str) -> Any:
+    """One value of a text. Raises Misuse."""
     kind = p.type if isinstance(p.type, type) else None
     if p.kind == "text" or p.scalar == "char":
         return text
@@ -256,4 +257,4 @@ def _flags(p: Parameter, kind: type[IntFlag], text: str) -> Any:
     return kind(bits)
 
 
-__all__ = ["command", "functions", "usage", "value", "wanted"]
+__all__ = ["command", "functions", "scalar", "usage", "value", "wanted"]

@@ -21,14 +21,9 @@ class YamlFile:
     def __init__(self, path: Path) -> None:
         """Raises Failure if it cannot be read."""
         self.path = path
-        try:
-            self.text = path.read_bytes().decode("utf-8")
-        except OSError as error:
-            raise Failure(f"{path} cannot be read: {error.strerror}") from None
-        except UnicodeDecodeError:
-            raise Failure(f"{path} is not UTF-8; save it as UTF-8") from None
-        self.root = _composed(self.text, path)
-        if _kind(self.root) != "mapping" or not self.root.value:
+        self.text = contents(path)
+        self.root = composed(self.text, path, "; `mipgen validate` says more")
+        if kind_of(self.root) != "mapping" or not self.root.value:
             raise Failure(f"{path}:1:1: this is not a device file; write `extend: DEVICE`, or remove it")
         #: From and to where, what comes first at one place, and the new text.
         self._edits: list[tuple[int, int, int, str]] = []
@@ -39,7 +34,7 @@ class YamlFile:
     def get(self, key: str, kind: str) -> Any:
         """The value of a key of the file, which must be of this kind; None if there is none."""
         node = child(self.root, key)
-        if node is not None and _kind(node) != kind:
+        if node is not None and kind_of(node) != kind:
             what = {"mapping": "a mapping", "sequence": "a list", "scalar": "one word"}[kind]
             raise Failure(f"{self.place(node)}: '{key}' must be {what}; `mipgen validate` says more")
         return node
@@ -118,7 +113,7 @@ class YamlFile:
         items = _children(node)
         if items and not node.flow_style:
             return self.end(items[-1])
-        return len(self.text[: node.end_mark.index].rstrip()) if _kind(node) == "scalar" else int(node.end_mark.index)
+        return len(self.text[: node.end_mark.index].rstrip()) if kind_of(node) == "scalar" else int(node.end_mark.index)
 
     def _comments(self, node: Any) -> list[str]:
         """The comments within a node, up to the end of its last line if they are within its range."""
@@ -130,29 +125,41 @@ class YamlFile:
 # --------------------------------------------------------------------------- nodes
 
 
-def _composed(text: str, path: Path) -> Any:
+def contents(path: Path) -> str:
+    """The text of a file. Raises Failure."""
+    try:
+        return path.read_bytes().decode("utf-8")
+    except OSError as error:
+        raise Failure(f"{path} cannot be read: {error.strerror}") from None
+    except UnicodeDecodeError:
+        raise Failure(f"{path} is not UTF-8; save it as UTF-8") from None
+
+
+def composed(text: str, path: Path, more: str = "") -> Any:
+    """The nodes of a text in YAML, with their places. Raises Failure."""
     try:
         import yaml
     except ImportError:
-        raise Failure(f"{path} exists, and to add to it, {MissingExtra('pyyaml', 'yaml')}") from None
+        raise Failure(f"{path} exists, and to read it, {MissingExtra('pyyaml', 'yaml')}") from None
     try:
         return yaml.compose(text, Loader=yaml.SafeLoader)
     except yaml.MarkedYAMLError as error:
         mark = error.problem_mark
         place = f"{path}:{mark.line + 1}:{mark.column + 1}" if mark else str(path)
-        raise Failure(f"{place}: not YAML: {error.problem}; `mipgen validate` says more") from None
+        raise Failure(f"{place}: not YAML: {error.problem}{more}") from None
     except yaml.YAMLError as error:
         raise Failure(f"{path}: not YAML: {error}") from None
 
 
-def _kind(node: Any) -> str:
+def kind_of(node: Any) -> str:
+    """mapping, sequence or scalar."""
     return getattr(node, "id", "nothing")
 
 
 def _children(node: Any) -> list[Any]:
-    if _kind(node) == "mapping":
+    if kind_of(node) == "mapping":
         return [part for pair in node.value for part in pair]
-    return list(node.value) if _kind(node) == "sequence" else []
+    return list(node.value) if kind_of(node) == "sequence" else []
 
 
 def _leaves(node: Any) -> list[Any]:
@@ -162,19 +169,21 @@ def _leaves(node: Any) -> list[Any]:
 
 def child(node: Any, key: str) -> Any:
     """The value of a key of a mapping; None if there is none."""
-    return next((value for name, value in node.value if name.value == key), None) if _kind(node) == "mapping" else None
+    return (
+        next((value for name, value in node.value if name.value == key), None) if kind_of(node) == "mapping" else None
+    )
 
 
 def plain(node: Any) -> Any:
     """The value of a node: mappings, lists and texts, numbers as they are written."""
-    if _kind(node) == "mapping":
+    if kind_of(node) == "mapping":
         return {str(key.value): plain(value) for key, value in node.value}
-    return [plain(item) for item in node.value] if _kind(node) == "sequence" else node.value
+    return [plain(item) for item in node.value] if kind_of(node) == "sequence" else node.value
 
 
 def parsed(text: str, path: Path) -> Any:
     """The same of a text."""
-    return plain(_composed(text, path))
+    return plain(composed(text, path))
 
 
 # --------------------------------------------------------------------------- writing
@@ -212,4 +221,15 @@ def listed(name: str, words: Iterable[str]) -> list[str]:
     return lines
 
 
-__all__ = ["YamlFile", "child", "listed", "parsed", "plain", "quoted", "word"]
+__all__ = [
+    "YamlFile",
+    "child",
+    "composed",
+    "contents",
+    "kind_of",
+    "listed",
+    "parsed",
+    "plain",
+    "quoted",
+    "word",
+]

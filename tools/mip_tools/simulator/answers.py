@@ -55,7 +55,7 @@ def _value(
 ) -> Any:
     value = source.parameters.get(path)
     if value is not None:
-        return _shown(device, p, value, context)
+        return known[value.parameter] if value.parameter else _shown(device, p, value, context)
     if any(name.startswith(f"{path}.") for name in source.parameters):
         members: dict[str, Any] = {}
         for member in reflection.info(p.type).parameters:

@@ -6,9 +6,18 @@ import math
 from enum import IntEnum
 from typing import Any
 
-from ..binding import Command, Device, Parameter, Structure, reflection, single_from_bits, single_to_bits
+from ..binding import (
+    Command,
+    Device,
+    Parameter,
+    Structure,
+    lookup,
+    reflection,
+    single_from_bits,
+    single_to_bits,
+)
 from .codes import INVALID_PARAMETER, READ, SETS, Refused
-from .facts import COMMANDS, Behavior, Difference, difference
+from .facts import AFFECTED, COMMANDS, DATA_SETS, PORTS, Behavior, Difference, difference
 
 NOTHING = Behavior()
 SAME = Difference()
@@ -49,6 +58,14 @@ def data_sets(profile: Device) -> frozenset[int]:
     return frozenset(set for set, _ in profile.fields if 0x80 <= set < 0xFF)
 
 
+def set_of(p: Parameter, record: Any) -> int | None:
+    """The set of a field descriptor: of the parameter beside it, or always the same. None if nothing says it."""
+    if not p.fields_of:
+        return None
+    beside = getattr(record, p.fields_of, None)
+    return lookup.set_number(p.fields_of) if beside is None else int(beside)
+
+
 def _instances(command: Command, profile: Device, function: int | None) -> None:
     behavior = COMMANDS.get(command.NAME, NOTHING)
     for name, what in behavior.instances.items():
@@ -56,10 +73,13 @@ def _instances(command: Command, profile: Device, function: int | None) -> None:
         if value is None or meaning_all(command, name, value, function):
             continue
         value = behavior.translate.get(name, {}).get(value, value)
-        if what == "data_sets":
+        if what == DATA_SETS:
             known = value in data_sets(profile) or not data_sets(profile)  # a profile may not tell them
-        elif what == "ports":
+        elif what == PORTS:
             known = any(port.id == value for port in profile.ports)
+        elif what == AFFECTED:  # 0 may mean all of them where no value is given or asked
+            number = set_of(reflection.info(type(command))[name], command)
+            known = (number, value) in behavior.affected & profile.fields or function not in (*SETS, READ)
         else:
             limit = profile.limits.get(what)
             known = limit is None or 1 <= value <= limit.value
@@ -96,7 +116,7 @@ def _one(p: Parameter, value: Any, record: Structure, differs: Difference, readi
     elif not _named(p, value, record, differs, reading):
         raise Refused(INVALID_PARAMETER)
     for number in value if isinstance(value, tuple) else (value,):
-        if isinstance(number, (int, float)) and not _inside(p, number, differs):
+        if isinstance(number, (int, float)) and not inside(p, number, differs):
             raise Refused(INVALID_PARAMETER)
 
 
@@ -110,7 +130,8 @@ def _named(p: Parameter, value: Any, record: Structure, differs: Difference, rea
     return any(value == member for member in kind)
 
 
-def _inside(p: Parameter, value: float, differs: Difference) -> bool:
+def inside(p: Parameter, value: float, differs: Difference) -> bool:
+    """Is it within the limits of a parameter?"""
     least = p.minimum if differs.minimum is None else differs.minimum
     most = p.maximum if differs.maximum is None else differs.maximum
     if p.scalar == "float":  # a limit is inside as the number that the parameter can hold: pi is rounded up
@@ -125,4 +146,4 @@ def _inside(p: Parameter, value: float, differs: Difference) -> bool:
     )
 
 
-__all__ = ["check", "data_sets", "meaning_all"]
+__all__ = ["NOTHING", "SAME", "check", "data_sets", "inside", "meaning_all", "set_of"]

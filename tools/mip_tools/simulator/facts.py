@@ -11,7 +11,7 @@ from ..binding import Field, Parameter, data, info
 
 @dataclass(frozen=True)
 class Value:
-    """What a parameter shows: a quantity times `factor`, or a constant."""
+    """What a parameter shows: a quantity times `factor`, a constant, or a parameter of the command."""
 
     quantity: str = ""
     factor: float = 1.0
@@ -19,6 +19,7 @@ class Value:
     bits: tuple[str, ...] = ()
     number: float | None = None
     text: str | None = None
+    parameter: str = ""  # of a response: the parameter of its command whose setting it shows
 
 
 @dataclass(frozen=True)
@@ -29,6 +30,10 @@ class FieldValues:
     parameters: dict[str, Value] = field(default_factory=dict)
 
 
+#: What instances may be other than numbers up to a limit: ports, data sets, and the data that the command affects.
+PORTS, DATA_SETS, AFFECTED = "ports", "data_sets", "affected"
+
+
 @dataclass(frozen=True)
 class Behavior:
     """What a command does besides storing a setting, and how the setting is stored."""
@@ -36,11 +41,13 @@ class Behavior:
     effect: str = ""
     arguments: dict[str, str | int] = field(default_factory=dict)  # parameter, parameter.member, or a number
     all: dict[str, int] = field(default_factory=dict)  # parameter -> the value that means all
-    instances: dict[str, str] = field(default_factory=dict)  # parameter -> limit, "ports" or "data_sets"
+    instances: dict[str, str] = field(default_factory=dict)  # parameter -> limit, or one of the words below
     translate: dict[str, dict[int, int]] = field(default_factory=dict)  # number -> number of a set
     setting: str = ""  # the command whose setting it is, if not its own
     key: dict[str, int] = field(default_factory=dict)  # which instance of that setting
     initial: dict[str, Any] = field(default_factory=dict)  # values on a new device
+    once: bool = False  # a write acts at that moment: what it wrote is no setting to be restored
+    affected: frozenset[tuple[int, int]] = frozenset()  # set and descriptor of the data that AFFECTED selects from
     answers: dict[str, tuple[str, ...]] = field(default_factory=dict)  # response -> devices with this layout
 
 
@@ -80,7 +87,8 @@ def _shown(row: dict[str, Any]) -> FieldValues:
 
 def _behavior(row: dict[str, Any]) -> Behavior:
     translate = {name: {int(k): x for k, x in pairs.items()} for name, pairs in row.pop("translate", {}).items()}
-    return Behavior(**row, translate=translate)
+    affected = frozenset(row.pop("affected", ()))
+    return Behavior(**row, translate=translate, affected=affected)
 
 
 _KNOWN = _tuples(data("simulation.json"))
@@ -101,4 +109,17 @@ def shown(kind: type[Field], set: int) -> FieldValues:
     return VALUES.get(kind.name_in(set)) or VALUES.get(kind.NAME) or _NOTHING
 
 
-__all__ = ["COMMANDS", "FUNCTIONS", "VALUES", "Behavior", "Difference", "FieldValues", "Value", "difference", "shown"]
+__all__ = [
+    "AFFECTED",
+    "COMMANDS",
+    "DATA_SETS",
+    "FUNCTIONS",
+    "PORTS",
+    "VALUES",
+    "Behavior",
+    "Difference",
+    "FieldValues",
+    "Value",
+    "difference",
+    "shown",
+]

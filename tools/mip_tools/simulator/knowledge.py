@@ -152,7 +152,6 @@ QUANTITIES: dict[str, Quantity] = {
     "device.bytes_received": lambda device, context: device.bytes_received & 0xFFFFFFFF,
     "device.packets_dropped": lambda device, context: device.dropped & 0xFFFFFFFF,
     "stream.base_rate": lambda device, context: formats.rate(device, context["set"]),
-    "stream.enabled": lambda device, context: formats.enabled(device, context["set"]),
     "stream.sensor": _stream("sensor"),
     "stream.gnss": _stream("gnss"),
     "stream.filter": _stream("filter"),

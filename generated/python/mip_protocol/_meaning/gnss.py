@@ -12,7 +12,7 @@ from ..parameter import Parameter
 TYPES: dict[str, Info] = {
     "ReceiverInfoEntry": StructureInfo("gnss.receiver_info_entry", gnss.ReceiverInfoEntry, (
             Parameter("receiver_id", "receiver_id", "scalar", scalar="u8", minimum=1),
-            Parameter("mip_data_descriptor_set", "mip_data_descriptor_set", "scalar", scalar="u8", minimum=128, maximum=254),
+            Parameter("mip_data_descriptor_set", "mip_data_descriptor_set", "scalar", scalar="u8", minimum=128, maximum=254, refers="set"),
             Parameter("description", "description", "text", scalar="char", length=32),
         )),
     "GpsSignals": BitsInfo("gnss.gps_signals", gnss.GpsSignals),

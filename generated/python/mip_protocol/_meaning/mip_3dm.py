@@ -11,7 +11,7 @@ from ..parameter import Parameter, Variant
 #: Class -> what is known of it.
 TYPES: dict[str, Info] = {
     "PollEntry": StructureInfo("3dm.poll_entry", mip_3dm.PollEntry, (
-            Parameter("descriptor", "descriptor", "scalar", scalar="u8"),
+            Parameter("descriptor", "descriptor", "scalar", scalar="u8", refers="field"),
             Parameter("reserved", "reserved", "scalar", scalar="u16", reserved=True, default=0),
         )),
     "FactoryStreamingAction": EnumInfo("3dm.factory_streaming_action", mip_3dm.FactoryStreamingAction),
@@ -61,7 +61,7 @@ TYPES: dict[str, Info] = {
         parameters=(
             Parameter("suppress_ack", "suppress_ack", "scalar", scalar="bool"),
             Parameter("num_descriptors", "num_descriptors", "counter", scalar="u8", counts="descriptors"),
-            Parameter("descriptors", "descriptors", "array", length="num_descriptors", type=mip_3dm.PollEntry),
+            Parameter("descriptors", "descriptors", "array", length="num_descriptors", fields_of="sensor", type=mip_3dm.PollEntry),
         ),
     ),
     "PollGnssData": FieldInfo(
@@ -69,7 +69,7 @@ TYPES: dict[str, Info] = {
         parameters=(
             Parameter("suppress_ack", "suppress_ack", "scalar", scalar="bool"),
             Parameter("num_descriptors", "num_descriptors", "counter", scalar="u8", counts="descriptors", maximum=83, minimum=0),
-            Parameter("descriptors", "descriptors", "array", length="num_descriptors", type=mip_3dm.PollEntry),
+            Parameter("descriptors", "descriptors", "array", length="num_descriptors", fields_of="gnss_data", type=mip_3dm.PollEntry),
         ),
     ),
     "PollFilterData": FieldInfo(
@@ -77,7 +77,7 @@ TYPES: dict[str, Info] = {
         parameters=(
             Parameter("suppress_ack", "suppress_ack", "scalar", scalar="bool"),
             Parameter("num_descriptors", "num_descriptors", "counter", scalar="u8", counts="descriptors"),
-            Parameter("descriptors", "descriptors", "array", length="num_descriptors", type=mip_3dm.PollEntry),
+            Parameter("descriptors", "descriptors", "array", length="num_descriptors", fields_of="filter_data", type=mip_3dm.PollEntry),
         ),
     ),
     "PollNmeaData": FieldInfo(
@@ -103,7 +103,7 @@ TYPES: dict[str, Info] = {
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("num_descriptors", "num_descriptors", "counter", scalar="u8", counts="descriptors", required=("write",)),
-            Parameter("descriptors", "descriptors", "array", length="num_descriptors", required=("write",), type=types.DescriptorRate),
+            Parameter("descriptors", "descriptors", "array", length="num_descriptors", required=("write",), fields_of="sensor", type=types.DescriptorRate),
         ),
     ),
     "GnssMessageFormat": FieldInfo(
@@ -111,7 +111,7 @@ TYPES: dict[str, Info] = {
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("num_descriptors", "num_descriptors", "counter", scalar="u8", counts="descriptors", maximum=82, required=("write",), minimum=0),
-            Parameter("descriptors", "descriptors", "array", length="num_descriptors", required=("write",), type=types.DescriptorRate),
+            Parameter("descriptors", "descriptors", "array", length="num_descriptors", required=("write",), fields_of="gnss_data", type=types.DescriptorRate),
         ),
     ),
     "FilterMessageFormat": FieldInfo(
@@ -119,7 +119,7 @@ TYPES: dict[str, Info] = {
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("num_descriptors", "num_descriptors", "counter", scalar="u8", counts="descriptors", required=("write",)),
-            Parameter("descriptors", "descriptors", "array", length="num_descriptors", required=("write",), type=types.DescriptorRate),
+            Parameter("descriptors", "descriptors", "array", length="num_descriptors", required=("write",), fields_of="filter_data", type=types.DescriptorRate),
         ),
     ),
     "GetFilterBaseRate": FieldInfo(
@@ -138,25 +138,25 @@ TYPES: dict[str, Info] = {
     "PollData": FieldInfo(
         "3dm.poll_data", mip_3dm.PollData, devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"),
         parameters=(
-            Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8", minimum=128, maximum=254),
+            Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8", minimum=128, maximum=254, refers="set"),
             Parameter("suppress_ack", "suppress_ack", "scalar", scalar="bool"),
             Parameter("num_descriptors", "num_descriptors", "counter", scalar="u8", counts="descriptors"),
-            Parameter("descriptors", "descriptors", "array", scalar="u8", length="num_descriptors"),
+            Parameter("descriptors", "descriptors", "array", scalar="u8", length="num_descriptors", refers="field", fields_of="descriptor_set"),
         ),
     ),
     "GetBaseRate": FieldInfo(
         "3dm.get_base_rate", mip_3dm.GetBaseRate, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq7"), perhaps=("3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"),
         parameters=(
-            Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8", minimum=128, maximum=254),
+            Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8", minimum=128, maximum=254, refers="set"),
         ),
     ),
     "MessageFormat": FieldInfo(
         "3dm.message_format", mip_3dm.MessageFormat, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
-            Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8", required=("write", "read", "save", "load", "default")),
+            Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8", required=("write", "read", "save", "load", "default"), refers="set"),
             Parameter("num_descriptors", "num_descriptors", "counter", scalar="u8", counts="descriptors", required=("write",)),
-            Parameter("descriptors", "descriptors", "array", length="num_descriptors", required=("write",), type=types.DescriptorRate),
+            Parameter("descriptors", "descriptors", "array", length="num_descriptors", required=("write",), fields_of="descriptor_set", type=types.DescriptorRate),
         ),
     ),
     "FactoryStreaming": FieldInfo(
@@ -170,7 +170,7 @@ TYPES: dict[str, Info] = {
         "3dm.data_stream_control", mip_3dm.DataStreamControl, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-cx5-10", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-dh3", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-45", "3dm-mv5-ar"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
-            Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8", required=("write", "read", "save", "load", "default"), variants=(Variant("device", ("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-dh3", "3dm-gq4-45", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-35", "3dm-gx5-45", "3dm-mv5-ar", "3dm-rq1-45-lt", "3dm-rq1-45-st"), {"type": mip_3dm.LegacyDataStream}), Variant("device", ("3dm-gx5-15",), {"only": ("imu", "filter"), "type": mip_3dm.LegacyDataStream}),)),
+            Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8", required=("write", "read", "save", "load", "default"), refers="set", variants=(Variant("device", ("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-dh3", "3dm-gq4-45", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-35", "3dm-gx5-45", "3dm-mv5-ar", "3dm-rq1-45-lt", "3dm-rq1-45-st"), {"type": mip_3dm.LegacyDataStream}), Variant("device", ("3dm-gx5-15",), {"only": ("imu", "filter"), "type": mip_3dm.LegacyDataStream}),)),
             Parameter("enable", "enable", "scalar", scalar="bool", default=True, required=("write",)),
         ),
     ),
@@ -407,7 +407,7 @@ TYPES: dict[str, Info] = {
         "3dm.imu_low_pass_filter", mip_3dm.ImuLowPassFilter, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gq7", "3dm-gx5-15", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-35", "3dm-gx5-45"), advanced=True,
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
-            Parameter("target_descriptor", "target_descriptor", "scalar", scalar="u8", required=("write", "read", "save", "load", "default"), variants=(Variant("device", ("3dm-cv7-gnss-ins",), {}),)),
+            Parameter("target_descriptor", "target_descriptor", "scalar", scalar="u8", required=("write", "read", "save", "load", "default"), refers="field", fields_of="sensor", variants=(Variant("device", ("3dm-cv7-gnss-ins",), {}),)),
             Parameter("enable", "enable", "scalar", scalar="bool", default=True, required=("write",)),
             Parameter("manual", "manual", "scalar", scalar="bool", required=("write",), default=False),
             Parameter("frequency", "frequency", "scalar", scalar="u16", units=("Hz",), required=("write",), variants=(Variant("device", ("3dm-gx5-15",), {"maximum": 250}),)),
@@ -442,8 +442,8 @@ TYPES: dict[str, Info] = {
         "3dm.low_pass_filter", mip_3dm.LowPassFilter, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq7"), perhaps=("3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
-            Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8", required=("write", "read", "save", "load", "default")),
-            Parameter("field_descriptor", "field_descriptor", "scalar", scalar="u8", required=("write", "read", "save", "load", "default")),
+            Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8", required=("write", "read", "save", "load", "default"), refers="set"),
+            Parameter("field_descriptor", "field_descriptor", "scalar", scalar="u8", required=("write", "read", "save", "load", "default"), refers="field", fields_of="descriptor_set"),
             Parameter("enable", "enable", "scalar", scalar="bool", required=("write",)),
             Parameter("manual", "manual", "scalar", scalar="bool", required=("write",)),
             Parameter("frequency", "frequency", "scalar", scalar="float", units=("Hz",), required=("write",), minimum=0),
@@ -482,21 +482,21 @@ TYPES: dict[str, Info] = {
         "3dm.imu_message_format_response", mip_3dm.ImuMessageFormatResponse, devices=("3dm-cx5-10", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25"),
         parameters=(
             Parameter("num_descriptors", "num_descriptors", "counter", scalar="u8", counts="descriptors"),
-            Parameter("descriptors", "descriptors", "array", length="num_descriptors", type=types.DescriptorRate),
+            Parameter("descriptors", "descriptors", "array", length="num_descriptors", fields_of="sensor", type=types.DescriptorRate),
         ),
     ),
     "GnssMessageFormatResponse": FieldInfo(
         "3dm.gnss_message_format_response", mip_3dm.GnssMessageFormatResponse, devices=("3dm-gq4-45", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cv5-45", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-45"),
         parameters=(
             Parameter("num_descriptors", "num_descriptors", "counter", scalar="u8", counts="descriptors", maximum=82, minimum=0),
-            Parameter("descriptors", "descriptors", "array", length="num_descriptors", type=types.DescriptorRate),
+            Parameter("descriptors", "descriptors", "array", length="num_descriptors", fields_of="gnss_data", type=types.DescriptorRate),
         ),
     ),
     "FilterMessageFormatResponse": FieldInfo(
         "3dm.filter_message_format_response", mip_3dm.FilterMessageFormatResponse, devices=("3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25"),
         parameters=(
             Parameter("num_descriptors", "num_descriptors", "counter", scalar="u8", counts="descriptors"),
-            Parameter("descriptors", "descriptors", "array", length="num_descriptors", type=types.DescriptorRate),
+            Parameter("descriptors", "descriptors", "array", length="num_descriptors", fields_of="filter_data", type=types.DescriptorRate),
         ),
     ),
     "GetImuBaseRateResponse": FieldInfo(
@@ -514,7 +514,7 @@ TYPES: dict[str, Info] = {
     "DataStreamControlResponse": FieldInfo(
         "3dm.data_stream_control_response", mip_3dm.DataStreamControlResponse, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-cx5-10", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-dh3", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-45", "3dm-mv5-ar"),
         parameters=(
-            Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8", variants=(Variant("device", ("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-dh3", "3dm-gq4-45", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-35", "3dm-gx5-45", "3dm-mv5-ar", "3dm-rq1-45-lt", "3dm-rq1-45-st"), {"type": mip_3dm.LegacyDataStream}), Variant("device", ("3dm-gx5-15",), {"only": ("imu", "filter"), "type": mip_3dm.LegacyDataStream}),)),
+            Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8", refers="set", variants=(Variant("device", ("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-dh3", "3dm-gq4-45", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-35", "3dm-gx5-45", "3dm-mv5-ar", "3dm-rq1-45-lt", "3dm-rq1-45-st"), {"type": mip_3dm.LegacyDataStream}), Variant("device", ("3dm-gx5-15",), {"only": ("imu", "filter"), "type": mip_3dm.LegacyDataStream}),)),
             Parameter("enabled", "enabled", "scalar", scalar="bool"),
         ),
     ),
@@ -560,7 +560,7 @@ TYPES: dict[str, Info] = {
     "ImuLowPassFilterResponse": FieldInfo(
         "3dm.imu_low_pass_filter_response", mip_3dm.ImuLowPassFilterResponse, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gq7", "3dm-gx5-15", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-35", "3dm-gx5-45"),
         parameters=(
-            Parameter("target_descriptor", "target_descriptor", "scalar", scalar="u8"),
+            Parameter("target_descriptor", "target_descriptor", "scalar", scalar="u8", refers="field", fields_of="sensor"),
             Parameter("enable", "enable", "scalar", scalar="bool", default=True),
             Parameter("manual", "manual", "scalar", scalar="bool", default=False),
             Parameter("frequency", "frequency", "scalar", scalar="u16", units=("Hz",)),
@@ -577,16 +577,16 @@ TYPES: dict[str, Info] = {
     "GetBaseRateResponse": FieldInfo(
         "3dm.get_base_rate_response", mip_3dm.GetBaseRateResponse, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq7"), perhaps=("3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"),
         parameters=(
-            Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8"),
+            Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8", refers="set"),
             Parameter("rate", "rate", "scalar", scalar="u16", units=("Hz",)),
         ),
     ),
     "MessageFormatResponse": FieldInfo(
         "3dm.message_format_response", mip_3dm.MessageFormatResponse, devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"),
         parameters=(
-            Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8"),
+            Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8", refers="set"),
             Parameter("num_descriptors", "num_descriptors", "counter", scalar="u8", counts="descriptors"),
-            Parameter("descriptors", "descriptors", "array", length="num_descriptors", type=types.DescriptorRate),
+            Parameter("descriptors", "descriptors", "array", length="num_descriptors", fields_of="descriptor_set", type=types.DescriptorRate),
         ),
     ),
     "DeviceStatusBasicResponse": FieldInfo(
@@ -1023,8 +1023,8 @@ TYPES: dict[str, Info] = {
     "LowPassFilterResponse": FieldInfo(
         "3dm.low_pass_filter_response", mip_3dm.LowPassFilterResponse, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq7"), perhaps=("3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"),
         parameters=(
-            Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8"),
-            Parameter("field_descriptor", "field_descriptor", "scalar", scalar="u8"),
+            Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8", refers="set"),
+            Parameter("field_descriptor", "field_descriptor", "scalar", scalar="u8", refers="field", fields_of="descriptor_set"),
             Parameter("enable", "enable", "scalar", scalar="bool"),
             Parameter("manual", "manual", "scalar", scalar="bool"),
             Parameter("frequency", "frequency", "scalar", scalar="float", units=("Hz",), minimum=0),

@@ -14,7 +14,7 @@ TYPES: dict[str, Info] = {
     "Acknowledge": FieldInfo(
         "protocol.acknowledge", protocol.Acknowledge,
         parameters=(
-            Parameter("command", "command", "scalar", scalar="u8"),
+            Parameter("command", "command", "scalar", scalar="u8", refers="field"),
             Parameter("code", "code", "scalar", scalar="u8", type=types.AckCode),
         ),
     ),

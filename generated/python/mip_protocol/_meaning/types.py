@@ -35,8 +35,8 @@ TYPES: dict[str, Info] = {
             Parameter("interval", "interval", "scalar", scalar="double"),
         )),
     "EventTriggerThreshold": StructureInfo("event_trigger_threshold", types.EventTriggerThreshold, (
-            Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8"),
-            Parameter("field_descriptor", "field_descriptor", "scalar", scalar="u8"),
+            Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8", refers="set"),
+            Parameter("field_descriptor", "field_descriptor", "scalar", scalar="u8", refers="field", fields_of="descriptor_set"),
             Parameter("parameter_id", "parameter_id", "scalar", scalar="u8", minimum=1),
             Parameter("type", "type", "scalar", scalar="u8", type=types.EventThresholdType),
             Parameter("thresholds", "thresholds", "switch", tag="type", cases={1: Parameter("window", "window", "struct", type=types.EventThresholdWindow), 2: Parameter("interval", "interval", "struct", type=types.EventThresholdInterval), }),
@@ -50,10 +50,10 @@ TYPES: dict[str, Info] = {
             Parameter("mode", "mode", "scalar", scalar="u8", type=types.EventActionGpioMode),
         )),
     "EventActionMessage": StructureInfo("event_action_message", types.EventActionMessage, (
-            Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8"),
+            Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8", refers="set"),
             Parameter("decimation", "decimation", "scalar", scalar="u16"),
             Parameter("num_fields", "num_fields", "counter", scalar="u8", counts="descriptors", maximum=12, minimum=0),
-            Parameter("descriptors", "descriptors", "array", scalar="u8", length="num_fields"),
+            Parameter("descriptors", "descriptors", "array", scalar="u8", length="num_fields", refers="field", fields_of="descriptor_set"),
         )),
     "GnssConstellation": EnumInfo("gnss_constellation", types.GnssConstellation),
     "GnssFixType": EnumInfo("gnss_fix_type", types.GnssFixType),
@@ -71,7 +71,7 @@ TYPES: dict[str, Info] = {
     "NmeaMessage": StructureInfo("nmea_message", types.NmeaMessage, (
             Parameter("message_id", "message_id", "scalar", scalar="u8", type=types.NmeaMessageId),
             Parameter("talker_id", "talker_id", "scalar", scalar="u8", type=types.NmeaTalkerId),
-            Parameter("source_descriptor_set", "source_descriptor_set", "scalar", scalar="u8"),
+            Parameter("source_descriptor_set", "source_descriptor_set", "scalar", scalar="u8", refers="set"),
             Parameter("decimation", "decimation", "scalar", scalar="u16"),
         )),
     "CommInterface": EnumInfo("comm_interface", types.CommInterface),
@@ -79,7 +79,7 @@ TYPES: dict[str, Info] = {
     "RtkStatusFlagsLegacy": BitsInfo("rtk_status_flags_legacy", types.RtkStatusFlagsLegacy),
     "AckCode": EnumInfo("ack_code", types.AckCode),
     "DescriptorRate": StructureInfo("descriptor_rate", types.DescriptorRate, (
-            Parameter("descriptor", "descriptor", "scalar", scalar="u8"),
+            Parameter("descriptor", "descriptor", "scalar", scalar="u8", refers="field"),
             Parameter("decimation", "decimation", "scalar", scalar="u16"),
         )),
     "SensorGpsTimestampFlags": BitsInfo("sensor_gps_timestamp_flags", types.SensorGpsTimestampFlags),

@@ -96,6 +96,8 @@ def of_parameter(p: m.Parameter, record: m.Record, model: m.Model) -> Row:
         "optional": p.optional,
         "reserved": p.reserved is not None,
         "deprecated": p.deprecated,
+        "refers": p.shown if p.shown in ("set", "field") else "",
+        "fields_of": p.fields_of,
     }
     zero = {k: code(values[k]) for k in ("length", "constant", "minimum", "maximum", "above", "below", "default")
             if values[k] is not None}  # fmt: skip

@@ -38,7 +38,7 @@ def _source(s: Source) -> dict[str, Any]:
 def _value(v: Value) -> dict[str, Any]:
     entry = {"quantity": v.quantity, "factor": v.factor if v.factor != 1 else None, "names": v.names, "bits": v.bits}
     return {k: x for k, x in entry.items() if x} | {
-        k: x for k, x in (("number", v.number), ("text", v.text)) if x is not None
+        k: x for k, x in (("number", v.number), ("text", v.text), ("parameter", v.parameter or None)) if x is not None
     }
 
 
@@ -52,6 +52,8 @@ def _behavior(b: Behavior) -> dict[str, Any]:
         "setting": b.setting,
         "key": dict(b.key),
         "initial": dict(b.initial),
+        "once": b.once,
+        "affected": b.affected,
         "answers": dict(b.answers),
     }
     return {k: x for k, x in entry.items() if x}

@@ -134,10 +134,10 @@ TYPES: dict[str, Info] = {
     "Poll": FieldInfo(
         "tools.poll", tools.Poll, devices=("model-c",),
         parameters=(
-            Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8", minimum=128, maximum=254),
-            Parameter("first", "first", "scalar", scalar="u8", default=1),
+            Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8", minimum=128, maximum=254, refers="set"),
+            Parameter("first", "first", "scalar", scalar="u8", default=1, refers="field", fields_of="measurements"),
             Parameter("count", "count", "counter", scalar="u8", counts="descriptors"),
-            Parameter("descriptors", "descriptors", "array", scalar="u8", length="count"),
+            Parameter("descriptors", "descriptors", "array", scalar="u8", length="count", refers="field", fields_of="descriptor_set"),
         ),
     ),
     "SettingsResponse": FieldInfo(

@@ -1,0 +1,97 @@
+"""`mip config`: whatever settings a virtual device has, another one has them too after a file has carried them over."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+from mip_protocol import Device, devices
+from mip_tools.configuration import parsed, talk
+from mip_tools.configuration.written import text
+from mip_tools.simulator import LivePort, VirtualDevice
+from mipgen import model as m
+from mipgen.lower import codec
+from support import heavy, model
+from virtual.commands import commands, trials
+
+#: Settings that no file has: actions, values that all select an instance, and what ends the conversation.
+LEFT_OUT = {"filter.tare_orientation", "3dm.data_stream_format"}
+ENDS = {"system.comm_mode", "system.interface_control"}
+#: Settings that a device has in a form of its own: a rotation that was written as a matrix is read as a quaternion.
+ROUNDED = ("transform", "rotation")
+
+
+def told(device: m.Device, virtual: VirtualDevice, only: int) -> set[str]:
+    """Writes values of every command that can be written, read and saved; of each, every `only`-th good one."""
+    link = virtual.connect()
+    virtual.idle = True
+    names = set()
+    for support in commands(device):
+        letters = {f.letter for f in support.functions}
+        f = support.field
+        if not {"W", "R"} <= letters or "S" not in {x.letter for x in f.functions} or f.full_name in LEFT_OUT | ENDS:
+            continue
+        every = next((dict(b.all) for b in model("real").simulation.behaviors if b.command is f), {})
+        written = [t for t in trials(support, device) if t.good and t.function and t.function.letter == "W"]
+        good = [t for t in written if not any(t.values[name] == number for name, number in every.items())]
+        for trial in good[only::3]:
+            data = codec.encode(f, trial.values)
+            link.write(codec.build(model("real"), support.set, [(f.descriptor, data)]))
+            virtual.advance(0.02)
+            names.add(f.full_name)
+    virtual.disconnect(link)
+    virtual.idle = False
+    return names
+
+
+def pulled(virtual: VirtualDevice) -> str:
+    with Device(LivePort(virtual, speed=50)) as link:
+        it = talk.Talk(link, "PORT", pytest.fail)
+        return text(it.pull(), it.profile, it.model.id, it.told.firmware, "2026-01-31")
+
+
+def pushed(virtual: VirtualDevice, path: Path) -> talk.Pushed:
+    with Device(LivePort(virtual, speed=50)) as link:
+        it = talk.Talk(link, "PORT", pytest.fail)
+        return it.push(parsed.parsed(path, it.profile).held)
+
+
+def kept(virtual: VirtualDevice) -> dict[Any, Any]:
+    return {place: value for place, value in virtual.settings.items() if place[0] not in LEFT_OUT}
+
+
+#: What `make test` samples: of each generation, with few settings and with many.
+SAMPLE = (
+    "3dm-cv7-gnss-ins",
+    "3dm-gq7",
+    "3dm-gv7-ar",
+    "3dm-gx5-45",
+    "3dm-gx5-15",
+    "3dm-gx3-35",
+    "3dm-mv5-ar",
+    "3dm-rtk",
+)
+REST = [pytest.param(id, marks=heavy("all models")) for id in sorted({*devices.DEVICES} - {*SAMPLE})]
+
+
+@pytest.mark.parametrize("only", [0, 1, 2])
+@pytest.mark.parametrize("id", [*SAMPLE, *REST])
+def test_all_settings_of_a_device(tmp_path: Path, id: str, only: int) -> None:
+    found = model("real").device(id)
+    assert found is not None
+    first, second = VirtualDevice(id), VirtualDevice(id)
+    assert told(found, first, only) or only
+    path = tmp_path / "settings.yaml"
+    path.write_text(pulled(first))
+    done = pushed(second, path)
+    assert not done.refused and not done.different
+    assert pulled(second) == path.read_text()
+    for place, value in kept(first).items():
+        if not any(word in place[0] for word in ROUNDED):
+            assert second.settings.current(value) == value, place
+
+
+def test_what_acts_only_once_is_no_setting() -> None:
+    virtual = VirtualDevice("3dm-gx5-25")
+    assert virtual.knows("filter.tare_orientation") and "tare_orientation" not in pulled(virtual)

@@ -1,0 +1,186 @@
+"""`mip config`: all settings of a device as one file, and back."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from datetime import date
+from pathlib import Path
+from typing import Any
+
+from ..configuration import parsed, written
+from ..configuration.settings import UNKNOWN, Place
+from ..configuration.talk import Pushed, Talk, differs
+from ..errors import Failure, Misuse
+from . import outputs, ports, signals
+from .inputs import counted
+from .listing import REFUSED
+
+EPILOG = """\
+examples:
+  mip config pull /dev/ttyACM0 > settings.yaml       all settings, with names and units
+  mip config pull /dev/ttyACM0 -o settings.yaml      the same; an older file is kept if it fails
+  mip config diff settings.yaml /dev/ttyACM0         what differs; also of two files, or two ports
+  mip config push /dev/ttyACM0 settings.yaml         changes what differs, until the next power-off
+  mip config save /dev/ttyACM0                       saves all current settings in flash memory
+
+`push` checks the whole file before it writes anything. It then writes what differs, and reads it
+back. Ports and the baud rate are changed last, and changed back if the device does not answer any
+more. A device that streams is set to idle, and resumes. To read a file, the extra `yaml` (PyYAML)
+is needed.
+
+exit status: 1 if `diff` finds differences, 3 if the device refuses a setting, 4 if it does not
+answer
+"""
+
+_NEEDED = {"pull": ("PORT",), "diff": ("FILE", "FILE or PORT"), "push": ("PORT", "FILE"), "save": ("PORT",)}
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.epilog = EPILOG
+    add = parser.add_argument
+    add("action", choices=list(_NEEDED), metavar="ACTION", help=", ".join(_NEEDED))
+    add("names", nargs="+", metavar="PORT|FILE", help="such as /dev/ttyACM0, COM3, HOST:PORT; a file of settings")
+    add("-o", dest="output", metavar="FILE", default="-", help="pull: write to this file (default: standard output)")
+    ports.add_arguments(parser)
+
+
+def run(options: argparse.Namespace) -> int:
+    needed = _NEEDED[options.action]
+    if len(options.names) != len(needed):
+        raise Misuse(f"`mip config {options.action}` needs {' and '.join(needed)}")
+    if options.output != "-" and options.action != "pull":
+        raise Misuse("-o belongs to `mip config pull`")
+    action: Callable[[argparse.Namespace], int] = {"pull": _pull, "diff": _diff, "push": _push, "save": _save}[
+        options.action
+    ]
+    return action(options)
+
+
+# --------------------------------------------------------------------------- pull and save
+
+
+def _pull(options: argparse.Namespace) -> int:
+    with _talk(options.names[0], options) as talk:
+        held = talk.pull()
+    said = (talk.model.id if talk.model.profile else talk.told.title, talk.told.firmware, date.today().isoformat())
+    text = written.text(held, talk.profile, *said)
+    with outputs.whole(options.output) as file:
+        file.write(text.encode("utf-8"))
+    outputs.note(f"{options.names[0]}: {talk.profile.title}: {counted(len(held), 'setting')}")
+    return 0
+
+
+def _save(options: argparse.Namespace) -> int:
+    with _talk(options.names[0], options) as talk:
+        saved, refused = talk.save()
+    for place, why in refused.items():
+        _complain(f"{_named(place, talk.profile)} was not saved: {why}")
+    how_many = "all settings" if saved is None else counted(saved, "setting")
+    print(f"{options.names[0]}: {talk.profile.title}: {how_many} saved")
+    return REFUSED if refused else 0
+
+
+# --------------------------------------------------------------------------- push
+
+
+def _push(options: argparse.Namespace) -> int:
+    port, path = options.names[0], Path(options.names[1])
+    file = parsed.parsed(path)  # before the device is touched
+    with _talk(port, options) as talk:
+        own = talk.model.id if talk.model.profile else talk.told.title
+        if own != (file.profile.id or file.model):
+            remedy = f"`model: {own}` in the file, to check it for this device"
+            raise Failure(f"{path} has the settings of a {file.model}, and {port} is a {own}; write {remedy}")
+        file = parsed.parsed(path, talk.profile)
+        missing = [place for place, now in talk.read_all(file.held).items() if now is None]
+        if missing:
+            said = [f"{file.at[p]}: this device has no {_named(p, talk.profile)}; remove it" for p in missing]
+            raise Failure("\n".join(said))
+        try:
+            done = talk.push(file.held)
+        except KeyboardInterrupt:
+            _complain("interrupted: some settings may have been written; none are saved")
+            raise
+        spoken = talk.link.baud
+    code = _pushed(port, file, done)
+    if spoken != options.baud and spoken is not None and options.baud is not None:
+        print(f"{port}: the baud rate is {spoken} now; use --baud {spoken}")
+    return code
+
+
+def _pushed(port: str, file: parsed.File, done: Pushed) -> int:
+    for place, why in done.refused.items():
+        _complain(f"{file.at[place]}: {_named(place, file.profile)} was refused: {why}")
+    for place, now in done.different.items():
+        lines = "; ".join(_changes(place, file.held[place], now, file.profile))
+        _complain(f"{file.at[place]}: {_named(place, file.profile)} was written, and reads back otherwise: {lines}")
+    changed = len([place for place in done.written if place not in done.refused])
+    same = len(file.held) - len({*done.written, *done.refused})
+    keep = f"; `mip config save {port}` keeps them at power-off" if changed else ""
+    print(f"{port}: {counted(changed, 'setting')} changed, {same} as before, {len(done.refused)} refused{keep}")
+    return REFUSED if done.refused or done.different else 0
+
+
+# --------------------------------------------------------------------------- diff
+
+
+def _diff(options: argparse.Namespace) -> int:
+    (a, profile, model_a), (b, other, model_b) = (_held(name, options) for name in options.names)
+    lines = [] if model_a == model_b else [f"model: {model_a} -> {model_b}"]
+    for place in {**a, **b}:
+        if place not in a or place not in b:
+            where = options.names[0 if place in a else 1]
+            lines.append(f"{_named(place, profile if place in a else other)}: only in {where}")
+        elif differs(a[place], b[place]):
+            lines.append(f"{_named(place, profile)}: {'; '.join(_changes(place, a[place], b[place], profile))}")
+    for line in lines:
+        print(line)
+    return 1 if lines else 0
+
+
+def _held(name: str, options: argparse.Namespace) -> tuple[dict[Place, Any], Any, str]:
+    """The settings of a file or of a device, its profile and its model."""
+    if os.path.isfile(name) or name.endswith((".yaml", ".yml")):
+        file = parsed.parsed(Path(name))
+        return file.held, file.profile, file.profile.id or file.model
+    with _talk(name, options) as talk:
+        return talk.pull(), talk.profile, talk.model.id if talk.model.profile else talk.told.title
+
+
+def _changes(place: Place, before: Any, after: Any, profile: Any) -> Iterator[str]:
+    """What differs between two values of a setting, by parameter."""
+    if before is None or after is None:
+        yield "it cannot be read" if after is None else "it could not be read"
+        return
+    a, b = (written.values(place, value, profile) for value in (before, after))
+    for name in {**a, **b}:
+        if a.get(name) != b.get(name):
+            texts = (written.flow(x[name]) if name in x else "nothing" for x in (a, b))
+            yield f"{name} {' -> '.join(texts)}"
+
+
+def _named(place: Place, profile: Any) -> str:
+    family, name, *keys = written.path_of(place, profile or UNKNOWN)
+    return " ".join([f"{family}.{name}", *keys])
+
+
+# --------------------------------------------------------------------------- devices
+
+
+@contextmanager
+def _talk(port: str, options: argparse.Namespace) -> Iterator[Talk]:
+    """A device that sends nothing meanwhile, and goes on afterwards, also after an interrupt."""
+    with (
+        signals.handled(signals.interrupt),
+        ports.opened(port, options) as link,
+        Talk.idle(link, port, _complain),
+    ):
+        yield Talk(link, port, _complain)
+
+
+def _complain(text: str) -> None:
+    print(f"mip config: {text}", file=sys.stderr)

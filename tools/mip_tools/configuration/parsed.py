@@ -1,0 +1,315 @@
+"""Settings from the text of a file; each mistake with its place and the remedy."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, replace
+from difflib import get_close_matches
+from enum import IntFlag
+from pathlib import Path
+from typing import Any
+
+from ..binding import DEVICES, Device, EncodeError, Parameter, Structure, UnknownName, device_id, info
+from ..cli import typed, yaml_text
+from ..cli.yaml_text import kind_of
+from ..errors import Failure
+from ..simulator.checks import SAME, inside, set_of
+from ..simulator.settings import home
+from .settings import UNKNOWN, Place, of, on, parameters, settings
+from .words import numbers
+from .written import Beside, selectors
+
+#: Descriptors from here on are those of shared data.
+SHARED = 0xD0
+
+KEYS = ("model", "firmware", "date", "settings")
+
+
+@dataclass
+class File:
+    """What a file says: its settings, and where each of them stands."""
+
+    path: Path
+    model: str
+    profile: Device
+    held: dict[Place, Any] = field(default_factory=dict)
+    at: dict[Place, str] = field(default_factory=dict)
+
+
+class Wrong(Exception):
+    """A mistake at a node of the file."""
+
+    def __init__(self, node: Any, text: str) -> None:
+        super().__init__(text)
+        self.node = node
+
+
+def parsed(path: Path, device: Device | None = None) -> File:
+    """Reads a file, for a device that has told what it has, if one is given.
+
+    Raises Failure, which names all mistakes.
+    """
+    return _Reader(path, device).file()
+
+
+class _Reader:
+    def __init__(self, path: Path, device: Device | None) -> None:
+        self.path = path
+        self.mistakes: list[str] = []
+        self.profile = UNKNOWN
+        self.device = device
+
+    def file(self) -> File:
+        root = yaml_text.composed(yaml_text.contents(self.path), self.path)
+        if kind_of(root) != "mapping":
+            raise Failure(f"{self.path}:1:1: this is no file of settings; `mip config pull` writes one")
+        parts = self.keys(root, KEYS, "a file of settings")
+        if "model" not in parts:
+            self.wrong(Wrong(root, "'model' is missing; name the device, as `mip config pull` does"))
+        model = str(parts["model"].value) if "model" in parts else ""
+        try:
+            self.profile = DEVICES[device_id(model)]
+        except UnknownName as error:
+            if error.near and "model" in parts and "did you mean" in error.detail:
+                self.wrong(Wrong(parts["model"], error.detail))
+        file = File(self.path, model, self.profile)
+        if "settings" in parts:
+            self.families(parts["settings"], file)
+        elif not self.mistakes:
+            self.wrong(Wrong(root, "'settings' is missing; `mip config pull` writes a complete file"))
+        if self.mistakes:
+            raise Failure("\n".join(self.mistakes))
+        return file
+
+    def wrong(self, mistake: Wrong) -> None:
+        self.mistakes.append(f"{self.place(mistake.node)}: {mistake}")
+
+    def place(self, node: Any) -> str:
+        return f"{self.path}:{node.start_mark.line + 1}:{node.start_mark.column + 1}"
+
+    def keys(self, node: Any, known: Iterable[str], what: str) -> dict[str, Any]:
+        """The values of a mapping by their keys, which must be known ones."""
+        found: dict[str, Any] = {}
+        names = list(known)
+        for key, value in self.pairs(node, what):
+            if key.value in names:
+                found[key.value] = value
+            else:
+                self.wrong(Wrong(key, f"{what} has no '{key.value}'{_hint(key.value, names)}"))
+        return found
+
+    def pairs(self, node: Any, what: str) -> list[tuple[Any, Any]]:
+        """Keys and values of a mapping, each key once."""
+        if kind_of(node) != "mapping":
+            if kind_of(node) == "scalar" and node.value in ("", "~", "null"):
+                return []
+            self.wrong(Wrong(node, f"{what} needs keys with values, {{name: value}}"))
+            return []
+        seen: dict[str, Any] = {}
+        for key, _ in node.value:
+            if kind_of(key) != "scalar":
+                self.wrong(Wrong(key, "a key must be one word"))
+            elif key.value in seen:
+                line = seen[key.value].start_mark.line + 1
+                self.wrong(Wrong(key, f"'{key.value}' is already in line {line}; remove one"))
+            else:
+                seen[key.value] = key
+        return [(key, value) for key, value in node.value if seen.get(key.value) is key]
+
+    # ----------------------------------------------------------------- commands
+
+    def families(self, node: Any, file: File) -> None:
+        by_family: dict[str, list[str]] = {}
+        for name in settings():
+            family, _, own = name.partition(".")
+            by_family.setdefault(family, []).append(own)
+        for family, commands in self.keys(node, by_family, "'settings'").items():
+            for own, values in self.keys(commands, by_family[family], f"'{family}'").items():
+                kind = settings()[f"{family}.{own}"]
+                if self.device is None or self.has(kind, commands, own):
+                    self.instances(kind, selectors(kind, Place(kind.NAME).keys), {}, values, values, file)
+
+    def has(self, kind: Any, node: Any, own: str) -> bool:
+        """Does the device have this setting, and in this form?"""
+        assert self.device is not None
+        available = of(self.device)
+        if kind in available:
+            return True
+        key = next(key for key, _ in node.value if key.value == own)
+        others = [other.NAME for other in available if home(other) is home(kind)]
+        instead = f"use {others[0]} instead" if others else "remove it"
+        self.wrong(Wrong(key, f"this device has no setting '{kind.NAME}'; {instead}"))
+        return False
+
+    def instances(self, kind: Any, rest: list[str], selected: dict[str, int], key: Any, node: Any, file: File) -> None:
+        """The values of a setting, below the keys that select instances of it."""
+        if not rest:
+            self.setting(kind, selected, key, node, file)
+            return
+        p = info(kind)[rest[0]]
+        for inner, values in self.pairs(node, f"'{kind.NAME}'"):
+            try:
+                number = self.word(on(p, self.profile), inner, set_of(p, Beside(selected)))
+                self.check(on(p, self.profile), number, inner, set_of(p, Beside(selected)))
+            except Wrong as mistake:
+                self.wrong(mistake)
+                continue
+            self.instances(kind, rest[1:], {**selected, p.attribute: int(number)}, inner, values, file)
+
+    def setting(self, kind: Any, selected: dict[str, int], key: Any, node: Any, file: File) -> None:
+        before = len(self.mistakes)
+        place = Place.of(kind.NAME, selected)
+        members = [p for p in parameters(kind) if p.attribute not in place.selected]
+        required = {p.attribute for p in members if "write" in p.required}
+        given = self.members(kind.NAME, node, members, required, {**place.selected}, None)
+        if len(self.mistakes) > before:
+            return
+        try:
+            command = kind.write(**{n: v for n, v in given.items() if not info(kind)[n].reserved})
+            command.packet()
+        except EncodeError as error:
+            self.wrong(Wrong(node, f"'{kind.NAME}' cannot be sent: {error.detail}"))
+            return
+        if place in file.held:
+            self.wrong(Wrong(key, f"the same as at {file.at[place]}; remove one"))
+            return
+        file.held[place], file.at[place] = command, self.place(key)
+
+    def members(
+        self, what: str, node: Any, members: list[Parameter], required: set[str], given: dict[str, Any], set: int | None
+    ) -> dict[str, Any]:
+        """The values of parameters, so that each finds those that it depends on."""
+        before = len(self.mistakes)
+        nodes = self.keys(node, [p.name for p in members], f"'{what}'")
+        unknown = len(self.mistakes) > before  # perhaps what seems to be missing
+        missing = []
+        for p in sorted(members, key=_depends):
+            if p.name in nodes:
+                here = p.of(Beside(given), self.profile.id or None)  # type: ignore[arg-type]
+                try:
+                    given[p.attribute] = self.value(here, nodes[p.name], given, set)
+                except Wrong as mistake:
+                    self.wrong(mistake)
+                    given[p.attribute] = None
+            elif p.kind == "switch" and p.cases.get(given.get(p.tag, 0)) is None:
+                given[p.attribute] = None
+            elif p.attribute in required:
+                missing.append(p.name)
+        if missing and not unknown:
+            self.wrong(Wrong(node, f"'{what}' needs {', '.join(missing)} too"))
+        return given
+
+    # ----------------------------------------------------------------- values
+
+    def value(self, p: Parameter, node: Any, given: Mapping[str, Any], inside: int | None) -> Any:
+        set = set_of(p, Beside(given)) if p.fields_of else inside
+        if p.kind == "switch":
+            case = p.cases.get(given.get(p.tag) or 0)
+            if case is None:
+                raise Wrong(node, f"'{p.name}' is not used with this '{p.tag}'; remove it")
+            return self.value(replace(case, name=p.name), node, given, set)
+        if p.length is not None and p.kind == "array":
+            return self.items(replace(p, length=None, fields_of=""), node, given, set, p.length)
+        if isinstance(p.type, type) and issubclass(p.type, Structure):
+            return self.structure(p, node, set)
+        if p.elements:
+            return self.vector(p, node)
+        return self.one(p, node, set)
+
+    def items(self, p: Parameter, node: Any, given: Mapping[str, Any], set: int | None, length: Any) -> tuple[Any, ...]:
+        if kind_of(node) != "sequence":
+            raise Wrong(node, f"'{p.name}' needs a list, [...]")
+        if isinstance(length, int) and len(node.value) != length:
+            raise Wrong(node, f"'{p.name}' needs {length} values, not {len(node.value)}")
+        found = []
+        one = replace(p, kind="scalar")
+        for item in node.value:
+            try:
+                found.append(self.value(one, item, given, set))
+            except Wrong as mistake:
+                self.wrong(mistake)
+        return tuple(found)
+
+    def structure(self, p: Parameter, node: Any, set: int | None) -> Any:
+        before = len(self.mistakes)
+        members = parameters(p.type)
+        given = self.members(p.name, node, members, {m.attribute for m in members}, {}, set)
+        return None if len(self.mistakes) > before else p.type(**given)
+
+    def vector(self, p: Parameter, node: Any) -> tuple[float, ...]:
+        found = self.keys(node, p.elements, f"'{p.name}'")
+        missing = [name for name in p.elements if name not in found]
+        if missing:
+            raise Wrong(node, f"'{p.name}' needs {', '.join(missing)} too")
+        values = tuple(self.one(p, found[name], None) for name in p.elements)
+        least, most = p.magnitude
+        size = sum(x * x for x in values) ** 0.5
+        if (least is not None and size < least) or (most is not None and size > most):
+            limits = f"from {least or 0} to {most}" if most is not None else f"at least {least}"
+            raise Wrong(node, f"the magnitude of '{p.name}' must be {limits}")
+        return values
+
+    def one(self, p: Parameter, node: Any, set: int | None) -> Any:
+        if isinstance(p.type, type) and issubclass(p.type, IntFlag):
+            value = self.flags(p, node)
+        else:
+            value = self.word(p, node, set)
+        self.check(p, value, node, set)
+        return value
+
+    def flags(self, p: Parameter, node: Any) -> Any:
+        if kind_of(node) != "sequence" or any(kind_of(x) != "scalar" for x in node.value):
+            raise Wrong(node, f"'{p.name}' needs a list of flags, [{', '.join(b.name for b in info(p.type).bits[:3])}]")
+        bits = 0
+        for word in node.value:
+            bits |= int(self.scalar(p, word, word.value))
+        return p.type(bits)
+
+    def word(self, p: Parameter, node: Any, set: int | None) -> Any:
+        if kind_of(node) != "scalar":
+            raise Wrong(node, f"'{p.name}' needs one value")
+        known = numbers(p, set, self.profile)
+        if node.value in known:
+            return p.type(known[node.value]) if p.type is not None else known[node.value]
+        if known and not node.value[:1].isdigit():
+            few = f"; known: {', '.join(known)}" if len(known) <= 12 else ""
+            raise Wrong(node, f"'{p.name}' cannot be '{node.value}'{_hint(node.value, known, few)}")
+        return self.scalar(p, node, node.value)
+
+    def scalar(self, p: Parameter, node: Any, text: str) -> Any:
+        try:
+            return typed.scalar(p, text)
+        except Failure as failure:
+            raise Wrong(node, str(failure)) from None
+
+    def check(self, p: Parameter, value: Any, node: Any, set: int | None) -> None:
+        """Is it a value that a device can have?"""
+        if self.device is not None and p.refers == "field" and not self.sends(set, int(value)):
+            raise Wrong(node, f"this device does not have the field '{node.value}'; remove it")
+        known = numbers(p, set, self.profile)
+        enumerated = known and not p.refers and not isinstance(value, IntFlag)
+        if enumerated and int(value) not in known.values():
+            raise Wrong(node, f"'{p.name}' has no value {node.value}; known: {', '.join(known)}")
+        if isinstance(value, (int, float)) and not isinstance(value, (bool, IntFlag)) and not inside(p, value, SAME):
+            unit = f" {p.unit}" if p.unit not in ("", "1") else ""
+            limits = f"{p.range or 'a number'}{unit}" if p.constant is None else p.constant
+            raise Wrong(node, f"'{p.name}' must be {limits}, not {node.value}")
+
+    def sends(self, set: int | None, descriptor: int) -> bool:
+        """Does the device have this field, for certain or probably? It may list shared data in one set only."""
+        assert self.device is not None
+        fields = self.device.fields | self.profile.fields
+        return set is None or descriptor >= SHARED or (set, descriptor) in fields
+
+
+def _depends(p: Parameter) -> bool:
+    """Does its form depend on another value, which may come later on the wire?"""
+    return bool(p.tag) or any(v.by != "device" for v in p.variants)
+
+
+def _hint(word: str, known: Iterable[str], otherwise: str = "") -> str:
+    near = get_close_matches(word, list(known), n=3)
+    return f"; did you mean {' or '.join(map(repr, near))}?" if near else otherwise or "; remove it"
+
+
+__all__ = ["File", "parsed"]

@@ -1,0 +1,247 @@
+"""Which commands are settings, and which instances of them a device has."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from enum import IntEnum
+from functools import cache
+from itertools import product
+from typing import Any
+
+from ..binding import DEVICES, Command, Device, Evidence, Parameter, Support, info, registry
+from ..simulator.checks import NOTHING, data_sets, set_of
+from ..simulator.codes import READ, SAVE, WRITE
+from ..simulator.facts import AFFECTED, COMMANDS, DATA_SETS, FUNCTIONS, PORTS, VALUES, Behavior, difference
+from ..simulator.settings import Key, home, keys
+
+#: Effects of settings in the order in which they are changed: streams come behind what they show, and what may end
+#: the conversation comes last.
+STREAMS = ("format", "sentences", "switch")
+LINK = ("protocols", "communication_mode", "baud_rate")
+_ORDER = (*STREAMS, *LINK)
+
+
+@dataclass(frozen=True)
+class Place:
+    """One setting: a command, and the values that select an instance of it."""
+
+    command: str
+    key: Key = ()
+
+    @property
+    def kind(self) -> Any:
+        return settings()[self.command]
+
+    @property
+    def keys(self) -> tuple[str, ...]:
+        return keys(self.kind)
+
+    @property
+    def selected(self) -> dict[str, int]:
+        """The values that select this instance, by the attributes that hold them."""
+        return dict(zip(self.keys, self.key))
+
+    @staticmethod
+    def of(command: str, selected: Mapping[str, int]) -> Place:
+        """The instance that these values select; the others are always the same."""
+        kind = settings()[command]
+        return Place(command, tuple(int(selected.get(name, info(kind)[name].default or 0)) for name in keys(kind)))
+
+    def reading(self, beside: Command | None = None) -> Any:
+        """The command that reads this setting, in the form of another command if there are several forms."""
+        given = {name: v for name, v in self.selected.items() if not info(self.kind)[name].reserved}
+        for p in parameters(self.kind):
+            if "read" in p.required and p.attribute not in given:
+                forms = info(p.type).values if p.type is not None else ()
+                given[p.attribute] = getattr(beside, p.attribute) if beside else forms[0].value if forms else 0
+        return self.kind.read(**given)
+
+    def saving(self) -> Any:
+        return self.kind.save(**{n: v for n, v in self.selected.items() if not info(self.kind)[n].reserved})
+
+
+def behavior(kind: type[Command]) -> Behavior:
+    return COMMANDS.get(kind.NAME, NOTHING)
+
+
+@cache
+def settings() -> dict[str, type[Command]]:
+    """The commands that can be written, read and saved, by their names.
+
+    What a command does only once is no setting, and neither is a command whose values all select an instance.
+    """
+    found: dict[str, type[Command]] = {}
+    for _, kind in registry.all_types():
+        if issubclass(kind, Command) and kind.REQUIRED.keys() >= {WRITE, READ, SAVE} and not behavior(kind).once:
+            values = [p for p in parameters(kind) if p.attribute not in keys(kind)]
+            found |= {kind.NAME: kind} if values else {}
+    return found
+
+
+def parameters(kind: type[Any]) -> list[Parameter]:
+    """What a setting is made of: not the function, nor what follows from the rest, nor what is reserved."""
+    return [p for p in info(kind).parameters if p.name != "function" and not p.derived and not p.reserved]
+
+
+def of(profile: Device) -> list[type[Command]]:
+    """The settings of a device, each once: of several commands for one setting, the one that keeps it."""
+    own = [kind for kind in settings().values() if (kind.SET, kind.DESCRIPTOR) in profile.fields]
+    readable = [kind for kind in own if {"W", "R"} <= _letters(kind, profile)]
+    chosen: dict[tuple[str, tuple[tuple[str, int], ...]], type[Command]] = {}
+    for kind in sorted(readable, key=lambda kind: home(kind) is not kind):
+        chosen.setdefault((home(kind).NAME, tuple(behavior(kind).key.items())), kind)
+    kept = {name for name, _ in chosen if any(name == kind.NAME for kind in readable)}
+    return [k for k in readable if k in chosen.values() and (home(k) is k or home(k).NAME not in kept)]
+
+
+def saves_all(profile: Device) -> Any:
+    """The command that saves all settings of a device at once; None if it has none."""
+    commands = (kind for _, kind in registry.all_types() if issubclass(kind, Command))
+    whole = (kind for kind in commands if behavior(kind).effect == "all_settings" and can(kind, profile, SAVE))
+    return next((kind for kind in whole if (kind.SET, kind.DESCRIPTOR) in profile.fields), None)
+
+
+def can(kind: type[Command], profile: Device, function: int) -> bool:
+    """Does the device carry out this function of a command?"""
+    return any(FUNCTIONS[letter] == function for letter in _letters(kind, profile))
+
+
+def _letters(kind: type[Command], profile: Device) -> set[str]:
+    usual = {letter for letter, number in FUNCTIONS.items() if number in kind.REQUIRED}
+    return set(profile.functions.get((kind.SET, kind.DESCRIPTOR), usual)) & usual
+
+
+def in_order(places: Iterable[Place]) -> list[Place]:
+    """In the order in which they are changed."""
+
+    def rank(place: Place) -> int:
+        effect = behavior(place.kind).effect
+        return _ORDER.index(effect) + 1 if effect in _ORDER else 0
+
+    return sorted(places, key=rank)
+
+
+def ends_talk(place: Place) -> bool:
+    """Could the device not be heard any more when this setting changes?"""
+    return behavior(place.kind).effect in LINK
+
+
+def response_names(response: type[Any]) -> dict[str, str]:
+    """Parameters of a response that have another name in the command: that name -> its own."""
+    shown = VALUES.get(response.NAME)
+    return {v.parameter: name for name, v in shown.parameters.items() if v.parameter} if shown else {}
+
+
+# --------------------------------------------------------------------------- instances
+
+
+def places(kind: type[Command], profile: Device) -> Iterator[tuple[Place, bool]]:
+    """The instances to ask a device for; true for one behind which there may be no more, if the device refuses it."""
+    names = keys(kind)
+    values: list[list[int]] = []
+    for name in names:
+        found = _values(info(kind)[name], kind, profile)
+        values.append(found)
+    limits = (behavior(kind).instances.get(name) for name in names)
+    open_end = any(limit not in (None, PORTS, DATA_SETS, AFFECTED, *profile.limits) for limit in limits)
+    for key in product(*values):
+        if all(_affects(kind, dict(zip(names, key)), profile)):
+            yield Place(kind.NAME, tuple(key)), open_end
+
+
+def _values(p: Parameter, kind: type[Command], profile: Device) -> list[int]:
+    """The values that select an instance of a setting on a device."""
+    known = behavior(kind)
+    source, everything = known.instances.get(p.name), known.all.get(p.name)
+    translate = known.translate.get(p.name, {})
+    if p.reserved:
+        return [int(p.default or 0)]
+    if source == PORTS and profile.ports:
+        with_rate = [port for port in profile.ports if port.baud_rates and known.effect == "baud_rate"]
+        return [port.id for port in with_rate or profile.ports if port.id is not None]
+    names = named(p, profile)
+    if names:
+        values = [v for v in names if v != everything]
+    elif source == DATA_SETS and p.refers == "set":
+        return sorted(data_sets(profile))
+    elif translate:
+        values = list(translate)
+    elif source == AFFECTED:
+        return sorted({descriptor for _, descriptor in known.affected})
+    elif p.refers == "set":
+        return sorted({number for number, _ in known.affected})
+    else:
+        return list(range(1, _most(source, profile) + 1))
+    if source == DATA_SETS and data_sets(profile):
+        values = [v for v in values if translate.get(v, v) in data_sets(profile)]
+    return values
+
+
+def named(p: Parameter, profile: Device) -> dict[int, str]:
+    """The values of an enumeration that there are on a device, by their numbers; empty of another type."""
+    kind = on(p, profile).type
+    if not (isinstance(kind, type) and issubclass(kind, IntEnum)):
+        return {}
+    only = difference(p, profile.id).values
+    return {v.value: v.name for v in info(kind).values if not only or v.value in only}
+
+
+def on(p: Parameter, profile: Device) -> Parameter:
+    """A parameter on a device; as usual, if the package has no such device."""
+    return p.on(profile.id) if profile.id in DEVICES else p
+
+
+def _most(limit: str | None, profile: Device) -> int:
+    """How many instances a device may have; of one that does not tell, as many as any other device has."""
+    own = profile.limits.get(limit or "")
+    if own is not None:
+        return int(own.value)
+    return max((int(d.limits[limit].value) for d in DEVICES.values() if limit in d.limits), default=0) if limit else 0
+
+
+def _affects(kind: type[Command], key: dict[str, int], profile: Device) -> Iterator[bool]:
+    """Are these the descriptors of data that the device has, in their sets?"""
+    for name, source in behavior(kind).instances.items():
+        if source == AFFECTED:
+            number = set_of(info(kind)[name], _Record(key))
+            yield (number, key[name]) in behavior(kind).affected & profile.fields
+
+
+class _Record:
+    def __init__(self, values: dict[str, int]) -> None:
+        self.__dict__.update(values)
+
+
+# --------------------------------------------------------------------------- devices
+
+#: A device that nothing is known of.
+UNKNOWN = Device("", "", "", None, (), {})
+
+
+def listed(profile: Device | None, title: str, descriptors: Iterable[tuple[int, int]]) -> Device:
+    """A profile with what the device itself lists, and nothing else."""
+    by_set: dict[int, bytes] = {}
+    for number, descriptor in descriptors:
+        by_set[number] = by_set.get(number, b"") + bytes((descriptor,))
+    evidence = Evidence(Support.YES, "listed", "", by_set)
+    return replace(profile or replace(UNKNOWN, title=title), evidence=(evidence,), incomplete=())
+
+
+__all__ = [
+    "UNKNOWN",
+    "Place",
+    "behavior",
+    "can",
+    "ends_talk",
+    "in_order",
+    "listed",
+    "named",
+    "of",
+    "on",
+    "parameters",
+    "places",
+    "response_names",
+    "saves_all",
+    "settings",
+]

@@ -1,0 +1,257 @@
+"""What is said to a device about its settings."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any
+
+from ..binding import AckCode, Device, MipError, NoAnswer, PortClosed, Refused, info
+from ..cli import device_file, listing, ports, signals
+from ..errors import Failure
+from ..simulator.codes import SAVE
+from .settings import Place, can, ends_talk, in_order, listed, of, parameters, places, response_names, saves_all
+
+if TYPE_CHECKING:
+    from ..binding import DeviceAtPort
+
+#: Seconds in which a device that streams sends something. One that sends less does no harm while it is asked.
+QUIET = 0.3
+#: Seconds until a device has changed its baud rate.
+SETTLE = 0.3
+#: How often a command is sent that is not answered.
+ATTEMPTS = 2
+#: How often what other settings have changed meanwhile is written again.
+ROUNDS = 3
+
+#: Settings and their values, as commands that would write them.
+Held = dict[Place, Any]
+
+
+class Talk:
+    """A device that is asked for its settings, and given them."""
+
+    def __init__(self, link: DeviceAtPort, port: str, complain: Callable[[str], None]) -> None:
+        """Finds out which device it is. Raises Failure."""
+        self.link, self.port, self.complain = link, port, complain
+        self.told = listing.identity(link, port, complain)
+        self.model = device_file.model(self.told)
+        self.profile: Device = listed(self.model.profile, self.told.title, self.told.descriptors)
+
+    # ----------------------------------------------------------------- reading
+
+    def pull(self) -> Held:
+        """All settings."""
+        held: Held = {}
+        for kind in of(self.profile):
+            for place, open_end in places(kind, self.profile):
+                found = self.read(place)
+                if found is not None:
+                    held[place] = found
+                elif open_end:
+                    break
+        return held
+
+    def read_all(self, wanted: Held) -> dict[Place, Any]:
+        """The values that the device has now, in the form of those that are given; None where it has no setting."""
+        return {place: self.read(place, value) for place, value in wanted.items()}
+
+    def read(self, place: Place, beside: Any = None) -> Any:
+        """The value of a setting as a command that would write it; None if the device does not have it."""
+        command = place.reading(beside)
+        try:
+            response = self.request(command)
+        except Refused:
+            return None
+        except MipError as error:  # an answer, but not one that says what the setting is
+            self.complain(f"{command.NAME} is left out: {error.detail}")
+            return None
+        return None if response is None else written(place, response)
+
+    def request(self, command: Any) -> Any:
+        """The response to a command. Raises Failure if there is no answer, and MipError for one that is of no use."""
+        for attempt in range(ATTEMPTS):
+            try:
+                return self.link.request(command)
+            except NoAnswer:
+                if attempt == ATTEMPTS - 1:
+                    said = f"{self.port} did not answer {command.NAME}; check the line and --baud, and try again"
+                    raise Failure(said, listing.SILENT) from None
+            except PortClosed as error:
+                raise Failure(f"{self.port}: {error}") from None
+        return None
+
+    # ----------------------------------------------------------------- writing
+
+    def push(self, wanted: Held) -> Pushed:
+        """Gives the device these settings, in the order that is safe; those that it has already are not written.
+
+        What the device refuses is tried again once others are written, on which it may depend, and so is what others
+        have changed.
+        """
+        done = Pushed()
+        ordered = in_order(wanted)
+        for _ in range(ROUNDS):
+            if not self._write([place for place in ordered if not ends_talk(place)], wanted, done):
+                break
+        self._write([place for place in ordered if ends_talk(place)], wanted, done)
+        now = self.read_all({place: wanted[place] for place in done.written})
+        done.different = {p: x for p, x in now.items() if differs(x, wanted[p]) and p not in done.refused}
+        return done
+
+    def _write(self, places: list[Place], wanted: Held, done: Pushed) -> bool:
+        """Writes those of the settings that the device does not have. Did it take any?"""
+        now = self.read_all({place: wanted[place] for place in places})
+        changes = [place for place in places if differs(now[place], wanted[place])]
+        return any([self._change(place, wanted[place], now[place], done) for place in changes])
+
+    def _change(self, place: Place, command: Any, before: Any, done: Pushed) -> bool:
+        """Writes one setting. Did the device take it?"""
+        try:
+            if ends_talk(place):
+                self._change_link(command, before)
+            else:
+                self.request(command)
+        except Refused as error:
+            done.refused[place] = why(error)
+            return False
+        except (Lost, MipError) as error:
+            done.refused[place] = str(error)
+            return False
+        done.refused.pop(place, None)
+        done.written.add(place)
+        return True
+
+    def _change_link(self, command: Any, before: Any) -> None:
+        """Changes how the device is reached, and takes it back if it is not heard any more.
+
+        An interrupt waits until this is settled. Raises Refused, Lost, and Failure if the device remains silent.
+        """
+        held = signals.Held()
+        with signals.handled(held):
+            heard = self._changed_link(command, before)
+            if not heard and not self._taken_back(before):
+                said = f"{self.port} is not heard since {command.NAME} was written, and not after it was taken back"
+                raise Failure(f"{said}; switch the device off and on: nothing has been saved", listing.SILENT)
+        if held.waits:
+            raise KeyboardInterrupt
+        if not heard:
+            raise Lost("the device was not heard any more; the former value is back")
+
+    def _changed_link(self, command: Any, before: Any) -> bool:
+        """Writes a setting of the line. Does the device answer still?"""
+        rate, old = getattr(command, "baud", None), self.link.baud
+        if rate is not None and old is not None:
+            return self._changed_baud(command, before, rate, old)
+        try:
+            self.link.request(command)
+        except NoAnswer:  # its answer may have been lost by the change
+            pass
+        return self.heard()
+
+    def _changed_baud(self, command: Any, before: Any, rate: int, old: int) -> bool:
+        try:  # before the device is told: can the port follow?
+            self.link.baud = rate
+            self.link.baud = old
+        except (OSError, ValueError) as error:
+            raise Lost(f"{self.port} cannot have {rate} Bd: {ports.reason(error)}") from None
+        try:
+            self.link.change_baud(command)
+            return True
+        except NoAnswer:  # it may hear at the new rate without being heard
+            self.link.baud = rate
+            self.link.send(before)
+            time.sleep(SETTLE)
+            self.link.baud = old
+            return False
+
+    def _taken_back(self, before: Any) -> bool:
+        """Writes the former value, also to a device that is not heard: it may still hear."""
+        for _ in range(ATTEMPTS):
+            self.link.send(before)
+            if self.heard():
+                return True
+        return False
+
+    def heard(self) -> bool:
+        for _ in range(ATTEMPTS):
+            try:
+                self.link.request(listing.command_type("base.ping")())
+            except Refused:
+                return True
+            except NoAnswer:
+                continue
+            return True
+        return False
+
+    # ----------------------------------------------------------------- flash memory
+
+    def save(self) -> tuple[int | None, dict[Place, str]]:
+        """Saves all current settings: how many, None if all at once, and which the device refused, with the reason."""
+        whole = saves_all(self.profile)
+        if whole is not None:
+            try:
+                self.request(whole.save())
+            except Refused as error:
+                raise Failure(f"the device refused {whole.NAME}: {why(error)}", listing.REFUSED) from None
+            return None, {}
+        refused: dict[Place, str] = {}
+        saved = 0
+        for place in self.pull():
+            if can(place.kind, self.profile, SAVE):
+                try:
+                    self.request(place.saving())
+                    saved += 1
+                except Refused as error:
+                    refused[place] = why(error)
+        return saved, refused
+
+    # ----------------------------------------------------------------- streams
+
+    @staticmethod
+    @contextmanager
+    def idle(link: DeviceAtPort, port: str, complain: Callable[[str], None]) -> Iterator[None]:
+        """A device that sends data is idle meanwhile, and streams afterwards; any other is left alone."""
+        if link.next(timeout=QUIET) is None:
+            yield
+            return
+        with listing.idle(link, port, complain):
+            yield
+
+
+class Lost(Exception):
+    """A change after which the device was not heard, and which was taken back."""
+
+
+class Pushed:
+    """What has become of settings."""
+
+    def __init__(self) -> None:
+        self.written: set[Place] = set()
+        self.refused: dict[Place, str] = {}
+        self.different: dict[Place, Any] = {}  # what they are in place of what was written
+
+
+def why(error: Refused) -> str:
+    """The reason of a device in words."""
+    number = int(error.code)
+    known = next((v for v in info(AckCode).values if v.value == number), None)
+    return f"{known.name} ({number}): {known.text}" if known else f"code {number}"
+
+
+def written(place: Place, response: Any) -> Any:
+    """The command that would write what a response tells."""
+    names = response_names(type(response))
+    given: dict[str, Any] = {}
+    for p in parameters(place.kind):
+        name = names.get(p.name, p.name)
+        value = getattr(response, info(type(response))[name].attribute)
+        if value is not None or p.kind == "switch":
+            given[p.attribute] = value
+    return place.kind.write(**given)
+
+
+def differs(a: Any, b: Any) -> bool:
+    """Are these two different values of a setting? What does not count for a device does not differ."""
+    return a is None or b is None or bool(a.encode() != b.encode())
