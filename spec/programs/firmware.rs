@@ -37,9 +37,8 @@ fn run(board: &mut impl Board) {
     };
     while board.running() {
         if let Some(byte) = board.receive() {
-            let byte = [byte];
-            let mut packets = parser.feed(&byte);
-            while let Some(packet) = packets.next() {
+            let mut received = &[byte][..];
+            while let Some(packet) = parser.next(&mut received) {
                 for field in client.receive(&packet).others().map_while(Result::ok) {
                     take(board, &field);
                 }

@@ -77,7 +77,7 @@ pub extern "C" fn _start() -> ! {{
 }}
 """
 
-PARSE = "let mut packets = parser.feed(bytes); while let Some(packet) = packets.next() {{ {each} }}"
+PARSE = "let mut rest = &*bytes; while let Some(packet) = parser.next(&mut rest) {{ {each} }}"
 FIELDS = "".join(
     f"if let Some(Ok(v)) = field.get::<sensor::{name}>() {{ core::hint::black_box(v); }}"
     for name in ("ScaledAccel", "ScaledGyro", "GpsTimestamp")
@@ -87,13 +87,13 @@ CLIENT = """
         core::hint::black_box(packet.bytes());
         let Ok((info, packet)) = client.send(&base::GetDeviceInfo::new(), 0) else { continue };
         core::hint::black_box(packet.bytes());
-        let mut packets = parser.feed(port());
-        while let Some(packet) = packets.next() {
+        let mut received = &*port();
+        while let Some(packet) = parser.next(&mut received) {
             for event in client.receive(&packet) {
                 if let Some(Answer::Acknowledged(response)) = event.answer(&ping) {
                     core::hint::black_box(response);
                 }
-                if let Some(Answer::Acknowledged(response)) = event.answer(&info) {
+                if let Some(Answer::Acknowledged(response)) = event.view(&info) {
                     core::hint::black_box(response);
                 }
             }

@@ -6,11 +6,12 @@ use core::marker::PhantomData;
 
 use crate::codec::Writer;
 use crate::error::{DecodeError, EncodeError, EncodeErrorKind};
-use crate::field::{Command, RawField, Response, ResponseCheck};
+use crate::field::{Command, Field, RawField, Response, ResponseCheck};
 use crate::packet::{FieldLengthError, Fields, Packet, PacketBuilder, MAX_PAYLOAD};
 use crate::parser::Parser;
 use crate::protocol::{AckCode, Acknowledge};
 use crate::registry::AnyField;
+use crate::view::{View, Viewed};
 
 /// Tracks at most `N` commands that a device has not answered yet.
 ///
@@ -338,15 +339,29 @@ impl Event {
         (self.id == ticket.id).then(|| self.decoded())
     }
 
+    /// The same, with the values of the response where they are: nothing is copied.
+    #[must_use]
+    pub fn view<C: Command>(&self, ticket: &Ticket<C>) -> Option<Answer<View<'_, C::Response>>>
+    where
+        C::Response: Field + Viewed,
+    {
+        (self.id == ticket.id).then(|| self.answered(|field| field.view::<C::Response>()))
+    }
+
     fn decoded<R: Response>(&self) -> Answer<R> {
+        self.answered(|field| R::from_field(&field))
+    }
+
+    fn answered<'e, R>(
+        &'e self,
+        read: impl FnOnce(RawField<'e>) -> Option<Result<R, DecodeError>>,
+    ) -> Answer<R> {
         match self.outcome {
-            Outcome::Acknowledged | Outcome::Undecodable => {
-                match self.response().and_then(|field| R::from_field(&field)) {
-                    None => Answer::Acknowledged(None),
-                    Some(Ok(response)) => Answer::Acknowledged(Some(response)),
-                    Some(Err(error)) => Answer::Undecodable(error),
-                }
-            }
+            Outcome::Acknowledged | Outcome::Undecodable => match self.response().and_then(read) {
+                None => Answer::Acknowledged(None),
+                Some(Ok(response)) => Answer::Acknowledged(Some(response)),
+                Some(Err(error)) => Answer::Undecodable(error),
+            },
             Outcome::Refused(code) => Answer::Refused(code),
             Outcome::TimedOut => Answer::TimedOut,
             Outcome::MissingResponse => Answer::MissingResponse,
@@ -800,7 +815,7 @@ impl<'c> Request<'c> {
     ///     };
     ///     println!("{:?}", event.outcome);
     ///     if let Some(Ok(response)) = event.response().and_then(|f| AnyField::decode(&f)) {
-    ///         println!("{}: {:?}", response.name(), response.field);
+    ///         println!("{}: {response:?}", response.info().name);
     ///     }
     ///     Ok(())
     /// }

@@ -25,6 +25,12 @@ record! {
     }
 }
 
+view! {
+    Acknowledge
+    command: u8, at 0;
+    code: types::AckCode, at 1;
+}
+
 field! {
     Acknowledge: 0xF1, "protocol.acknowledge";
     in [0x01..=0x7F];

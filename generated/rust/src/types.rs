@@ -645,6 +645,12 @@ record! {
 }
 
 item! { EventTriggerGpio { pin mode } }
+view! {
+    EventTriggerGpio
+    pin: u8, at 0;
+    mode: EventTriggerGpioMode, at 1;
+}
+
 constructors! {
     EventTriggerGpio
 
@@ -672,6 +678,12 @@ record! {
 }
 
 item! { EventThresholdWindow { low_threshold high_threshold } }
+view! {
+    EventThresholdWindow
+    low_threshold: f64, at 0;
+    high_threshold: f64, at 8;
+}
+
 constructors! {
     EventThresholdWindow
 
@@ -700,6 +712,12 @@ record! {
 }
 
 item! { EventThresholdInterval { interval_threshold interval } }
+view! {
+    EventThresholdInterval
+    interval_threshold: f64, at 0;
+    interval: f64, at 8;
+}
+
 constructors! {
     EventThresholdInterval
 
@@ -790,6 +808,12 @@ record! {
 }
 
 item! { EventTriggerCombination { logic_table input_triggers } }
+view! {
+    EventTriggerCombination
+    logic_table: u16, at 0;
+    input_triggers: [u8; 4], at 2;
+}
+
 constructors! {
     EventTriggerCombination
 
@@ -813,6 +837,12 @@ record! {
 }
 
 item! { EventActionGpio { pin mode } }
+view! {
+    EventActionGpio
+    pin: u8, at 0;
+    mode: EventActionGpioMode, at 1;
+}
+
 constructors! {
     EventActionGpio
 
@@ -1217,6 +1247,14 @@ record! {
 }
 
 item! { NmeaMessage { message_id talker_id source_descriptor_set decimation } }
+view! {
+    NmeaMessage
+    message_id: NmeaMessageId, at 0;
+    talker_id: NmeaTalkerId, at 1;
+    source_descriptor_set: u8, at 2;
+    decimation: u16, at 3;
+}
+
 constructors! {
     NmeaMessage
 
@@ -1463,6 +1501,12 @@ record! {
 }
 
 item! { DescriptorRate { descriptor decimation } }
+view! {
+    DescriptorRate
+    descriptor: u8, at 0;
+    decimation: u16, at 1;
+}
+
 constructors! {
     DescriptorRate
 

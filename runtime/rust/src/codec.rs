@@ -210,8 +210,9 @@ impl<'a> Reader<'a> {
 /// Writes values one after another to a caller's buffer.
 #[derive(Debug)]
 pub struct Writer<'a> {
-    buffer: &'a mut [u8],
-    length: usize,
+    /// What is free behind the values written.
+    free: &'a mut [u8],
+    size: usize,
     ended: bool,
     need: usize,
     got: usize,
@@ -219,12 +220,14 @@ pub struct Writer<'a> {
 
 impl<'a> Writer<'a> {
     /// Starts at the front of the buffer.
+    #[inline]
     #[must_use]
     pub fn new(buffer: &'a mut [u8]) -> Self {
-        Self { buffer, length: 0, ended: false, need: 0, got: 0 }
+        Self { size: buffer.len(), free: buffer, ended: false, need: 0, got: 0 }
     }
 
     /// Writes no more than a field can hold.
+    #[inline]
     #[must_use]
     pub(crate) fn of_field(buffer: &'a mut [u8]) -> Self {
         let most = buffer.len().min(MAX_FIELD_DATA);
@@ -232,13 +235,14 @@ impl<'a> Writer<'a> {
     }
 
     /// The number of bytes written to a field, or the last error as that of the field.
+    #[inline]
     pub fn finish(
         &self,
         done: Result<(), EncodeErrorKind>,
         field: &'static str,
     ) -> Result<usize, EncodeError> {
         match done {
-            Ok(()) => Ok(self.length),
+            Ok(()) => Ok(self.length()),
             Err(kind) => Err(EncodeError::new(kind, field, self.need, self.got)),
         }
     }
@@ -254,32 +258,33 @@ impl<'a> Writer<'a> {
     }
 
     /// The number of bytes written.
+    #[inline]
     #[must_use]
     pub const fn length(&self) -> usize {
-        self.length
+        self.size.saturating_sub(self.free.len())
     }
 
     /// Checks that this number of bytes fits.
     #[inline]
     pub fn require(&mut self, count: usize) -> Result<(), EncodeErrorKind> {
-        let end = self.length.saturating_add(count);
-        if end <= self.buffer.len() {
+        if count <= self.free.len() {
             return Ok(());
         }
-        Err(self.wrong(EncodeErrorKind::Length, end, self.buffer.len()))
+        Err(self.full(count))
+    }
+
+    #[cold]
+    fn full(&mut self, count: usize) -> EncodeErrorKind {
+        self.wrong(EncodeErrorKind::Length, self.length().saturating_add(count), self.size)
     }
 
     /// Appends bytes.
     #[inline]
     pub fn put(&mut self, bytes: &[u8]) -> Result<(), EncodeErrorKind> {
-        let end = self.length.saturating_add(bytes.len());
-        // Exactly as long as the bytes, which avoids a check that could panic.
-        let free = self.buffer.get_mut(self.length..).and_then(|free| free.get_mut(..bytes.len()));
-        let Some(free) = free else {
-            return Err(self.wrong(EncodeErrorKind::Length, end, self.buffer.len()));
-        };
-        free.iter_mut().zip(bytes).for_each(|(place, byte)| *place = *byte);
-        self.length = end;
+        self.require(bytes.len())?;
+        let (places, free) = core::mem::take(&mut self.free).split_at_mut(bytes.len());
+        places.iter_mut().zip(bytes).for_each(|(place, byte)| *place = *byte);
+        self.free = free;
         Ok(())
     }
 

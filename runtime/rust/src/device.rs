@@ -203,9 +203,8 @@ impl<const N: usize, const Q: usize> Core<N, Q> {
     }
 
     /// Takes received bytes.
-    fn arrived(&mut self, bytes: &[u8]) {
-        let mut packets = self.parser.feed(bytes);
-        while let Some(packet) = packets.next() {
+    fn arrived(&mut self, mut bytes: &[u8]) {
+        while let Some(packet) = self.parser.next(&mut bytes) {
             sort(&mut self.client, &mut self.data, &packet);
         }
     }

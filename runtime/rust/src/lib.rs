@@ -43,6 +43,7 @@ mod slice;
 #[cfg(feature = "std")]
 mod stream;
 mod text;
+mod view;
 
 pub mod devices;
 #[cfg(feature = "dynamic")]
@@ -71,3 +72,4 @@ pub use slice::{packets, Packets};
 #[cfg(feature = "std")]
 pub use stream::PacketReader;
 pub use text::{Text, VarText};
+pub use view::{View, Viewed};

@@ -347,8 +347,8 @@ fn a_client_in_static_memory() {
     let mut reply = BUILDER;
     reply.push(&Acknowledge { command: 1, code: AckCode::OK }).unwrap();
     let mut parser = PARSER.lock().unwrap();
-    let mut packets = parser.feed(reply.bytes());
-    while let Some(packet) = packets.next() {
+    let mut received = reply.bytes();
+    while let Some(packet) = parser.next(&mut received) {
         assert_eq!(client.receive(&packet).count(), 1);
     }
     assert!(!client.is_pending(&ticket));
@@ -413,13 +413,13 @@ fn an_answer_behind_noise() {
     let reply = Reply::new().ack(1, AckCode::OK);
     let stream = [b"ue\x80\xFF", reply.0.bytes(), data.bytes()].concat();
     // The last packet is not complete yet; it is not given up.
-    let (input, rest) = stream.split_at(stream.len() - 3);
-    assert!(parser.feed(input).next().is_none());
+    let (mut input, mut rest) = stream.split_at(stream.len() - 3);
+    assert!(parser.next(&mut input).is_none());
     assert!(client.poll(&mut parser, 999).is_none() && client.is_pending(&ticket));
     let packet = client.poll(&mut parser, 1000).unwrap();
     assert_eq!(client.receive(&packet).count(), 1);
     assert!(client.poll(&mut parser, 1000).is_none());
-    assert_eq!(parser.feed(rest).next().unwrap().bytes(), data.bytes());
+    assert_eq!(parser.next(&mut rest).unwrap().bytes(), data.bytes());
     assert_eq!(parser.skipped(), 4);
 }
 
@@ -445,9 +445,23 @@ fn commands_whose_type_is_known_only_when_the_program_runs() {
     let reply = Reply::new().ack(5, AckCode::OK).field(&tools::BiasVector::default());
     let event = only(&mut client, &reply);
     assert_eq!((event.id, event.outcome), (read.id(), Outcome::Acknowledged));
-    let found = AnyField::decode(&event.response().unwrap()).unwrap().unwrap();
+    let found = AnyField::decode_with_trailing(&event.response().unwrap()).unwrap().unwrap();
     assert_eq!((found.set, &found.field, found.left_over), (tools::SET, &response, 0));
     assert_eq!(format!("{read:?}"), format!("Ticket({})", read.id()));
+}
+
+#[test]
+fn a_response_is_lent_from_its_slot() {
+    let mut client: Client = Client::new();
+    let ticket = sent(&mut client, &tools::Bias::read(), 0);
+    let other = sent(&mut client, &tools::Bias::read(), 0);
+    let response = tools::BiasVector { bias: [1.0, 2.0, 3.0].into() };
+    let event = only(&mut client, &Reply::new().ack(5, AckCode::OK).field(&response));
+    let Some(Answer::Acknowledged(Some(view))) = event.view(&ticket) else { panic!("{event:?}") };
+    assert_eq!(view.bias(), response.bias);
+    assert!(event.view(&other).is_none());
+    let event = only(&mut client, &Reply::new().ack(5, AckCode(3)));
+    assert!(matches!(event.view(&other), Some(Answer::Refused(AckCode(3)))));
 }
 
 #[test]

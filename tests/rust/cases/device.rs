@@ -505,7 +505,7 @@ fn a_command_whose_type_is_known_at_run_time() {
     let (first, bias) = send(tools::Bias::read().into());
     let bias = bias.unwrap();
     assert_eq!((bias.id, bias.outcome), (first.id(), Outcome::Acknowledged));
-    let response = AnyField::decode(&bias.response().unwrap()).unwrap().unwrap();
+    let response = AnyField::decode_with_trailing(&bias.response().unwrap()).unwrap().unwrap();
     assert_eq!(response.field, AnyField::from(BIAS));
     let refused = send(tools::Ping.into()).1.unwrap();
     assert_eq!(refused.outcome, Outcome::Refused(AckCode::INVALID_PARAMETER));

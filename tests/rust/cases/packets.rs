@@ -77,6 +77,21 @@ fn the_checksum_of_any_number_of_any_bytes_is_that_of_the_protocol() {
 }
 
 #[test]
+fn the_checksum_is_right_after_each_field() {
+    for (size, byte) in (0..=253).flat_map(|size| [(size, 0xFF), (size, 0x9E)]) {
+        for set in [1, 0x7F, 0x80, 0xFE] {
+            let mut packet = PacketBuilder::new(set);
+            let data: Vec<u8> = (0..size).map(|i| byte ^ i as u8).collect();
+            while packet.push_raw(size as u8, &data).is_ok() {
+                let (head, sums) = packet.bytes().split_at(packet.bytes().len() - 2);
+                assert_eq!(sums, fletcher(head), "{size}");
+                assert_eq!(usize::from(head[3]), head.len() - 4);
+            }
+        }
+    }
+}
+
+#[test]
 fn an_empty_packet_is_legal() {
     for set in 0..=0xFF {
         let packet = PacketBuilder::new(set);
@@ -202,11 +217,11 @@ fn parse(stream: &[u8], cuts: &[usize]) -> (Vec<Vec<u8>>, u64) {
     let mut packets = Vec::new();
     let mut start = 0;
     for end in cuts.iter().copied().chain([stream.len()]) {
-        let mut found = parser.feed(&stream[start..end]);
-        while let Some(packet) = found.next() {
+        let mut chunk = &stream[start..end];
+        while let Some(packet) = parser.next(&mut chunk) {
             packets.push(packet.bytes().to_vec());
         }
-        assert!(found.rest().is_empty());
+        assert!(chunk.is_empty());
         start = end;
     }
     while let Some(packet) = parser.flush() {
@@ -258,14 +273,14 @@ fn every_chunking_gives_the_same_packets() {
 fn flush_loses_no_packet_inside_of_what_it_gives_up() {
     let mut parser = Parser::new();
     let stream = [&[0x75, 0x65, 0x80, 0xFF][..], &PING, &PING, b"ue"].concat();
-    assert!(parser.feed(&stream).next().is_none());
+    assert!(parser.next(&mut &stream[..]).is_none());
     assert_eq!((parser.pending(), parser.skipped()), (stream.len(), 0));
     assert_eq!(parser.flush().unwrap().bytes(), PING);
     assert_eq!(parser.flush().unwrap().bytes(), PING);
     assert!(parser.flush().is_none());
     assert_eq!((parser.pending(), parser.skipped()), (0, 6));
     // It goes on as if nothing had been.
-    assert_eq!(parser.feed(&PING).next().unwrap().bytes(), PING);
+    assert_eq!(parser.next(&mut &PING[..]).unwrap().bytes(), PING);
     assert!(parser.flush().is_none());
     assert_eq!(parser.skipped(), 6);
 }
@@ -273,8 +288,8 @@ fn flush_loses_no_packet_inside_of_what_it_gives_up() {
 #[test]
 fn a_packet_that_was_given_is_not_given_again_by_flush() {
     let mut parser = Parser::new();
-    assert!(parser.feed(&PING[..3]).next().is_none());
-    assert_eq!(parser.feed(&PING[3..]).next().unwrap().bytes(), PING);
+    assert!(parser.next(&mut &PING[..3]).is_none());
+    assert_eq!(parser.next(&mut &PING[3..]).unwrap().bytes(), PING);
     assert_eq!(parser.pending(), 0);
     assert!(parser.flush().is_none());
     assert_eq!(parser.skipped(), 0);
@@ -297,15 +312,14 @@ fn long_garbage_full_of_false_syncs_passes() {
 fn what_is_not_asked_for_stays_in_the_chunk() {
     let mut parser = Parser::new();
     let stream = [&PING[..], &PING, b"no", &PING[..5]].concat();
-    let mut packets = parser.feed(&stream);
-    assert_eq!(packets.next().unwrap().bytes(), PING);
-    let rest = packets.rest();
-    assert_eq!(rest, &stream[8..]);
+    let mut chunk = &stream[..];
+    assert_eq!(parser.next(&mut chunk).unwrap().bytes(), PING);
+    assert_eq!(chunk, &stream[8..]);
     assert_eq!((parser.pending(), parser.skipped()), (0, 0));
-    let mut packets = parser.feed(rest);
-    assert_eq!(packets.next().unwrap().bytes(), PING);
-    assert!(packets.next().is_none() && packets.next().is_none() && packets.rest().is_empty());
-    assert_eq!(parser.feed(&PING[5..]).next().unwrap().bytes(), PING);
+    assert_eq!(parser.next(&mut chunk).unwrap().bytes(), PING);
+    assert!(parser.next(&mut chunk).is_none() && parser.next(&mut chunk).is_none());
+    assert!(chunk.is_empty());
+    assert_eq!(parser.next(&mut &PING[5..]).unwrap().bytes(), PING);
     assert_eq!((parser.pending(), parser.skipped()), (0, 2));
 }
 
@@ -321,6 +335,28 @@ fn each_packet_of_a_chunk_is_given_once() {
 }
 
 #[test]
+fn an_error_ends_the_search_of_a_chunk() {
+    let mut parser = Parser::new();
+    let stream = PING.repeat(3);
+    let mut count = 0;
+    let result = parser.feed(&stream).try_for_each(|_| {
+        count += 1;
+        if count < 2 {
+            Ok(())
+        } else {
+            Err(count)
+        }
+    });
+    assert_eq!((result, count), (Err(2), 2));
+    let mut all = 0;
+    let result: Result<(), ()> = parser.feed(&stream).try_for_each(|_| {
+        all += 1;
+        Ok(())
+    });
+    assert_eq!((result, all, parser.pending()), (Ok(()), 3, 0));
+}
+
+#[test]
 fn stopping_anywhere_loses_nothing() {
     let broken = [&[0x75, 0x65, 0x80, 30][..], &PING, &PING, b"ueu"].concat();
     let stream = [b"u", &broken[..], &PING, &broken, NMEA, &PING, b"ue"].concat();
@@ -329,9 +365,7 @@ fn stopping_anywhere_loses_nothing() {
         let (mut parser, mut found) = (Parser::new(), Vec::new());
         for mut chunk in stream.chunks(size) {
             while !chunk.is_empty() {
-                let mut packets = parser.feed(chunk);
-                found.extend(packets.next().map(|packet| packet.bytes().to_vec()));
-                chunk = packets.rest();
+                found.extend(parser.next(&mut chunk).map(|packet| packet.bytes().to_vec()));
             }
         }
         while let Some(packet) = parser.flush() {

@@ -309,6 +309,37 @@ macro_rules! union {
     };
 }
 
+/// The values of a record that are always at the same places: their types, and where they begin.
+macro_rules! view {
+    ($name:ident $($member:ident $(: $type:ty)? $(as $part:ty)?, at $at:literal;)*) => {
+        impl $crate::Viewed for $name {}
+
+        impl<'a> $crate::View<'a, $name> {
+            $(viewed!($name $member $(: $type)? $(as $part)?, $at);)*
+        }
+    };
+}
+
+/// The method for one of them; that for a structure lends it.
+macro_rules! viewed {
+    ($name:ident $member:ident: $type:ty, $at:literal) => {
+        #[doc = concat!("See [`", stringify!($name), "::", stringify!($member), "`].")]
+        #[inline]
+        #[must_use]
+        pub fn $member(&self) -> $type {
+            $crate::view::value(self, $at)
+        }
+    };
+    ($name:ident $member:ident as $part:ty, $at:literal) => {
+        #[doc = concat!("See [`", stringify!($name), "::", stringify!($member), "`].")]
+        #[inline]
+        #[must_use]
+        pub fn $member(&self) -> $crate::View<'a, $part> {
+            $crate::view::part(self, $at)
+        }
+    };
+}
+
 /// Structures can be items of lists.
 macro_rules! item {
     ($name:ident { $($member:ident)* }) => {

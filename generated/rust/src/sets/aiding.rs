@@ -74,6 +74,13 @@ impl core::default::Default for MeasurementTime {
     }
 }
 
+view! {
+    MeasurementTime
+    timebase: Timebase, at 0;
+    reserved: u8, at 1;
+    nanoseconds: u64, at 2;
+}
+
 constructors! {
     MeasurementTime
 
@@ -943,6 +950,11 @@ record! {
         /// How the measurements are answered.
         pub mode: AidingEchoMode,
     }
+}
+
+view! {
+    EchoControlResponse
+    mode: AidingEchoMode, at 0;
 }
 
 field! {

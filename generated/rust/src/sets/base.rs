@@ -32,6 +32,16 @@ record! {
 }
 
 item! { BaseDeviceInfo { firmware_version model_name model_number serial_number lot_number device_options } }
+view! {
+    BaseDeviceInfo
+    firmware_version: u16, at 0;
+    model_name: crate::Text<16>, at 2;
+    model_number: crate::Text<16>, at 18;
+    serial_number: crate::Text<16>, at 34;
+    lot_number: crate::Text<16>, at 50;
+    device_options: crate::Text<16>, at 66;
+}
+
 constructors! {
     BaseDeviceInfo
 
@@ -755,6 +765,11 @@ record! {
     }
 }
 
+view! {
+    GetDeviceInfoResponse
+    device_info as BaseDeviceInfo, at 0;
+}
+
 field! {
     GetDeviceInfoResponse: 0x81, "base.get_device_info_response";
     in [0x01];
@@ -862,6 +877,11 @@ record! {
     }
 }
 
+view! {
+    BuiltInTestResponse
+    result: u32, at 0;
+}
+
 #[rustfmt::skip]
 impl BuiltInTestResponse {
     /// Reads `result` as [`types::Gx5BuiltInTest`].
@@ -936,6 +956,11 @@ record! {
     }
 }
 
+view! {
+    GpsTimeUpdateWeekNumberResponse
+    week_number: u32, at 0;
+}
+
 field! {
     GpsTimeUpdateWeekNumberResponse: 0x84, "base.gps_time_update_week_number_response";
     in [0x01];
@@ -973,6 +998,11 @@ record! {
         /// Unit: s.
         pub tow: u32,
     }
+}
+
+view! {
+    GpsTimeUpdateTowResponse
+    tow: u32, at 0;
 }
 
 field! {
@@ -1045,6 +1075,11 @@ record! {
     }
 }
 
+view! {
+    ContinuousBuiltInTestResponse
+    result: [u8; 16], at 0;
+}
+
 #[rustfmt::skip]
 impl ContinuousBuiltInTestResponse {
     /// Reads `result` as [`types::Cv7InertialContinuousBuiltInTest`].
@@ -1115,6 +1150,12 @@ record! {
         /// Unit: Bd.
         pub baud: u32,
     }
+}
+
+view! {
+    CommSpeedResponse
+    port: u8, at 0;
+    baud: u32, at 1;
 }
 
 #[rustfmt::skip]

@@ -26,6 +26,11 @@ record! {
     }
 }
 
+view! {
+    DisplacementRaw
+    counts: u32, at 0;
+}
+
 field! {
     DisplacementRaw: 0x01, "displacement_data.displacement_raw";
     in [0x90];
@@ -46,6 +51,11 @@ record! {
         /// Unit: mm.
         pub displacement: f32,
     }
+}
+
+view! {
+    Displacement
+    displacement: f32, at 0;
 }
 
 field! {

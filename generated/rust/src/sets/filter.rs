@@ -4356,6 +4356,11 @@ record! {
     }
 }
 
+view! {
+    VehicleDynamicsModeResponse
+    mode: DynamicsMode, at 0;
+}
+
 field! {
     VehicleDynamicsModeResponse: 0x80, "filter.vehicle_dynamics_mode_response";
     in [0x0D];
@@ -4394,6 +4399,13 @@ record! {
     }
 }
 
+view! {
+    SensorToVehicleRotationEulerResponse
+    roll: f32, at 0;
+    pitch: f32, at 4;
+    yaw: f32, at 8;
+}
+
 field! {
     SensorToVehicleRotationEulerResponse: 0x81, "filter.sensor_to_vehicle_rotation_euler_response";
     in [0x0D];
@@ -4418,6 +4430,11 @@ record! {
         /// Elements: x, y, z. Unit: m. Frame: sensor. Range: magnitude at most 10.
         pub offset: types::Vector3f,
     }
+}
+
+view! {
+    SensorToVehicleOffsetResponse
+    offset: types::Vector3f, at 0;
 }
 
 field! {
@@ -4448,6 +4465,11 @@ record! {
     }
 }
 
+view! {
+    AntennaOffsetResponse
+    offset: types::Vector3f, at 0;
+}
+
 field! {
     AntennaOffsetResponse: 0x83, "filter.antenna_offset_response";
     in [0x0D];
@@ -4476,6 +4498,11 @@ record! {
     }
 }
 
+view! {
+    EstimationControlResponse
+    flags: EstimatedStates, at 0;
+}
+
 field! {
     EstimationControlResponse: 0x84, "filter.estimation_control_response";
     in [0x0D];
@@ -4499,6 +4526,11 @@ record! {
         /// Source of the GNSS data.
         pub source: GnssAidingSource,
     }
+}
+
+view! {
+    GnssSourceResponse
+    source: GnssAidingSource, at 0;
 }
 
 field! {
@@ -4529,6 +4561,11 @@ record! {
     }
 }
 
+view! {
+    HeadingSourceResponse
+    source: HeadingUpdateSource, at 0;
+}
+
 field! {
     HeadingSourceResponse: 0x87, "filter.heading_source_response";
     in [0x0D];
@@ -4557,6 +4594,11 @@ record! {
         /// Range: 0 to 1.
         pub enable: u8,
     }
+}
+
+view! {
+    AutoInitializationControlResponse
+    enable: u8, at 0;
 }
 
 field! {
@@ -4595,6 +4637,11 @@ record! {
     }
 }
 
+view! {
+    AccelNoiseResponse
+    noise: types::Vector3f, at 0;
+}
+
 field! {
     AccelNoiseResponse: 0x89, "filter.accel_noise_response";
     in [0x0D];
@@ -4631,6 +4678,11 @@ record! {
     }
 }
 
+view! {
+    GyroNoiseResponse
+    noise: types::Vector3f, at 0;
+}
+
 field! {
     GyroNoiseResponse: 0x8A, "filter.gyro_noise_response";
     in [0x0D];
@@ -4660,6 +4712,12 @@ record! {
         /// Elements: x, y, z. Unit: m/s^2. Range: greater than 0.
         pub noise: types::Vector3f,
     }
+}
+
+view! {
+    AccelBiasModelResponse
+    beta: types::Vector3f, at 0;
+    noise: types::Vector3f, at 12;
 }
 
 field! {
@@ -4702,6 +4760,12 @@ record! {
     }
 }
 
+view! {
+    GyroBiasModelResponse
+    beta: types::Vector3f, at 0;
+    noise: types::Vector3f, at 12;
+}
+
 field! {
     GyroBiasModelResponse: 0x8C, "filter.gyro_bias_model_response";
     in [0x0D];
@@ -4730,6 +4794,12 @@ record! {
         /// Unit: m/s. Range: at least 0.
         pub threshold: f32,
     }
+}
+
+view! {
+    AutoZuptResponse
+    enable: u8, at 0;
+    threshold: f32, at 1;
 }
 
 field! {
@@ -4772,6 +4842,12 @@ record! {
     }
 }
 
+view! {
+    AutoAngularZuptResponse
+    enable: u8, at 0;
+    threshold: f32, at 1;
+}
+
 field! {
     AutoAngularZuptResponse: 0x8E, "filter.auto_angular_zupt_response";
     in [0x0D];
@@ -4811,6 +4887,14 @@ record! {
     }
 }
 
+view! {
+    ReferencePositionResponse
+    enable: u8, at 0;
+    latitude: f64, at 1;
+    longitude: f64, at 9;
+    altitude: f64, at 17;
+}
+
 field! {
     ReferencePositionResponse: 0x90, "filter.reference_position_response";
     in [0x0D];
@@ -4844,6 +4928,11 @@ record! {
     }
 }
 
+view! {
+    GravityNoiseResponse
+    noise: types::Vector3f, at 0;
+}
+
 field! {
     GravityNoiseResponse: 0x93, "filter.gravity_noise_response";
     in [0x0D];
@@ -4867,6 +4956,11 @@ record! {
         /// Unit: m. Range: greater than 0.
         pub noise: f32,
     }
+}
+
+view! {
+    PressureAltitudeNoiseResponse
+    noise: f32, at 0;
 }
 
 field! {
@@ -4894,6 +4988,11 @@ record! {
     }
 }
 
+view! {
+    HardIronOffsetNoiseResponse
+    noise: types::Vector3f, at 0;
+}
+
 field! {
     HardIronOffsetNoiseResponse: 0x96, "filter.hard_iron_offset_noise_response";
     in [0x0D];
@@ -4917,6 +5016,11 @@ record! {
         /// Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1. Range: greater than 0.
         pub noise: types::Matrix3f,
     }
+}
+
+view! {
+    SoftIronMatrixNoiseResponse
+    noise: types::Matrix3f, at 0;
 }
 
 field! {
@@ -4948,6 +5052,11 @@ record! {
     }
 }
 
+view! {
+    TareOrientationResponse
+    axes: TareAxes, at 0;
+}
+
 field! {
     TareOrientationResponse: 0xA1, "filter.tare_orientation_response";
     in [0x0D];
@@ -4969,6 +5078,11 @@ record! {
         /// Measurements to use.
         pub control: MeasurementFlags,
     }
+}
+
+view! {
+    EnableMeasurementsResponse
+    control: MeasurementFlags, at 0;
 }
 
 field! {
@@ -4996,6 +5110,11 @@ record! {
         /// Elements: x, y, z. Unit: gauss. Range: greater than 0.
         pub noise: types::Vector3f,
     }
+}
+
+view! {
+    MagNoiseResponse
+    noise: types::Vector3f, at 0;
 }
 
 field! {
@@ -5034,6 +5153,12 @@ record! {
         /// value. Sending it always fits both.
         pub declination: f32,
     }
+}
+
+view! {
+    MagneticDeclinationSourceResponse
+    source: MagParameterSource, at 0;
+    declination: f32, at 1;
 }
 
 field! {
@@ -5086,6 +5211,17 @@ record! {
         /// Unit: m/s^2. Range: at least 0.
         pub minimum_uncertainty: f32,
     }
+}
+
+view! {
+    AccelMagnitudeErrorAdaptiveMeasurementResponse
+    adaptive_measurement: AdaptiveMeasurementSelector, at 0;
+    frequency: f32, at 1;
+    low_limit: f32, at 5;
+    high_limit: f32, at 9;
+    low_limit_uncertainty: f32, at 13;
+    high_limit_uncertainty: f32, at 17;
+    minimum_uncertainty: f32, at 21;
 }
 
 field! {
@@ -5144,6 +5280,17 @@ record! {
     }
 }
 
+view! {
+    MagMagnitudeErrorAdaptiveMeasurementResponse
+    adaptive_measurement: AdaptiveMeasurementSelector, at 0;
+    frequency: f32, at 1;
+    low_limit: f32, at 5;
+    high_limit: f32, at 9;
+    low_limit_uncertainty: f32, at 13;
+    high_limit_uncertainty: f32, at 17;
+    minimum_uncertainty: f32, at 21;
+}
+
 field! {
     MagMagnitudeErrorAdaptiveMeasurementResponse: 0xB4, "filter.mag_magnitude_error_adaptive_measurement_response";
     in [0x0D];
@@ -5188,6 +5335,15 @@ record! {
     }
 }
 
+view! {
+    MagDipAngleErrorAdaptiveMeasurementResponse
+    enable: crate::Bool, at 0;
+    frequency: f32, at 1;
+    high_limit: f32, at 5;
+    high_limit_uncertainty: f32, at 9;
+    minimum_uncertainty: f32, at 13;
+}
+
 field! {
     MagDipAngleErrorAdaptiveMeasurementResponse: 0xB5, "filter.mag_dip_angle_error_adaptive_measurement_response";
     in [0x0D];
@@ -5209,6 +5365,11 @@ record! {
         /// Source of the aiding.
         pub selector: AltitudeAidingSource,
     }
+}
+
+view! {
+    AltitudeAidingResponse
+    selector: AltitudeAidingSource, at 0;
 }
 
 field! {
@@ -5236,6 +5397,11 @@ record! {
     }
 }
 
+view! {
+    PitchRollAidingResponse
+    aiding: PitchRollAidingSource, at 0;
+}
+
 field! {
     PitchRollAidingResponse: 0xBB, "filter.pitch_roll_aiding_response";
     in [0x0D];
@@ -5259,6 +5425,12 @@ record! {
         /// manuals state for [`MagneticDeclinationSource`]. The SDK always sends it.
         pub inclination: f32,
     }
+}
+
+view! {
+    MagneticInclinationSourceResponse
+    source: MagParameterSource, at 0;
+    inclination: f32, at 1;
 }
 
 field! {
@@ -5286,6 +5458,12 @@ record! {
     }
 }
 
+view! {
+    MagneticMagnitudeSourceResponse
+    source: MagParameterSource, at 0;
+    magnitude: f32, at 1;
+}
+
 field! {
     MagneticMagnitudeSourceResponse: 0xBD, "filter.magnetic_magnitude_source_response";
     in [0x0D];
@@ -5307,6 +5485,11 @@ record! {
     }
 }
 
+view! {
+    SensorToVehicleRotationDcmResponse
+    dcm: types::Matrix3f, at 0;
+}
+
 field! {
     SensorToVehicleRotationDcmResponse: 0xBE, "filter.sensor_to_vehicle_rotation_dcm_response";
     in [0x0D];
@@ -5326,6 +5509,11 @@ record! {
         /// Elements: w, x, y, z. Unit: 1. Range: magnitude 0.999 to 1.001.
         pub q: types::Quatf,
     }
+}
+
+view! {
+    SensorToVehicleRotationQuaternionResponse
+    q: types::Quatf, at 0;
 }
 
 field! {
@@ -5355,6 +5543,12 @@ record! {
     }
 }
 
+view! {
+    AidingMeasurementEnableResponse
+    aiding_source: AidingSource, at 0;
+    enable: crate::Bool, at 2;
+}
+
 field! {
     AidingMeasurementEnableResponse: 0xD0, "filter.aiding_measurement_enable_response";
     in [0x0D];
@@ -5382,6 +5576,13 @@ record! {
         /// Default: [`AngularConstraint::NONE`].
         pub angular_constraint: AngularConstraint,
     }
+}
+
+view! {
+    KinematicConstraintResponse
+    accel_constraint: AccelConstraint, at 0;
+    velocity_constraint: VelocityConstraint, at 1;
+    angular_constraint: AngularConstraint, at 2;
 }
 
 field! {
@@ -5444,6 +5645,19 @@ record! {
     }
 }
 
+view! {
+    InitializationConfigResponse
+    wait_for_run_command: u8, at 0;
+    initial_condition_source: InitialConditionSource, at 1;
+    auto_heading_alignment_selector: HeadingAlignment, at 2;
+    initial_heading: f32, at 3;
+    initial_pitch: f32, at 7;
+    initial_roll: f32, at 11;
+    initial_position: types::Vector3f, at 15;
+    initial_velocity: types::Vector3f, at 27;
+    reference_frame_selector: ReferenceFrame, at 39;
+}
+
 field! {
     InitializationConfigResponse: 0xD2, "filter.initialization_config_response";
     in [0x0D];
@@ -5477,6 +5691,12 @@ record! {
     }
 }
 
+view! {
+    AdaptiveFilterOptionsResponse
+    level: AdaptiveLevel, at 0;
+    time_limit: u16, at 1;
+}
+
 field! {
     AdaptiveFilterOptionsResponse: 0xD3, "filter.adaptive_filter_options_response";
     in [0x0D];
@@ -5502,6 +5722,12 @@ record! {
         /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at most 10.
         pub antenna_offset: types::Vector3f,
     }
+}
+
+view! {
+    MultiAntennaOffsetResponse
+    receiver_id: u8, at 0;
+    antenna_offset: types::Vector3f, at 1;
 }
 
 field! {
@@ -5537,6 +5763,13 @@ record! {
     }
 }
 
+view! {
+    RelativePositionConfigResponse
+    source: RelativePositionSource, at 0;
+    reference_frame_selector: ReferenceFrame, at 1;
+    reference_coordinates: types::Vector3d, at 2;
+}
+
 field! {
     RelativePositionConfigResponse: 0xD5, "filter.relative_position_config_response";
     in [0x0D];
@@ -5561,6 +5794,12 @@ record! {
         /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at most 10.
         pub lever_arm_offset: types::Vector3f,
     }
+}
+
+view! {
+    ReferencePointLeverArmResponse
+    reference_point: ReferencePoint, at 0;
+    lever_arm_offset: types::Vector3f, at 1;
 }
 
 field! {
@@ -5597,6 +5836,12 @@ impl core::default::Default for SpeedLeverArmResponse {
     }
 }
 
+view! {
+    SpeedLeverArmResponse
+    source: u8, at 0;
+    lever_arm_offset: types::Vector3f, at 1;
+}
+
 field! {
     SpeedLeverArmResponse: 0xE1, "filter.speed_lever_arm_response";
     in [0x0D];
@@ -5616,6 +5861,11 @@ record! {
         /// Range: 0 to 1.
         pub enable: u8,
     }
+}
+
+view! {
+    VerticalGyroConstraintControlResponse
+    enable: u8, at 0;
 }
 
 field! {
@@ -5639,6 +5889,11 @@ record! {
         /// Range: 0 to 1.
         pub enable: u8,
     }
+}
+
+view! {
+    WheeledVehicleConstraintControlResponse
+    enable: u8, at 0;
 }
 
 field! {
@@ -5667,6 +5922,12 @@ record! {
         /// Unit: m. Frame: vehicle. Range: at least 0.
         pub max_offset: f32,
     }
+}
+
+view! {
+    GnssAntennaCalibrationControlResponse
+    enable: u8, at 0;
+    max_offset: f32, at 1;
 }
 
 field! {

@@ -428,6 +428,14 @@ record! {
     }
 }
 
+view! {
+    LlhPosition
+    latitude: f64, at 0;
+    longitude: f64, at 8;
+    ellipsoid_height: f64, at 16;
+    valid_flags: ValidFlags, at 24;
+}
+
 field! {
     LlhPosition: 0x01, "filter_data.llh_position";
     in [0x82];
@@ -484,6 +492,14 @@ record! {
         /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
+}
+
+view! {
+    NedVelocity
+    north: f32, at 0;
+    east: f32, at 4;
+    down: f32, at 8;
+    valid_flags: ValidFlags, at 12;
 }
 
 field! {
@@ -557,6 +573,12 @@ record! {
     }
 }
 
+view! {
+    AttitudeQuaternion
+    q: types::Quatf, at 0;
+    valid_flags: ValidFlags, at 16;
+}
+
 field! {
     AttitudeQuaternion: 0x03, "filter_data.attitude_quaternion";
     in [0x82];
@@ -627,6 +649,12 @@ record! {
         /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
+}
+
+view! {
+    AttitudeDcm
+    dcm: types::Matrix3f, at 0;
+    valid_flags: ValidFlags, at 36;
 }
 
 field! {
@@ -716,6 +744,14 @@ record! {
     }
 }
 
+view! {
+    EulerAngles
+    roll: f32, at 0;
+    pitch: f32, at 4;
+    yaw: f32, at 8;
+    valid_flags: ValidFlags, at 12;
+}
+
 field! {
     EulerAngles: 0x05, "filter_data.euler_angles";
     in [0x82];
@@ -762,6 +798,12 @@ record! {
     }
 }
 
+view! {
+    GyroBias
+    bias: types::Vector3f, at 0;
+    valid_flags: ValidFlags, at 12;
+}
+
 field! {
     GyroBias: 0x06, "filter_data.gyro_bias";
     in [0x82];
@@ -794,6 +836,12 @@ record! {
         /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
+}
+
+view! {
+    AccelBias
+    bias: types::Vector3f, at 0;
+    valid_flags: ValidFlags, at 12;
 }
 
 field! {
@@ -841,6 +889,14 @@ record! {
     }
 }
 
+view! {
+    LlhPositionUncertainty
+    north: f32, at 0;
+    east: f32, at 4;
+    down: f32, at 8;
+    valid_flags: ValidFlags, at 12;
+}
+
 field! {
     LlhPositionUncertainty: 0x08, "filter_data.llh_position_uncertainty";
     in [0x82];
@@ -884,6 +940,14 @@ record! {
         /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
+}
+
+view! {
+    NedVelocityUncertainty
+    north: f32, at 0;
+    east: f32, at 4;
+    down: f32, at 8;
+    valid_flags: ValidFlags, at 12;
 }
 
 field! {
@@ -944,6 +1008,14 @@ record! {
     }
 }
 
+view! {
+    EulerAnglesUncertainty
+    roll: f32, at 0;
+    pitch: f32, at 4;
+    yaw: f32, at 8;
+    valid_flags: ValidFlags, at 12;
+}
+
 field! {
     EulerAnglesUncertainty: 0x0A, "filter_data.euler_angles_uncertainty";
     in [0x82];
@@ -987,6 +1059,12 @@ record! {
     }
 }
 
+view! {
+    GyroBiasUncertainty
+    bias_uncertainty: types::Vector3f, at 0;
+    valid_flags: ValidFlags, at 12;
+}
+
 field! {
     GyroBiasUncertainty: 0x0B, "filter_data.gyro_bias_uncertainty";
     in [0x82];
@@ -1017,6 +1095,12 @@ record! {
         /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
+}
+
+view! {
+    AccelBiasUncertainty
+    bias_uncertainty: types::Vector3f, at 0;
+    valid_flags: ValidFlags, at 12;
 }
 
 field! {
@@ -1064,6 +1148,12 @@ record! {
         /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
+}
+
+view! {
+    LinearAccel
+    accel: types::Vector3f, at 0;
+    valid_flags: ValidFlags, at 12;
 }
 
 field! {
@@ -1114,6 +1204,12 @@ record! {
     }
 }
 
+view! {
+    CompAngularRate
+    gyro: types::Vector3f, at 0;
+    valid_flags: ValidFlags, at 12;
+}
+
 field! {
     CompAngularRate: 0x0E, "filter_data.comp_angular_rate";
     in [0x82];
@@ -1148,6 +1244,12 @@ record! {
         /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
+}
+
+view! {
+    Wgs84GravityMagnitude
+    gravity_magnitude: f32, at 0;
+    valid_flags: ValidFlags, at 4;
 }
 
 field! {
@@ -1246,6 +1348,13 @@ record! {
         /// [3DM-GX5-15](crate::devices::GX5_15): values of [`Gx5StatusFlags`].
         pub status_flags: u16,
     }
+}
+
+view! {
+    Status
+    filter_state: u16, at 0;
+    dynamics_mode: u16, at 2;
+    status_flags: u16, at 4;
 }
 
 #[rustfmt::skip]
@@ -1395,6 +1504,13 @@ record! {
     }
 }
 
+view! {
+    Timestamp
+    tow: f64, at 0;
+    week_number: u16, at 8;
+    valid_flags: ValidFlags, at 10;
+}
+
 field! {
     Timestamp: 0x11, "filter_data.timestamp";
     in [0x82];
@@ -1439,6 +1555,12 @@ record! {
         /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
+}
+
+view! {
+    QuaternionAttitudeUncertainty
+    q: types::Quatf, at 0;
+    valid_flags: ValidFlags, at 16;
 }
 
 field! {
@@ -1488,6 +1610,12 @@ record! {
     }
 }
 
+view! {
+    GravityVector
+    gravity: types::Vector3f, at 0;
+    valid_flags: ValidFlags, at 12;
+}
+
 field! {
     GravityVector: 0x13, "filter_data.gravity_vector";
     in [0x82];
@@ -1529,6 +1657,14 @@ record! {
         /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
+}
+
+view! {
+    HeadingUpdateState
+    heading: f32, at 0;
+    heading_uncertainty: f32, at 4;
+    source: HeadingSourceFlags, at 8;
+    valid_flags: ValidFlags, at 10;
 }
 
 field! {
@@ -1581,6 +1717,16 @@ record! {
     }
 }
 
+view! {
+    MagneticModel
+    intensity_north: f32, at 0;
+    intensity_east: f32, at 4;
+    intensity_down: f32, at 8;
+    inclination: f32, at 12;
+    declination: f32, at 16;
+    valid_flags: ValidFlags, at 20;
+}
+
 field! {
     MagneticModel: 0x15, "filter_data.magnetic_model";
     in [0x82];
@@ -1607,6 +1753,12 @@ record! {
         /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
+}
+
+view! {
+    GyroScaleFactor
+    scale_factor: types::Vector3f, at 0;
+    valid_flags: ValidFlags, at 12;
 }
 
 field! {
@@ -1637,6 +1789,12 @@ record! {
     }
 }
 
+view! {
+    AccelScaleFactor
+    scale_factor: types::Vector3f, at 0;
+    valid_flags: ValidFlags, at 12;
+}
+
 field! {
     AccelScaleFactor: 0x17, "filter_data.accel_scale_factor";
     in [0x82];
@@ -1663,6 +1821,12 @@ record! {
     }
 }
 
+view! {
+    GyroScaleFactorUncertainty
+    scale_factor_uncertainty: types::Vector3f, at 0;
+    valid_flags: ValidFlags, at 12;
+}
+
 field! {
     GyroScaleFactorUncertainty: 0x18, "filter_data.gyro_scale_factor_uncertainty";
     in [0x82];
@@ -1687,6 +1851,12 @@ record! {
         /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
+}
+
+view! {
+    AccelScaleFactorUncertainty
+    scale_factor_uncertainty: types::Vector3f, at 0;
+    valid_flags: ValidFlags, at 12;
 }
 
 field! {
@@ -1716,6 +1886,12 @@ record! {
     }
 }
 
+view! {
+    MagBias
+    bias: types::Vector3f, at 0;
+    valid_flags: ValidFlags, at 12;
+}
+
 field! {
     MagBias: 0x1A, "filter_data.mag_bias";
     in [0x82];
@@ -1739,6 +1915,12 @@ record! {
         /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
+}
+
+view! {
+    MagBiasUncertainty
+    bias_uncertainty: types::Vector3f, at 0;
+    valid_flags: ValidFlags, at 12;
 }
 
 field! {
@@ -1786,6 +1968,12 @@ record! {
     }
 }
 
+view! {
+    CompAccel
+    accel: types::Vector3f, at 0;
+    valid_flags: ValidFlags, at 12;
+}
+
 field! {
     CompAccel: 0x1C, "filter_data.comp_accel";
     in [0x82];
@@ -1830,6 +2018,16 @@ record! {
     }
 }
 
+view! {
+    StandardAtmosphere
+    geometric_altitude: f32, at 0;
+    geopotential_altitude: f32, at 4;
+    standard_temperature: f32, at 8;
+    standard_pressure: f32, at 12;
+    standard_density: f32, at 16;
+    valid_flags: ValidFlags, at 20;
+}
+
 field! {
     StandardAtmosphere: 0x20, "filter_data.standard_atmosphere";
     in [0x82];
@@ -1869,6 +2067,12 @@ record! {
     }
 }
 
+view! {
+    PressureAltitude
+    pressure_altitude: f32, at 0;
+    valid_flags: ValidFlags, at 4;
+}
+
 field! {
     PressureAltitude: 0x21, "filter_data.pressure_altitude";
     in [0x82];
@@ -1893,6 +2097,12 @@ record! {
         /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
+}
+
+view! {
+    DensityAltitude
+    density_altitude: f32, at 0;
+    valid_flags: ValidFlags, at 4;
 }
 
 field! {
@@ -1932,6 +2142,12 @@ record! {
     }
 }
 
+view! {
+    MagOffset
+    hard_iron: types::Vector3f, at 0;
+    valid_flags: ValidFlags, at 12;
+}
+
 field! {
     MagOffset: 0x25, "filter_data.mag_offset";
     in [0x82];
@@ -1969,6 +2185,12 @@ record! {
     }
 }
 
+view! {
+    MagMatrix
+    soft_iron: types::Matrix3f, at 0;
+    valid_flags: ValidFlags, at 36;
+}
+
 field! {
     MagMatrix: 0x26, "filter_data.mag_matrix";
     in [0x82];
@@ -1998,6 +2220,12 @@ record! {
         /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
+}
+
+view! {
+    MagOffsetUncertainty
+    hard_iron_uncertainty: types::Vector3f, at 0;
+    valid_flags: ValidFlags, at 12;
 }
 
 field! {
@@ -2031,6 +2259,12 @@ record! {
     }
 }
 
+view! {
+    MagMatrixUncertainty
+    soft_iron_uncertainty: types::Matrix3f, at 0;
+    valid_flags: ValidFlags, at 36;
+}
+
 field! {
     MagMatrixUncertainty: 0x29, "filter_data.mag_matrix_uncertainty";
     in [0x82];
@@ -2058,6 +2292,12 @@ record! {
     }
 }
 
+view! {
+    MagCovarianceMatrix
+    covariance: types::Matrix3f, at 0;
+    valid_flags: ValidFlags, at 36;
+}
+
 field! {
     MagCovarianceMatrix: 0x2A, "filter_data.mag_covariance_matrix";
     in [0x82];
@@ -2082,6 +2322,12 @@ record! {
         /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
+}
+
+view! {
+    MagResidualVector
+    residual: types::Vector3f, at 0;
+    valid_flags: ValidFlags, at 12;
 }
 
 field! {
@@ -2116,6 +2362,12 @@ record! {
     }
 }
 
+view! {
+    AntennaOffsetCorrection
+    offset: types::Vector3f, at 0;
+    valid_flags: ValidFlags, at 12;
+}
+
 field! {
     AntennaOffsetCorrection: 0x30, "filter_data.antenna_offset_correction";
     in [0x82];
@@ -2140,6 +2392,12 @@ record! {
         /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
+}
+
+view! {
+    AntennaOffsetCorrectionUncertainty
+    offset_uncertainty: types::Vector3f, at 0;
+    valid_flags: ValidFlags, at 12;
 }
 
 field! {
@@ -2175,6 +2433,14 @@ record! {
     }
 }
 
+view! {
+    ClockCorrection
+    receiver_id: u8, at 0;
+    bias: f32, at 1;
+    bias_drift: f32, at 5;
+    valid_flags: ValidFlags, at 9;
+}
+
 field! {
     ClockCorrection: 0x32, "filter_data.clock_correction";
     in [0x82];
@@ -2205,6 +2471,14 @@ record! {
         /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
+}
+
+view! {
+    ClockCorrectionUncertainty
+    receiver_id: u8, at 0;
+    bias_uncertainty: f32, at 1;
+    bias_drift_uncertainty: f32, at 5;
+    valid_flags: ValidFlags, at 9;
 }
 
 field! {
@@ -2242,6 +2516,13 @@ record! {
     }
 }
 
+view! {
+    MultiAntennaOffsetCorrection
+    receiver_id: u8, at 0;
+    offset: types::Vector3f, at 1;
+    valid_flags: ValidFlags, at 13;
+}
+
 field! {
     MultiAntennaOffsetCorrection: 0x34, "filter_data.multi_antenna_offset_correction";
     in [0x82];
@@ -2270,6 +2551,13 @@ record! {
         /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
+}
+
+view! {
+    MultiAntennaOffsetCorrectionUncertainty
+    receiver_id: u8, at 0;
+    offset_uncertainty: types::Vector3f, at 1;
+    valid_flags: ValidFlags, at 13;
 }
 
 field! {
@@ -2302,6 +2590,12 @@ record! {
     }
 }
 
+view! {
+    EcefPositionUncertainty
+    position_uncertainty: types::Vector3f, at 0;
+    valid_flags: ValidFlags, at 12;
+}
+
 field! {
     EcefPositionUncertainty: 0x36, "filter_data.ecef_position_uncertainty";
     in [0x82];
@@ -2332,6 +2626,12 @@ record! {
         /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
+}
+
+view! {
+    EcefVelocityUncertainty
+    velocity_uncertainty: types::Vector3f, at 0;
+    valid_flags: ValidFlags, at 12;
 }
 
 field! {
@@ -2367,6 +2667,12 @@ record! {
         /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
+}
+
+view! {
+    EcefPosition
+    position: types::Vector3d, at 0;
+    valid_flags: ValidFlags, at 24;
 }
 
 field! {
@@ -2409,6 +2715,12 @@ record! {
     }
 }
 
+view! {
+    EcefVelocity
+    velocity: types::Vector3f, at 0;
+    valid_flags: ValidFlags, at 12;
+}
+
 field! {
     EcefVelocity: 0x41, "filter_data.ecef_velocity";
     in [0x82];
@@ -2440,6 +2752,12 @@ record! {
         /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
+}
+
+view! {
+    NedRelativePosition
+    relative_position: types::Ned3d, at 0;
+    valid_flags: ValidFlags, at 24;
 }
 
 field! {
@@ -2478,6 +2796,14 @@ record! {
     }
 }
 
+view! {
+    GnssPositionAidingStatus
+    receiver_id: u8, at 0;
+    tow: f32, at 1;
+    status: GnssAidingStatus, at 5;
+    reserved: [u8; 8], at 7;
+}
+
 field! {
     GnssPositionAidingStatus: 0x43, "filter_data.gnss_position_aiding_status";
     in [0x82];
@@ -2508,6 +2834,13 @@ record! {
         /// Reserved.
         pub reserved: [u8; 8],
     }
+}
+
+view! {
+    GnssAttitudeAidingStatus
+    tow: f32, at 0;
+    status: GnssAidingStatus, at 4;
+    reserved: [u8; 8], at 6;
 }
 
 field! {
@@ -2546,6 +2879,13 @@ record! {
         [type_ "type"]
         [reserved]
     }
+}
+
+view! {
+    HeadingAidingStatus
+    tow: f32, at 0;
+    type_: HeadingAidingType, at 4;
+    reserved: [f32; 2], at 5;
 }
 
 field! {
@@ -2589,6 +2929,14 @@ record! {
     }
 }
 
+view! {
+    AidingMeasurementSummary
+    tow: f32, at 0;
+    source: u8, at 4;
+    type_: AidingMeasurementType, at 5;
+    indicator: AidingMeasurementIndicator, at 6;
+}
+
 field! {
     AidingMeasurementSummary: 0x46, "filter_data.aiding_measurement_summary";
     in [0x82];
@@ -2617,6 +2965,12 @@ record! {
     }
 }
 
+view! {
+    OdometerScaleFactorError
+    scale_factor_error: f32, at 0;
+    valid_flags: ValidFlags, at 4;
+}
+
 field! {
     OdometerScaleFactorError: 0x47, "filter_data.odometer_scale_factor_error";
     in [0x82];
@@ -2640,6 +2994,12 @@ record! {
         /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
+}
+
+view! {
+    OdometerScaleFactorErrorUncertainty
+    scale_factor_error_uncertainty: f32, at 0;
+    valid_flags: ValidFlags, at 4;
 }
 
 field! {
@@ -2684,6 +3044,16 @@ record! {
     }
 }
 
+view! {
+    GnssDualAntennaStatus
+    tow: f32, at 0;
+    heading: f32, at 4;
+    heading_uncertainty: f32, at 8;
+    fix_type: DualAntennaFixType, at 12;
+    status_flags: DualAntennaStatusFlags, at 13;
+    valid_flags: ValidFlags, at 15;
+}
+
 field! {
     GnssDualAntennaStatus: 0x49, "filter_data.gnss_dual_antenna_status";
     in [0x82];
@@ -2717,6 +3087,13 @@ record! {
     }
 }
 
+view! {
+    AidingFrameConfigError
+    frame_id: u8, at 0;
+    translation: types::Vector3f, at 1;
+    attitude: types::Quatf, at 13;
+}
+
 field! {
     AidingFrameConfigError: 0x50, "filter_data.aiding_frame_config_error";
     in [0x82];
@@ -2747,6 +3124,13 @@ record! {
         /// Elements: x, y, z. Unit: rad. Range: at least 0.
         pub attitude_uncertainty: types::Vector3f,
     }
+}
+
+view! {
+    AidingFrameConfigErrorUncertainty
+    frame_id: u8, at 0;
+    translation_uncertainty: types::Vector3f, at 1;
+    attitude_uncertainty: types::Vector3f, at 13;
 }
 
 field! {

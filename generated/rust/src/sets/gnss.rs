@@ -28,6 +28,13 @@ record! {
 }
 
 item! { ReceiverInfoEntry { receiver_id mip_data_descriptor_set description } }
+view! {
+    ReceiverInfoEntry
+    receiver_id: u8, at 0;
+    mip_data_descriptor_set: u8, at 1;
+    description: crate::Text<32>, at 2;
+}
+
 constructors! {
     ReceiverInfoEntry
 
@@ -608,6 +615,15 @@ record! {
     }
 }
 
+view! {
+    SignalConfigResponse
+    gps_enable: GpsSignals, at 0;
+    glonass_enable: GlonassSignals, at 1;
+    galileo_enable: GalileoSignals, at 2;
+    beidou_enable: BeidouSignals, at 3;
+    reserved: [u8; 4], at 4;
+}
+
 field! {
     SignalConfigResponse: 0x82, "gnss.signal_config_response";
     in [0x0E];
@@ -628,6 +644,12 @@ record! {
         /// Reserved.
         pub reserved: [u8; 4],
     }
+}
+
+view! {
+    RtkConfigResponse
+    ambiguity_fix_mode: AmbiguityFixMode, at 0;
+    reserved: [u8; 4], at 1;
 }
 
 field! {
@@ -653,6 +675,12 @@ record! {
         /// Reserved. Uncertain: What to send; 0 is assumed.
         pub reserved: [u8; 3],
     }
+}
+
+view! {
+    RtkDongleConfigResponse
+    enable: u8, at 0;
+    reserved: [u8; 3], at 1;
 }
 
 field! {
@@ -709,6 +737,18 @@ record! {
         [next_key_week]
         [next_key]
     }
+}
+
+view! {
+    SpartnConfigResponse
+    enable: u8, at 0;
+    type_: SpartnConnection, at 1;
+    current_key_tow: u32, at 2;
+    current_key_week: u16, at 6;
+    current_key: [u8; 32], at 8;
+    next_key_tow: u32, at 40;
+    next_key_week: u16, at 44;
+    next_key: [u8; 32], at 46;
 }
 
 field! {

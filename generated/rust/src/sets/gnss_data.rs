@@ -970,6 +970,17 @@ record! {
     }
 }
 
+view! {
+    LlhPosition
+    latitude: f64, at 0;
+    longitude: f64, at 8;
+    ellipsoid_height: f64, at 16;
+    msl_height: f64, at 24;
+    horizontal_accuracy: f32, at 32;
+    vertical_accuracy: f32, at 36;
+    valid_flags: LlhPositionFlags, at 40;
+}
+
 field! {
     LlhPosition: 0x03, "gnss_data.llh_position";
     in [0x81 0x91 0x92 0x93 0x94 0x95];
@@ -1005,6 +1016,13 @@ record! {
         /// Which parts of the position are valid.
         pub valid_flags: EcefPositionFlags,
     }
+}
+
+view! {
+    EcefPosition
+    position: types::Vector3d, at 0;
+    position_accuracy: f32, at 24;
+    valid_flags: EcefPositionFlags, at 28;
 }
 
 field! {
@@ -1068,6 +1086,17 @@ record! {
     }
 }
 
+view! {
+    NedVelocity
+    velocity: types::Ned3f, at 0;
+    speed: f32, at 12;
+    ground_speed: f32, at 16;
+    heading: f32, at 20;
+    speed_accuracy: f32, at 24;
+    heading_accuracy: f32, at 28;
+    valid_flags: NedVelocityFlags, at 32;
+}
+
 field! {
     NedVelocity: 0x05, "gnss_data.ned_velocity";
     in [0x81 0x91 0x92 0x93 0x94 0x95];
@@ -1102,6 +1131,13 @@ record! {
         /// Which parts of the velocity are valid.
         pub valid_flags: EcefVelocityFlags,
     }
+}
+
+view! {
+    EcefVelocity
+    velocity: types::Vector3f, at 0;
+    velocity_accuracy: f32, at 12;
+    valid_flags: EcefVelocityFlags, at 16;
 }
 
 field! {
@@ -1156,6 +1192,18 @@ record! {
         /// Which dilutions of precision are valid.
         pub valid_flags: DopFlags,
     }
+}
+
+view! {
+    Dop
+    gdop: f32, at 0;
+    pdop: f32, at 4;
+    hdop: f32, at 8;
+    vdop: f32, at 12;
+    tdop: f32, at 16;
+    ndop: f32, at 20;
+    edop: f32, at 24;
+    valid_flags: DopFlags, at 28;
 }
 
 field! {
@@ -1220,6 +1268,18 @@ record! {
     }
 }
 
+view! {
+    UtcTime
+    year: u16, at 0;
+    month: u8, at 2;
+    day: u8, at 3;
+    hour: u8, at 4;
+    min: u8, at 5;
+    sec: u8, at 6;
+    msec: u32, at 7;
+    valid_flags: UtcTimeFlags, at 11;
+}
+
 field! {
     UtcTime: 0x08, "gnss_data.utc_time";
     in [0x81 0x91 0x92 0x93 0x94 0x95];
@@ -1255,6 +1315,13 @@ record! {
         /// Which parts of the time are valid.
         pub valid_flags: GpsTimeFlags,
     }
+}
+
+view! {
+    GpsTime
+    tow: f64, at 0;
+    week_number: u16, at 8;
+    valid_flags: GpsTimeFlags, at 10;
 }
 
 field! {
@@ -1294,6 +1361,14 @@ record! {
         /// Which clock parameters are valid.
         pub valid_flags: ClockInfoFlags,
     }
+}
+
+view! {
+    ClockInfo
+    bias: f64, at 0;
+    drift: f64, at 8;
+    accuracy_estimate: f64, at 16;
+    valid_flags: ClockInfoFlags, at 24;
 }
 
 field! {
@@ -1338,6 +1413,14 @@ record! {
         /// Which parts of the fix information are valid.
         pub valid_flags: FixInfoFlags,
     }
+}
+
+view! {
+    FixInfo
+    fix_type: types::GnssFixType, at 0;
+    num_sv: u8, at 1;
+    fix_flags: FixFlags, at 2;
+    valid_flags: FixInfoFlags, at 4;
 }
 
 field! {
@@ -1394,6 +1477,17 @@ record! {
     }
 }
 
+view! {
+    SvInfo
+    channel: u8, at 0;
+    satellite_id: u8, at 1;
+    carrier_noise_ratio: u16, at 2;
+    azimuth: i16, at 4;
+    elevation: i16, at 6;
+    sv_flags: SvFlags, at 8;
+    valid_flags: SvInfoFlags, at 10;
+}
+
 field! {
     SvInfo: 0x0C, "gnss_data.sv_info";
     in [0x81 0x91 0x92 0x93 0x94 0x95];
@@ -1430,6 +1524,14 @@ record! {
         /// Which parts of the hardware status are valid.
         pub valid_flags: HardwareStatusFlags,
     }
+}
+
+view! {
+    HardwareStatus
+    receiver_state: ReceiverState, at 0;
+    antenna_state: AntennaState, at 1;
+    antenna_power: AntennaPower, at 2;
+    valid_flags: HardwareStatusFlags, at 3;
 }
 
 field! {
@@ -1481,6 +1583,15 @@ record! {
     }
 }
 
+view! {
+    DgpsInfo
+    age: f32, at 0;
+    base_station_id: i16, at 4;
+    base_station_status: i16, at 6;
+    num_channels: u16, at 8;
+    valid_flags: DgpsInfoFlags, at 10;
+}
+
 field! {
     DgpsInfo: 0x0E, "gnss_data.dgps_info";
     in [0x81 0x91 0x92 0x93 0x94 0x95];
@@ -1524,6 +1635,15 @@ record! {
         /// Which parts of the state of the corrections are valid.
         pub valid_flags: DgpsInfoFlags,
     }
+}
+
+view! {
+    DgpsInfoSatellite
+    satellite_id: u8, at 0;
+    age: f32, at 1;
+    range_correction: f32, at 5;
+    range_rate_correction: f32, at 9;
+    valid_flags: DgpsInfoFlags, at 13;
 }
 
 field! {
@@ -1573,6 +1693,15 @@ record! {
     }
 }
 
+view! {
+    DgpsChannel
+    satellite_id: u8, at 0;
+    age: f32, at 1;
+    range_correction: f32, at 5;
+    range_rate_correction: f32, at 9;
+    valid_flags: DgpsChannelFlags, at 13;
+}
+
 field! {
     DgpsChannel: 0x0F, "gnss_data.dgps_channel";
     in [0x81 0x91 0x92 0x93 0x94 0x95];
@@ -1617,6 +1746,15 @@ record! {
     }
 }
 
+view! {
+    ClockInfo2
+    bias: f64, at 0;
+    drift: f64, at 8;
+    bias_accuracy_estimate: f64, at 16;
+    drift_accuracy_estimate: f64, at 24;
+    valid_flags: ClockInfo2Flags, at 32;
+}
+
 field! {
     ClockInfo2: 0x10, "gnss_data.clock_info_2";
     in [0x81 0x91 0x92 0x93 0x94 0x95];
@@ -1644,6 +1782,12 @@ record! {
         /// Whether the value is valid.
         pub valid_flags: GpsLeapSecondsFlags,
     }
+}
+
+view! {
+    GpsLeapSeconds
+    leap_seconds: u8, at 0;
+    valid_flags: GpsLeapSecondsFlags, at 1;
 }
 
 field! {
@@ -1694,6 +1838,17 @@ record! {
         /// Which parts of the SBAS status are valid.
         pub valid_flags: SbasInfoFlags,
     }
+}
+
+view! {
+    SbasInfo
+    tow: f64, at 0;
+    week_number: u16, at 8;
+    sbas_system: SbasSystem, at 10;
+    sbas_id: u8, at 11;
+    count: u8, at 12;
+    sbas_status: SbasStatus, at 13;
+    valid_flags: SbasInfoFlags, at 14;
 }
 
 field! {
@@ -1755,6 +1910,20 @@ record! {
     }
 }
 
+view! {
+    SbasCorrection
+    index: u8, at 0;
+    count: u8, at 1;
+    tow: f64, at 2;
+    week_number: u16, at 10;
+    gnss_id: types::GnssConstellation, at 12;
+    satellite_id: u8, at 13;
+    udrei: u8, at 14;
+    pseudorange_correction: f32, at 15;
+    iono_correction: f32, at 19;
+    valid_flags: SbasCorrectionFlags, at 23;
+}
+
 field! {
     SbasCorrection: 0x13, "gnss_data.sbas_correction";
     in [0x81 0x91 0x92 0x93 0x94 0x95];
@@ -1800,6 +1969,16 @@ record! {
     }
 }
 
+view! {
+    RfErrorDetection
+    rf_band: RfBand, at 0;
+    jamming_state: JammingState, at 1;
+    spoofing_state: SpoofingState, at 2;
+    frequency: u16, at 3;
+    reserved: [u8; 2], at 5;
+    valid_flags: RfErrorDetectionFlags, at 7;
+}
+
 field! {
     RfErrorDetection: 0x14, "gnss_data.rf_error_detection";
     in [0x81 0x91 0x92 0x93 0x94 0x95];
@@ -1837,6 +2016,14 @@ record! {
         /// Which parts of the heading are valid.
         pub valid_flags: HeadingFlags,
     }
+}
+
+view! {
+    Heading
+    heading: f32, at 0;
+    uncertainty: f32, at 4;
+    fix_type: HeadingFixType, at 8;
+    valid_flags: HeadingFlags, at 9;
 }
 
 field! {
@@ -1901,6 +2088,20 @@ record! {
         /// Which parts of the satellite status are valid.
         pub valid_flags: SatelliteStatusFlags,
     }
+}
+
+view! {
+    SatelliteStatus
+    index: u8, at 0;
+    count: u8, at 1;
+    tow: f64, at 2;
+    week_number: u16, at 10;
+    gnss_id: types::GnssConstellation, at 12;
+    satellite_id: u8, at 13;
+    elevation: f32, at 14;
+    azimuth: f32, at 18;
+    health: crate::Bool, at 22;
+    valid_flags: SatelliteStatusFlags, at 23;
 }
 
 field! {
@@ -2002,6 +2203,29 @@ record! {
     }
 }
 
+view! {
+    Raw
+    index: u8, at 0;
+    count: u8, at 1;
+    tow: f64, at 2;
+    week_number: u16, at 10;
+    receiver_id: u16, at 12;
+    tracking_channel: u8, at 14;
+    gnss_id: types::GnssConstellation, at 15;
+    satellite_id: u8, at 16;
+    signal_id: types::GnssSignal, at 17;
+    signal_strength: f32, at 18;
+    quality: SignalQuality, at 22;
+    pseudorange: f64, at 23;
+    carrier_phase: f64, at 31;
+    doppler: f32, at 39;
+    range_uncertainty: f32, at 43;
+    phase_uncertainty: f32, at 47;
+    doppler_uncertainty: f32, at 51;
+    lock_time: f32, at 55;
+    valid_flags: RawFlags, at 59;
+}
+
 field! {
     Raw: 0x22, "gnss_data.raw";
     in [0x81 0x91 0x92 0x93 0x94 0x95];
@@ -2052,6 +2276,17 @@ record! {
         /// Which values are valid.
         pub valid_flags: BaseStationInfoFlags,
     }
+}
+
+view! {
+    BaseStationInfo
+    tow: f64, at 0;
+    week_number: u16, at 8;
+    ecef_position: types::Vector3d, at 10;
+    height: f32, at 34;
+    station_id: u16, at 38;
+    indicators: BaseStationIndicators, at 40;
+    valid_flags: BaseStationInfoFlags, at 42;
 }
 
 field! {
@@ -2121,6 +2356,20 @@ record! {
         /// Which values are valid.
         pub valid_flags: RtkCorrectionsStatusFlags,
     }
+}
+
+view! {
+    RtkCorrectionsStatus
+    tow: f64, at 0;
+    week_number: u16, at 8;
+    epoch_status: RtkEpochStatus, at 10;
+    dongle_status: types::RtkStatusFlags, at 12;
+    gps_correction_latency: f32, at 16;
+    glonass_correction_latency: f32, at 20;
+    galileo_correction_latency: f32, at 24;
+    beidou_correction_latency: f32, at 28;
+    reserved: [u32; 4], at 32;
+    valid_flags: RtkCorrectionsStatusFlags, at 48;
 }
 
 field! {
@@ -2275,6 +2524,44 @@ record! {
     }
 }
 
+view! {
+    GpsEphemeris
+    index: u8, at 0;
+    count: u8, at 1;
+    tow: f64, at 2;
+    week_number: u16, at 10;
+    satellite_id: u8, at 12;
+    health: u8, at 13;
+    iodc: u8, at 14;
+    iode: u8, at 15;
+    t_oc: f64, at 16;
+    af0: f64, at 24;
+    af1: f64, at 32;
+    af2: f64, at 40;
+    t_gd: f64, at 48;
+    isc_l1ca: f64, at 56;
+    isc_l2c: f64, at 64;
+    t_oe: f64, at 72;
+    a: f64, at 80;
+    a_dot: f64, at 88;
+    mean_anomaly: f64, at 96;
+    delta_mean_motion: f64, at 104;
+    delta_mean_motion_dot: f64, at 112;
+    eccentricity: f64, at 120;
+    argument_of_perigee: f64, at 128;
+    omega: f64, at 136;
+    omega_dot: f64, at 144;
+    inclination: f64, at 152;
+    inclination_dot: f64, at 160;
+    c_ic: f64, at 168;
+    c_is: f64, at 176;
+    c_uc: f64, at 184;
+    c_us: f64, at 192;
+    c_rc: f64, at 200;
+    c_rs: f64, at 208;
+    valid_flags: EphemerisFlags, at 216;
+}
+
 field! {
     GpsEphemeris: 0x61, "gnss_data.gps_ephemeris";
     in [0x81 0x91 0x92 0x93 0x94 0x95];
@@ -2395,6 +2682,35 @@ record! {
         /// Whether the ephemeris is valid.
         pub valid_flags: GlonassEphemerisFlags,
     }
+}
+
+view! {
+    GlonassEphemeris
+    index: u8, at 0;
+    count: u8, at 1;
+    tow: f64, at 2;
+    week_number: u16, at 10;
+    satellite_id: u8, at 12;
+    frequency_number: i8, at 13;
+    tk: u32, at 14;
+    tb: u32, at 18;
+    satellite_type: GlonassSatelliteType, at 22;
+    gamma: f64, at 23;
+    tau_n: f64, at 31;
+    position: types::Vector3d, at 39;
+    velocity: types::Vector3f, at 63;
+    accel: types::Vector3f, at 75;
+    health: u8, at 87;
+    p: u8, at 88;
+    nt: u8, at 89;
+    delta_tau_n: f32, at 90;
+    ft: u8, at 94;
+    en: u8, at 95;
+    p1: u8, at 96;
+    p2: u8, at 97;
+    p3: u8, at 98;
+    p4: u8, at 99;
+    valid_flags: GlonassEphemerisFlags, at 100;
 }
 
 field! {
@@ -2551,6 +2867,44 @@ record! {
     }
 }
 
+view! {
+    GalileoEphemeris
+    index: u8, at 0;
+    count: u8, at 1;
+    tow: f64, at 2;
+    week_number: u16, at 10;
+    satellite_id: u8, at 12;
+    health: u8, at 13;
+    iodc: u8, at 14;
+    iode: u8, at 15;
+    t_oc: f64, at 16;
+    af0: f64, at 24;
+    af1: f64, at 32;
+    af2: f64, at 40;
+    t_gd: f64, at 48;
+    isc_l1ca: f64, at 56;
+    isc_l2c: f64, at 64;
+    t_oe: f64, at 72;
+    a: f64, at 80;
+    a_dot: f64, at 88;
+    mean_anomaly: f64, at 96;
+    delta_mean_motion: f64, at 104;
+    delta_mean_motion_dot: f64, at 112;
+    eccentricity: f64, at 120;
+    argument_of_perigee: f64, at 128;
+    omega: f64, at 136;
+    omega_dot: f64, at 144;
+    inclination: f64, at 152;
+    inclination_dot: f64, at 160;
+    c_ic: f64, at 168;
+    c_is: f64, at 176;
+    c_uc: f64, at 184;
+    c_us: f64, at 192;
+    c_rc: f64, at 200;
+    c_rs: f64, at 208;
+    valid_flags: EphemerisFlags, at 216;
+}
+
 field! {
     GalileoEphemeris: 0x63, "gnss_data.galileo_ephemeris";
     in [0x81 0x91 0x92 0x93 0x94 0x95];
@@ -2705,6 +3059,44 @@ record! {
     }
 }
 
+view! {
+    BeidouEphemeris
+    index: u8, at 0;
+    count: u8, at 1;
+    tow: f64, at 2;
+    week_number: u16, at 10;
+    satellite_id: u8, at 12;
+    health: u8, at 13;
+    iodc: u8, at 14;
+    iode: u8, at 15;
+    t_oc: f64, at 16;
+    af0: f64, at 24;
+    af1: f64, at 32;
+    af2: f64, at 40;
+    t_gd: f64, at 48;
+    isc_l1ca: f64, at 56;
+    isc_l2c: f64, at 64;
+    t_oe: f64, at 72;
+    a: f64, at 80;
+    a_dot: f64, at 88;
+    mean_anomaly: f64, at 96;
+    delta_mean_motion: f64, at 104;
+    delta_mean_motion_dot: f64, at 112;
+    eccentricity: f64, at 120;
+    argument_of_perigee: f64, at 128;
+    omega: f64, at 136;
+    omega_dot: f64, at 144;
+    inclination: f64, at 152;
+    inclination_dot: f64, at 160;
+    c_ic: f64, at 168;
+    c_is: f64, at 176;
+    c_uc: f64, at 184;
+    c_us: f64, at 192;
+    c_rc: f64, at 200;
+    c_rs: f64, at 208;
+    valid_flags: EphemerisFlags, at 216;
+}
+
 field! {
     BeidouEphemeris: 0x64, "gnss_data.beidou_ephemeris";
     in [0x81 0x91 0x92 0x93 0x94 0x95];
@@ -2745,6 +3137,15 @@ record! {
         /// Which parts of the model are valid.
         pub valid_flags: GpsIonoCorrectionFlags,
     }
+}
+
+view! {
+    GpsIonoCorrection
+    tow: f64, at 0;
+    week_number: u16, at 8;
+    alpha: [f64; 4], at 10;
+    beta: [f64; 4], at 42;
+    valid_flags: GpsIonoCorrectionFlags, at 74;
 }
 
 field! {
@@ -2788,6 +3189,15 @@ record! {
         /// Which parts of the model are valid.
         pub valid_flags: GalileoIonoCorrectionFlags,
     }
+}
+
+view! {
+    GalileoIonoCorrection
+    tow: f64, at 0;
+    week_number: u16, at 8;
+    alpha: [f64; 3], at 10;
+    disturbance_flags: u8, at 34;
+    valid_flags: GalileoIonoCorrectionFlags, at 35;
 }
 
 field! {
@@ -2835,6 +3245,16 @@ record! {
         /// Which parts of the model are valid.
         pub valid_flags: BeidouIonoCorrectionFlags,
     }
+}
+
+view! {
+    BeidouIonoCorrection
+    tow: f64, at 0;
+    week_number: u16, at 8;
+    alpha: [f64; 4], at 10;
+    beta: [f64; 4], at 42;
+    alpha_correction: [f64; 9], at 74;
+    valid_flags: BeidouIonoCorrectionFlags, at 146;
 }
 
 field! {

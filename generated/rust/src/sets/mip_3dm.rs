@@ -24,6 +24,12 @@ record! {
 }
 
 item! { PollEntry { descriptor reserved } }
+view! {
+    PollEntry
+    descriptor: u8, at 0;
+    reserved: u16, at 1;
+}
+
 constructors! {
     PollEntry
 
@@ -103,6 +109,15 @@ record! {
 }
 
 item! { ConstellationSettingsEntry { constellation_id enable reserved_channels max_channels option_flags } }
+view! {
+    ConstellationSettingsEntry
+    constellation_id: ConstellationId, at 0;
+    enable: u8, at 1;
+    reserved_channels: u8, at 2;
+    max_channels: u8, at 3;
+    option_flags: ConstellationOptions, at 4;
+}
+
 constructors! {
     ConstellationSettingsEntry
 
@@ -198,6 +213,12 @@ record! {
 }
 
 item! { EventSupportInfo { type_ count } }
+view! {
+    EventSupportInfo
+    type_: u8, at 0;
+    count: u8, at 1;
+}
+
 constructors! {
     EventSupportInfo
 
@@ -224,6 +245,12 @@ record! {
 }
 
 item! { EventTriggerStatusEntry { type_ status } }
+view! {
+    EventTriggerStatusEntry
+    type_: types::EventTriggerType, at 0;
+    status: types::EventTriggerStatus, at 1;
+}
+
 constructors! {
     EventTriggerStatusEntry
 
@@ -245,6 +272,12 @@ record! {
 }
 
 item! { EventActionStatusEntry { action_type trigger_id } }
+view! {
+    EventActionStatusEntry
+    action_type: types::EventActionType, at 0;
+    trigger_id: u8, at 1;
+}
+
 constructors! {
     EventActionStatusEntry
 
@@ -396,6 +429,12 @@ record! {
 }
 
 item! { SensorRangeEntry { setting range } }
+view! {
+    SensorRangeEntry
+    setting: u8, at 0;
+    range: f32, at 1;
+}
+
 constructors! {
     SensorRangeEntry
 
@@ -4627,6 +4666,11 @@ record! {
     }
 }
 
+view! {
+    GetImuBaseRateResponse
+    rate: u16, at 0;
+}
+
 field! {
     GetImuBaseRateResponse: 0x83, "3dm.get_imu_base_rate_response";
     in [0x0C];
@@ -4653,6 +4697,11 @@ record! {
         /// Unit: Hz.
         pub rate: u16,
     }
+}
+
+view! {
+    GetGnssBaseRateResponse
+    rate: u16, at 0;
 }
 
 field! {
@@ -4714,6 +4763,12 @@ record! {
         /// Whether the stream is sent.
         pub enabled: crate::Bool,
     }
+}
+
+view! {
+    DataStreamControlResponse
+    descriptor_set: u8, at 0;
+    enabled: crate::Bool, at 1;
 }
 
 #[rustfmt::skip]
@@ -4792,6 +4847,18 @@ record! {
     }
 }
 
+view! {
+    ImuSignalConditioningResponse
+    orientation_decimation: u16, at 0;
+    data_conditioning_flags: DataConditioningFlags, at 2;
+    inertial_filter_width: u8, at 4;
+    mag_filter_width: u8, at 5;
+    up_compensation: u16, at 6;
+    north_compensation: u16, at 8;
+    mag_bandwidth: MagBandwidth, at 10;
+    reserved: u16, at 11;
+}
+
 field! {
     ImuSignalConditioningResponse: 0x86, "3dm.imu_signal_conditioning_response";
     in [0x0C];
@@ -4827,6 +4894,11 @@ record! {
     }
 }
 
+view! {
+    UartBaudRateResponse
+    baud: u32, at 0;
+}
+
 field! {
     UartBaudRateResponse: 0x87, "3dm.uart_baud_rate_response";
     in [0x0C];
@@ -4847,6 +4919,12 @@ record! {
         /// Its format.
         pub format: StreamFormat,
     }
+}
+
+view! {
+    DataStreamFormatResponse
+    stream: InternalSensor, at 0;
+    format: StreamFormat, at 1;
 }
 
 field! {
@@ -4870,6 +4948,12 @@ record! {
         /// Its power state.
         pub state: SensorPowerState,
     }
+}
+
+view! {
+    DevicePowerStateResponse
+    device: InternalSensor, at 0;
+    state: SensorPowerState, at 1;
 }
 
 field! {
@@ -4901,6 +4985,11 @@ record! {
         /// Unit: Hz.
         pub rate: u16,
     }
+}
+
+view! {
+    GetFilterBaseRateResponse
+    rate: u16, at 0;
 }
 
 field! {
@@ -4956,6 +5045,15 @@ record! {
         /// Reserved.
         pub reserved: u8,
     }
+}
+
+view! {
+    ImuLowPassFilterResponse
+    target_descriptor: u8, at 0;
+    enable: crate::Bool, at 1;
+    manual: crate::Bool, at 2;
+    frequency: u16, at 3;
+    reserved: u8, at 5;
 }
 
 field! {
@@ -5014,6 +5112,12 @@ record! {
         /// Unit: Hz.
         pub rate: u16,
     }
+}
+
+view! {
+    GetBaseRateResponse
+    descriptor_set: u8, at 0;
+    rate: u16, at 1;
 }
 
 field! {
@@ -6199,6 +6303,11 @@ record! {
     }
 }
 
+view! {
+    GpsDynamicsModeResponse
+    mode: ReceiverDynamics, at 0;
+}
+
 field! {
     GpsDynamicsModeResponse: 0x92, "3dm.gps_dynamics_mode_response";
     in [0x0C];
@@ -6220,6 +6329,12 @@ record! {
         /// Value of the counter, in the unit that `selector` states.
         pub time: u32,
     }
+}
+
+view! {
+    ImuTimestampResponse
+    selector: ImuTimestampSelector, at 0;
+    time: u32, at 1;
 }
 
 field! {
@@ -6268,6 +6383,14 @@ record! {
     }
 }
 
+view! {
+    ComplementaryFilterResponse
+    pitch_roll_enable: crate::Bool, at 0;
+    heading_enable: crate::Bool, at 1;
+    pitch_roll_time_constant: f32, at 2;
+    heading_time_constant: f32, at 6;
+}
+
 field! {
     ComplementaryFilterResponse: 0x97, "3dm.complementary_filter_response";
     in [0x0C];
@@ -6305,6 +6428,11 @@ record! {
         /// Elements: x, y, z. Unit: g. Frame: sensor.
         pub bias: types::Vector3f,
     }
+}
+
+view! {
+    AccelBiasResponse
+    bias: types::Vector3f, at 0;
 }
 
 field! {
@@ -6349,6 +6477,11 @@ record! {
     }
 }
 
+view! {
+    GyroBiasResponse
+    bias: types::Vector3f, at 0;
+}
+
 field! {
     GyroBiasResponse: 0x9B, "3dm.gyro_bias_response";
     in [0x0C];
@@ -6382,6 +6515,11 @@ record! {
         /// Elements: x, y, z. Unit: gauss. Frame: sensor.
         pub offset: types::Vector3f,
     }
+}
+
+view! {
+    MagHardIronOffsetResponse
+    offset: types::Vector3f, at 0;
 }
 
 field! {
@@ -6419,6 +6557,11 @@ record! {
     }
 }
 
+view! {
+    MagSoftIronMatrixResponse
+    matrix: types::Matrix3f, at 0;
+}
+
 field! {
     MagSoftIronMatrixResponse: 0x9D, "3dm.mag_soft_iron_matrix_response";
     in [0x0C];
@@ -6450,6 +6593,11 @@ record! {
         /// Default: true.
         pub enable: crate::Bool,
     }
+}
+
+view! {
+    ConingScullingEnableResponse
+    enable: crate::Bool, at 0;
 }
 
 field! {
@@ -6569,6 +6717,12 @@ impl core::default::Default for GnssAssistedFixResponse {
     }
 }
 
+view! {
+    GnssAssistedFixResponse
+    option: AssistedFixOption, at 0;
+    flags: u8, at 1;
+}
+
 field! {
     GnssAssistedFixResponse: 0xA2, "3dm.gnss_assisted_fix_response";
     in [0x0C];
@@ -6601,6 +6755,13 @@ record! {
     }
 }
 
+view! {
+    GnssTimeAssistanceResponse
+    tow: f64, at 0;
+    week_number: u16, at 8;
+    accuracy: f32, at 10;
+}
+
 field! {
     GnssTimeAssistanceResponse: 0xA3, "3dm.gnss_time_assistance_response";
     in [0x0C];
@@ -6624,6 +6785,11 @@ record! {
         /// Source of the pulse.
         pub source: PpsSource,
     }
+}
+
+view! {
+    PpsSourceControlResponse
+    source: PpsSource, at 0;
 }
 
 field! {
@@ -6663,6 +6829,13 @@ record! {
     }
 }
 
+view! {
+    SensorToVehicleTransformEulerResponse
+    roll: f32, at 0;
+    pitch: f32, at 4;
+    yaw: f32, at 8;
+}
+
 field! {
     SensorToVehicleTransformEulerResponse: 0xB1, "3dm.sensor_to_vehicle_transform_euler_response";
     in [0x0C];
@@ -6689,6 +6862,11 @@ record! {
         /// Elements: w, x, y, z. Unit: 1.
         pub q: types::Quatf,
     }
+}
+
+view! {
+    SensorToVehicleTransformQuaternionResponse
+    q: types::Quatf, at 0;
 }
 
 field! {
@@ -6718,6 +6896,11 @@ record! {
         /// Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1.
         pub dcm: types::Matrix3f,
     }
+}
+
+view! {
+    SensorToVehicleTransformDcmResponse
+    dcm: types::Matrix3f, at 0;
 }
 
 field! {
@@ -6792,6 +6975,12 @@ record! {
         /// Default: [`types::EventTriggerMode::DISABLED`].
         pub mode: types::EventTriggerMode,
     }
+}
+
+view! {
+    EventControlResponse
+    instance: u8, at 0;
+    mode: types::EventTriggerMode, at 1;
 }
 
 field! {
@@ -6983,6 +7172,14 @@ record! {
     }
 }
 
+view! {
+    GpioConfigResponse
+    pin: u8, at 0;
+    feature: types::GpioFeature, at 1;
+    behavior: u8, at 2;
+    pin_mode: types::GpioPinMode, at 3;
+}
+
 #[rustfmt::skip]
 impl GpioConfigResponse {
     /// Reads `behavior` as [`types::GpioUnusedBehavior`].
@@ -7081,6 +7278,12 @@ record! {
     }
 }
 
+view! {
+    GpioStateResponse
+    pin: u8, at 0;
+    state: crate::Bool, at 1;
+}
+
 field! {
     GpioStateResponse: 0xC2, "3dm.gpio_state_response";
     in [0x0C];
@@ -7112,6 +7315,13 @@ record! {
     }
 }
 
+view! {
+    OdometerConfigResponse
+    mode: OdometerMode, at 0;
+    scaling: f32, at 1;
+    uncertainty: f32, at 5;
+}
+
 field! {
     OdometerConfigResponse: 0xC3, "3dm.odometer_config_response";
     in [0x0C];
@@ -7137,6 +7347,12 @@ record! {
         /// Number of the range.
         pub setting: u8,
     }
+}
+
+view! {
+    SensorRangeResponse
+    sensor: SensorRangeType, at 0;
+    setting: u8, at 1;
 }
 
 field! {
@@ -7219,6 +7435,15 @@ record! {
         /// Unit: Hz.
         pub frequency: f32,
     }
+}
+
+view! {
+    LowPassFilterResponse
+    descriptor_set: u8, at 0;
+    field_descriptor: u8, at 1;
+    enable: crate::Bool, at 2;
+    manual: crate::Bool, at 3;
+    frequency: f32, at 4;
 }
 
 field! {

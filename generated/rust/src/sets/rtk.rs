@@ -498,6 +498,11 @@ record! {
     }
 }
 
+view! {
+    GetStatusFlagsResponse
+    flags: types::RtkStatusFlags, at 0;
+}
+
 field! {
     GetStatusFlagsResponse: 0x81, "rtk.get_status_flags_response";
     in [0x0F];
@@ -515,6 +520,11 @@ record! {
         /// International mobile equipment identity.
         pub imei: crate::Text<32>,
     }
+}
+
+view! {
+    GetImeiResponse
+    imei: crate::Text<32>, at 0;
 }
 
 field! {
@@ -536,6 +546,11 @@ record! {
     }
 }
 
+view! {
+    GetImsiResponse
+    imsi: crate::Text<32>, at 0;
+}
+
 field! {
     GetImsiResponse: 0x83, "rtk.get_imsi_response";
     in [0x0F];
@@ -553,6 +568,11 @@ record! {
         /// Number of the SIM card.
         pub iccid: crate::Text<32>,
     }
+}
+
+view! {
+    GetIccidResponse
+    iccid: crate::Text<32>, at 0;
 }
 
 field! {
@@ -583,6 +603,13 @@ record! {
     }
 }
 
+view! {
+    GetRssiResponse
+    valid: crate::Bool, at 0;
+    rssi: i32, at 1;
+    signal_quality: i32, at 5;
+}
+
 field! {
     GetRssiResponse: 0x85, "rtk.get_rssi_response";
     in [0x0F];
@@ -600,6 +627,11 @@ record! {
         /// Type of the device.
         pub device_type: ConnectedDevice,
     }
+}
+
+view! {
+    ConnectedDeviceTypeResponse
+    device_type: ConnectedDevice, at 0;
 }
 
 field! {
@@ -622,6 +654,11 @@ record! {
     }
 }
 
+view! {
+    GetActivationCodeResponse
+    activation_code: crate::Text<32>, at 0;
+}
+
 field! {
     GetActivationCodeResponse: 0x87, "rtk.get_activation_code_response";
     in [0x0F];
@@ -639,6 +676,11 @@ record! {
         /// Firmware version.
         pub modem_firmware_version: crate::Text<32>,
     }
+}
+
+view! {
+    GetModemFirmwareVersionResponse
+    modem_firmware_version: crate::Text<32>, at 0;
 }
 
 field! {
@@ -673,6 +715,14 @@ record! {
         /// Uncertain: The unit and the epoch.
         pub last_bytes_time: u64,
     }
+}
+
+view! {
+    ServiceStatusResponse
+    flags: ServiceFlags, at 0;
+    received_bytes: u32, at 1;
+    last_bytes: u32, at 5;
+    last_bytes_time: u64, at 9;
 }
 
 field! {

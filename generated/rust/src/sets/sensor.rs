@@ -73,6 +73,11 @@ record! {
     }
 }
 
+view! {
+    RawAccel
+    raw_accel: types::Vector3f, at 0;
+}
+
 field! {
     RawAccel: 0x01, "sensor.raw_accel";
     in [0x80];
@@ -94,6 +99,11 @@ record! {
         /// Elements: x, y, z. Unit: 1. Frame: sensor.
         pub raw_gyro: types::Vector3f,
     }
+}
+
+view! {
+    RawGyro
+    raw_gyro: types::Vector3f, at 0;
 }
 
 field! {
@@ -118,6 +128,11 @@ record! {
         /// vehicle frame here, but the sensor frame for raw acceleration and raw angular rate.
         pub raw_mag: types::Vector3f,
     }
+}
+
+view! {
+    RawMag
+    raw_mag: types::Vector3f, at 0;
 }
 
 field! {
@@ -183,6 +198,11 @@ record! {
         /// Elements: x, y, z. Unit: g. Frame: vehicle. At rest and level: x 0, y 0, z -1.
         pub scaled_accel: types::Vector3f,
     }
+}
+
+view! {
+    ScaledAccel
+    scaled_accel: types::Vector3f, at 0;
 }
 
 field! {
@@ -252,6 +272,11 @@ record! {
     }
 }
 
+view! {
+    ScaledGyro
+    scaled_gyro: types::Vector3f, at 0;
+}
+
 field! {
     ScaledGyro: 0x05, "sensor.scaled_gyro";
     in [0x80];
@@ -315,6 +340,11 @@ record! {
     }
 }
 
+view! {
+    ScaledMag
+    scaled_mag: types::Vector3f, at 0;
+}
+
 field! {
     ScaledMag: 0x06, "sensor.scaled_mag";
     in [0x80];
@@ -364,6 +394,11 @@ record! {
         /// Positive: right side down, nose up, clockwise seen from above.
         pub delta_theta: types::Vector3f,
     }
+}
+
+view! {
+    DeltaTheta
+    delta_theta: types::Vector3f, at 0;
 }
 
 field! {
@@ -419,6 +454,11 @@ record! {
     }
 }
 
+view! {
+    DeltaVelocity
+    delta_velocity: types::Vector3f, at 0;
+}
+
 field! {
     DeltaVelocity: 0x08, "sensor.delta_velocity";
     in [0x80];
@@ -467,6 +507,11 @@ record! {
     }
 }
 
+view! {
+    CompOrientationMatrix
+    m: types::Matrix3f, at 0;
+}
+
 field! {
     CompOrientationMatrix: 0x09, "sensor.comp_orientation_matrix";
     in [0x80];
@@ -513,6 +558,11 @@ record! {
     }
 }
 
+view! {
+    CompQuaternion
+    q: types::Quatf, at 0;
+}
+
 field! {
     CompQuaternion: 0x0A, "sensor.comp_quaternion";
     in [0x80];
@@ -541,6 +591,11 @@ record! {
         /// Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1.
         pub m: types::Matrix3f,
     }
+}
+
+view! {
+    CompOrientationUpdateMatrix
+    m: types::Matrix3f, at 0;
 }
 
 field! {
@@ -599,6 +654,13 @@ record! {
     }
 }
 
+view! {
+    CompEulerAngles
+    roll: f32, at 0;
+    pitch: f32, at 4;
+    yaw: f32, at 8;
+}
+
 field! {
     CompEulerAngles: 0x0C, "sensor.comp_euler_angles";
     in [0x80];
@@ -629,6 +691,11 @@ record! {
     }
 }
 
+view! {
+    OrientationRawTemperature
+    raw_temperature: [u16; 4], at 0;
+}
+
 field! {
     OrientationRawTemperature: 0x0D, "sensor.orientation_raw_temperature";
     in [0x80];
@@ -653,6 +720,11 @@ record! {
         /// Unit: 1.
         pub counts: u32,
     }
+}
+
+view! {
+    InternalTimestamp
+    counts: u32, at 0;
 }
 
 field! {
@@ -685,6 +757,12 @@ record! {
         /// Unit: us. Uncertain: The unit; it follows from the name.
         pub useconds: u32,
     }
+}
+
+view! {
+    PpsTimestamp
+    seconds: u32, at 0;
+    useconds: u32, at 4;
 }
 
 field! {
@@ -725,6 +803,13 @@ record! {
     }
 }
 
+view! {
+    PpsTimestampWithFlags
+    flags: u8, at 0;
+    seconds: u32, at 1;
+    nanoseconds: u32, at 5;
+}
+
 field! {
     PpsTimestampWithFlags: 0x0F, "sensor.pps_timestamp_with_flags";
     in [0x80];
@@ -761,6 +846,11 @@ record! {
     }
 }
 
+view! {
+    NorthVector
+    stabilized_mag: types::Vector3f, at 0;
+}
+
 field! {
     NorthVector: 0x10, "sensor.north_vector";
     in [0x80];
@@ -793,6 +883,11 @@ record! {
         /// Elements: x, y, z. Unit: g. Frame: sensor. At rest and level: x 0, y 0, z -1.
         pub stabilized_accel: types::Vector3f,
     }
+}
+
+view! {
+    UpVector
+    stabilized_accel: types::Vector3f, at 0;
 }
 
 field! {
@@ -854,6 +949,13 @@ record! {
     }
 }
 
+view! {
+    GpsTimestamp
+    tow: f64, at 0;
+    week_number: u16, at 8;
+    valid_flags: types::SensorGpsTimestampFlags, at 10;
+}
+
 #[rustfmt::skip]
 impl GpsTimestamp {
     /// Reads `valid_flags` as [`types::Gx5SensorGpsTimestampFlags`].
@@ -905,6 +1007,13 @@ record! {
     }
 }
 
+view! {
+    TemperatureStatistics
+    min_temperature: f32, at 0;
+    max_temperature: f32, at 4;
+    mean_temperature: f32, at 8;
+}
+
 field! {
     TemperatureStatistics: 0x14, "sensor.temperature_statistics";
     in [0x80];
@@ -925,6 +1034,11 @@ record! {
         /// Unit: 1.
         pub raw_pressure: f32,
     }
+}
+
+view! {
+    RawPressure
+    raw_pressure: f32, at 0;
 }
 
 field! {
@@ -976,6 +1090,11 @@ record! {
     }
 }
 
+view! {
+    ScaledPressure
+    scaled_pressure: f32, at 0;
+}
+
 field! {
     ScaledPressure: 0x17, "sensor.scaled_pressure";
     in [0x80];
@@ -1001,6 +1120,11 @@ record! {
         /// One bit for each axis.
         pub status: OverrangeFlags,
     }
+}
+
+view! {
+    OverrangeStatus
+    status: OverrangeFlags, at 0;
 }
 
 field! {
@@ -1033,6 +1157,13 @@ record! {
         /// Whether the values are valid.
         pub valid_flags: OdometerFlags,
     }
+}
+
+view! {
+    Odometer
+    speed: f32, at 0;
+    uncertainty: f32, at 4;
+    valid_flags: OdometerFlags, at 8;
 }
 
 field! {

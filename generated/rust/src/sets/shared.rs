@@ -63,6 +63,11 @@ record! {
     }
 }
 
+view! {
+    EventSource
+    trigger_id: u8, at 0;
+}
+
 field! {
     EventSource: 0xD0, "shared.event_source";
     in [0x80..=0xFE];
@@ -89,6 +94,11 @@ record! {
     }
 }
 
+view! {
+    Ticks
+    ticks: u32, at 0;
+}
+
 field! {
     Ticks: 0xD1, "shared.ticks";
     in [0x80..=0xFE];
@@ -112,6 +122,11 @@ record! {
         /// Unit: 1.
         pub ticks: u32,
     }
+}
+
+view! {
+    DeltaTicks
+    ticks: u32, at 0;
 }
 
 field! {
@@ -161,6 +176,13 @@ record! {
     }
 }
 
+view! {
+    GpsTimestamp
+    tow: f64, at 0;
+    week_number: u16, at 8;
+    valid_flags: GpsTimestampFlags, at 10;
+}
+
 field! {
     GpsTimestamp: 0xD3, "shared.gps_timestamp";
     in [0x80..=0xFE];
@@ -190,6 +212,11 @@ record! {
         /// Unit: s.
         pub seconds: f64,
     }
+}
+
+view! {
+    DeltaTime
+    seconds: f64, at 0;
 }
 
 field! {
@@ -224,6 +251,11 @@ record! {
     }
 }
 
+view! {
+    ReferenceTimestamp
+    nanoseconds: u64, at 0;
+}
+
 field! {
     ReferenceTimestamp: 0xD5, "shared.reference_timestamp";
     in [0x80..=0xFE];
@@ -252,6 +284,11 @@ record! {
         /// Unit: ns.
         pub dt_nanos: u64,
     }
+}
+
+view! {
+    ReferenceTimeDelta
+    dt_nanos: u64, at 0;
 }
 
 field! {
@@ -297,6 +334,12 @@ record! {
     }
 }
 
+view! {
+    ExternalTimestamp
+    nanoseconds: u64, at 0;
+    valid_flags: ExternalTimestampFlags, at 8;
+}
+
 field! {
     ExternalTimestamp: 0xD7, "shared.external_timestamp";
     in [0x80..=0xFE];
@@ -328,6 +371,12 @@ record! {
         /// Whether the difference is valid.
         pub valid_flags: ExternalTimeDeltaFlags,
     }
+}
+
+view! {
+    ExternalTimeDelta
+    dt_nanos: u64, at 0;
+    valid_flags: ExternalTimeDeltaFlags, at 8;
 }
 
 field! {

@@ -212,6 +212,13 @@ record! {
     }
 }
 
+view! {
+    InterfaceControlResponse
+    port: types::CommInterface, at 0;
+    protocols_incoming: CommProtocols, at 1;
+    protocols_outgoing: CommProtocols, at 5;
+}
+
 field! {
     InterfaceControlResponse: 0x82, "system.interface_control_response";
     in [0x7F];
@@ -242,6 +249,11 @@ record! {
         /// Default: [`ProtocolMode::STANDARD`].
         pub mode: ProtocolMode,
     }
+}
+
+view! {
+    CommModeResponse
+    mode: ProtocolMode, at 0;
 }
 
 field! {

@@ -65,6 +65,11 @@ record! {
     }
 }
 
+view! {
+    BuiltInTest
+    result: [u8; 16], at 0;
+}
+
 #[rustfmt::skip]
 impl BuiltInTest {
     /// Reads `result` as [`types::Cv7InertialContinuousBuiltInTest`].
@@ -123,6 +128,12 @@ record! {
     }
 }
 
+view! {
+    TimeSyncStatus
+    time_sync: crate::Bool, at 0;
+    last_pps_received: u8, at 1;
+}
+
 field! {
     TimeSyncStatus: 0x02, "system_data.time_sync_status";
     in [0xA0];
@@ -157,6 +168,11 @@ record! {
     }
 }
 
+view! {
+    GpioState
+    states: GpioPinStates, at 0;
+}
+
 field! {
     GpioState: 0x03, "system_data.gpio_state";
     in [0xA0];
@@ -184,6 +200,12 @@ record! {
         /// Unit: V.
         pub value: f32,
     }
+}
+
+view! {
+    GpioAnalogValue
+    gpio_id: u8, at 0;
+    value: f32, at 1;
 }
 
 field! {

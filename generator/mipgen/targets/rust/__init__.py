@@ -80,6 +80,7 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "is_long": records.is_long,
         "is_sequence": records.is_sequence,
         "needs": of.needs,
+        "places": of.places,
         "members": of.members,
         "members_of": of.members_of,
         "readings": of.readings,

@@ -26,6 +26,12 @@ record! {
     }
 }
 
+view! {
+    Acknowledge
+    command: u8, at 0;
+    code: types::AckCode, at 1;
+}
+
 #[rustfmt::skip]
 impl Acknowledge {
     /// Reads `code` as [`types::Mode`].

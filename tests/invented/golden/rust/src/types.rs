@@ -135,6 +135,12 @@ record! {
 }
 
 item! { Point { x y } }
+view! {
+    Point
+    x: i16, at 0;
+    y: i16, at 2;
+}
+
 constructors! {
     Point
 
@@ -156,6 +162,13 @@ record! {
 }
 
 item! { Segment { from to weights } }
+view! {
+    Segment
+    from as Point, at 0;
+    to as Point, at 4;
+    weights: [u8; 2], at 8;
+}
+
 constructors! {
     Segment
 

@@ -52,6 +52,12 @@ record! {
     }
 }
 
+view! {
+    Accel
+    scaled_accel: types::Vector3f, at 0;
+    valid_flags: types::StateFlags, at 12;
+}
+
 field! {
     Accel: 0x01, "measurements.accel";
     in [0x80 0x81 0x92];
@@ -98,6 +104,22 @@ record! {
         /// One character.
         pub char: u8,
     }
+}
+
+view! {
+    Numbers
+    u8: u8, at 0;
+    u16: u16, at 1;
+    u32: u32, at 3;
+    u64: u64, at 7;
+    s8: i8, at 15;
+    s16: i16, at 16;
+    s32: i32, at 18;
+    s64: i64, at 22;
+    float: f32, at 30;
+    double: f64, at 34;
+    bool: crate::Bool, at 42;
+    char: u8, at 43;
 }
 
 field! {
@@ -158,6 +180,12 @@ record! {
     }
 }
 
+view! {
+    Health
+    result: types::Health, at 0;
+    code: types::WideCode, at 16;
+}
+
 field! {
     Health: 0x04, "measurements.health";
     in [0x80 0x92];
@@ -191,6 +219,16 @@ record! {
         /// Reserved.
         pub offsets: [i8; 4],
     }
+}
+
+view! {
+    Arrays
+    modes: [types::Mode; 3], at 0;
+    flags: [types::StateFlags; 2], at 3;
+    vectors: [types::Vector3f; 2], at 7;
+    points: [types::Point; 2], at 31;
+    track as types::Segment, at 39;
+    offsets: [i8; 4], at 49;
 }
 
 field! {
@@ -266,6 +304,15 @@ record! {
     }
 }
 
+view! {
+    Radio
+    connected: crate::Bool, at 0;
+    strength: i32, at 1;
+    noise: f32, at 5;
+    gap: f32, at 9;
+    gaps: [f64; 2], at 13;
+}
+
 field! {
     Radio: 0x07, "measurements.radio";
     in [0x80 0x92];
@@ -285,6 +332,11 @@ record! {
         /// Of the second sensor.
         pub mode: types::Mode,
     }
+}
+
+view! {
+    Own
+    mode: types::Mode, at 0;
 }
 
 field! {
@@ -397,6 +449,13 @@ record! {
         /// 0.
         pub turn: types::Quatf,
     }
+}
+
+view! {
+    Breeze
+    place as types::Point, at 0;
+    height: f32, at 4;
+    turn: types::Quatf, at 8;
 }
 
 field! {

@@ -22,6 +22,12 @@ record! {
     }
 }
 
+view! {
+    Timestamp
+    tow: f64, at 0;
+    valid_flags: types::StateFlags, at 8;
+}
+
 field! {
     Timestamp: 0xD3, "shared.timestamp";
     in [0x80..=0xFE];

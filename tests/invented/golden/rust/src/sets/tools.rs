@@ -50,6 +50,12 @@ record! {
 }
 
 item! { Stripes { width angle } }
+view! {
+    Stripes
+    width: f64, at 0;
+    angle: f32, at 8;
+}
+
 constructors! {
     Stripes
 
@@ -179,6 +185,12 @@ record! {
 }
 
 item! { Reading { kind value } }
+view! {
+    Reading
+    kind: u8, at 0;
+    value: f32, at 1;
+}
+
 constructors! {
     Reading
 
@@ -1062,6 +1074,15 @@ impl core::default::Default for SettingsResponse {
     }
 }
 
+view! {
+    SettingsResponse
+    port: u8, at 0;
+    mode: types::Mode, at 1;
+    baud: u32, at 2;
+    limit: u16, at 6;
+    reserved: u8, at 8;
+}
+
 field! {
     SettingsResponse: 0x82, "tools.settings_response";
     in [0x01];
@@ -1084,6 +1105,11 @@ record! {
     }
 }
 
+view! {
+    SetTimeFastResponse
+    value: u32, at 0;
+}
+
 field! {
     SetTimeFastResponse: 0x83, "tools.set_time_fast_response";
     in [0x01];
@@ -1104,6 +1130,11 @@ record! {
         /// Unit: s.
         pub value: u32,
     }
+}
+
+view! {
+    SetTimeSlowResponse
+    value: u32, at 0;
 }
 
 field! {
@@ -1213,6 +1244,12 @@ record! {
     }
 }
 
+view! {
+    PinResponse
+    drive: Drive, at 0;
+    use_: u8, at 1;
+}
+
 #[rustfmt::skip]
 impl PinResponse {
     /// Reads `use_` as [`PulseUse`].
@@ -1257,6 +1294,11 @@ record! {
         /// Unit: s.
         pub seen: u32,
     }
+}
+
+view! {
+    HelloResponse
+    seen: u32, at 0;
 }
 
 field! {
@@ -1515,6 +1557,11 @@ record! {
         /// Elements: x, y, z. Unit: g. Frame: sensor.
         pub bias: types::Vector3f,
     }
+}
+
+view! {
+    BiasVector
+    bias: types::Vector3f, at 0;
 }
 
 field! {
