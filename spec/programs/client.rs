@@ -27,7 +27,7 @@ fn main() -> Result<(), RequestError> {
     assert_eq!(client.take(&ticket), Some(Answer::TimedOut)); // events stay until they are taken
 
     // Several commands in one packet:
-    let mut request = client.request(base::SET);
+    let mut request = client.request(base::BASE_SET);
     let first = request.add(&base::Ping::new())?;
     let second = request.add(&base::Ping::new())?;
     let packet = request.send(1_000);

@@ -84,14 +84,14 @@ fn of_any_set(field: &RawField<'_>) -> bool {
 
 fn get(data: &[u8]) -> usize {
     let known = |field: &RawField<'_>| match field.set {
-        sensor::SET => match field.descriptor {
+        sensor::SENSOR_SET => match field.descriptor {
             sensor::ScaledAccel::DESCRIPTOR => got::<sensor::ScaledAccel>(field),
             sensor::ScaledGyro::DESCRIPTOR => got::<sensor::ScaledGyro>(field),
             sensor::DeltaTheta::DESCRIPTOR => got::<sensor::DeltaTheta>(field),
             sensor::DeltaVelocity::DESCRIPTOR => got::<sensor::DeltaVelocity>(field),
             _ => of_any_set(field),
         },
-        filter::SET => match field.descriptor {
+        filter::FILTER_DATA_SET => match field.descriptor {
             filter::AttitudeQuaternion::DESCRIPTOR => got::<filter::AttitudeQuaternion>(field),
             filter::LlhPosition::DESCRIPTOR => got::<filter::LlhPosition>(field),
             filter::NedVelocity::DESCRIPTOR => got::<filter::NedVelocity>(field),
@@ -184,7 +184,7 @@ fn encode(data: &[u8]) -> usize {
     let mut size = 0;
     for number in numbers(data) {
         let (x, nanoseconds) = black_box(values(number));
-        let mut builder = PacketBuilder::new(sensor::SET);
+        let mut builder = PacketBuilder::new(sensor::SENSOR_SET);
         let vector = types::Vector3f { x, y: -x, z: x };
         let accel = sensor::ScaledAccel { scaled_accel: vector };
         let gyro = sensor::ScaledGyro { scaled_gyro: vector };

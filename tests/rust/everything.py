@@ -252,6 +252,10 @@ class _Writer:
         if f.role == m.COMMAND:
             for call, constructor in zip(f.calls, self.records.constructors(f), strict=True):
                 yield from self.constructed(f, call, constructor)
+        elif f.parameters:
+            ((call,), (constructor,)) = f.calls, self.records.constructors(f)
+            expression, values = self.call(f, call.required, constructor)
+            yield f"same({expression}, {data_literal(codec.encode(f, values))});"
         literal, values = self.literal(f)
         data = codec.encode(f, values)
         yield f"same({literal}, {data_literal(data)});"

@@ -229,6 +229,10 @@ impl<R> Answer<R> {
     /// assert_eq!(answer.into_result(), Err(CommandError::TimedOut));
     /// assert_eq!(Answer::Acknowledged(Some(7)).into_result(), Ok(Some(7)));
     /// ```
+    ///
+    /// # Errors
+    ///
+    /// It was not acknowledged, or its response is not correct.
     pub fn into_result(self) -> Result<Option<R>, CommandError> {
         match self {
             Self::Acknowledged(response) => Ok(response),
@@ -241,6 +245,10 @@ impl<R> Answer<R> {
     }
 
     /// The response; an error if there is none.
+    ///
+    /// # Errors
+    ///
+    /// It was not acknowledged, or has no response.
     pub fn into_response(self) -> Result<R, CommandError> {
         self.into_result()?.ok_or(CommandError::MissingResponse)
     }
@@ -476,6 +484,10 @@ impl<const N: usize> Client<N> {
     }
 
     /// A packet with one command, ready to be sent.
+    ///
+    /// # Errors
+    ///
+    /// The command does not encode, or all slots are taken.
     pub fn send<C: Command>(
         &mut self,
         command: &C,
@@ -786,6 +798,10 @@ pub struct Request<'c> {
 
 impl<'c> Request<'c> {
     /// Appends a command. On an error the request is unchanged.
+    ///
+    /// # Errors
+    ///
+    /// The command does not encode, the packet is full or of another set, or all slots are taken.
     pub fn add<C: Command>(&mut self, command: &C) -> Result<Ticket<C>, RequestError> {
         let set = self.table.packet.set();
         if set != C::SET {
@@ -820,6 +836,10 @@ impl<'c> Request<'c> {
     ///     Ok(())
     /// }
     /// ```
+    ///
+    /// # Errors
+    ///
+    /// The field is not a command, or those of [`Request::add`].
     #[inline]
     pub fn add_any(&mut self, field: &AnyField) -> Result<Ticket<()>, RequestError> {
         field.add_to(self).unwrap_or(Err(RequestError::NoCommand))

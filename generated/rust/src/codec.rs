@@ -3,6 +3,9 @@
 //! [`Wire`] is implemented by all types with a wire format: numbers, enumerations, bitfields,
 //! structures and fields. [`Reader`] and [`Writer`] work on borrowed bytes and never panic.
 
+// What is wrong, the reader and the writer know: the same for all methods.
+#![allow(clippy::missing_errors_doc)]
+
 use core::fmt;
 
 use crate::bits::Number;

@@ -129,6 +129,10 @@ pub struct Packet<'a> {
 
 impl<'a> Packet<'a> {
     /// Checks that bytes are exactly one packet.
+    ///
+    /// # Errors
+    ///
+    /// The sync bytes, the length or the checksum is wrong.
     pub fn new(bytes: &'a [u8]) -> Result<Self, PacketError> {
         if !bytes.starts_with(&SYNC) {
             return Err(PacketError::Sync);
@@ -345,6 +349,10 @@ impl PacketBuilder {
     ///
     /// A field of several sets does not tell which one is meant: begin its packet with
     /// [`PacketBuilder::new`], and [push](PacketBuilder::push) it.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`PacketBuilder::push`].
     pub fn with<T: OneSet>(field: &T) -> Result<Self, EncodeError> {
         let mut builder = Self::new(T::SET);
         builder.push(field)?;
@@ -359,6 +367,10 @@ impl PacketBuilder {
     }
 
     /// Appends a field, which must occur in the set of the packet.
+    ///
+    /// # Errors
+    ///
+    /// The field does not occur in the set, does not encode, or does not fit.
     #[inline]
     pub fn push<T: Field>(&mut self, field: &T) -> Result<(), EncodeError> {
         let set = T::SETS.first().copied().unwrap_or_default();
@@ -387,6 +399,10 @@ impl PacketBuilder {
     }
 
     /// Appends a field from its bytes.
+    ///
+    /// # Errors
+    ///
+    /// The bytes do not fit, or no packet has the set.
     pub fn push_raw(&mut self, descriptor: u8, data: &[u8]) -> Result<(), EncodeError> {
         let free = self.free("", self.set())?;
         if data.len() > free.len() {

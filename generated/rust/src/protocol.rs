@@ -31,6 +31,13 @@ view! {
     code: types::AckCode, at 1;
 }
 
+constructors! {
+    Acknowledge
+
+    /// Creates it from its values.
+    fn new(command: u8, code: types::AckCode);
+}
+
 field! {
     Acknowledge: 0xF1, "protocol.acknowledge";
     in [0x01..=0x7F];

@@ -658,6 +658,8 @@ constructors! {
     fn new(pin: u8, mode: EventTriggerGpioMode);
 }
 
+tuple! { EventTriggerGpio pin: u8, mode: EventTriggerGpioMode }
+
 record! {
     /// Two thresholds with a window between them.
     ///
@@ -690,6 +692,8 @@ constructors! {
     /// Creates it from its values.
     fn new(low_threshold: f64, high_threshold: f64);
 }
+
+tuple! { EventThresholdWindow low_threshold: f64, high_threshold: f64 }
 
 record! {
     /// A threshold inside a repeating interval.
@@ -724,6 +728,8 @@ constructors! {
     /// Creates it from its values.
     fn new(interval_threshold: f64, interval: f64);
 }
+
+tuple! { EventThresholdInterval interval_threshold: f64, interval: f64 }
 
 record! {
     /// A trigger on one value of a data field. The value is converted to double before it is
@@ -821,6 +827,8 @@ constructors! {
     fn new(logic_table: u16, input_triggers: [u8; 4]);
 }
 
+tuple! { EventTriggerCombination logic_table: u16, input_triggers: [u8; 4] }
+
 record! {
     /// An action on a GPIO pin, which needs the gpio feature and an output behavior.
     ///
@@ -849,6 +857,8 @@ constructors! {
     /// Creates it from its values.
     fn new(pin: u8, mode: EventActionGpioMode);
 }
+
+tuple! { EventActionGpio pin: u8, mode: EventActionGpioMode }
 
 record! {
     /// An action that sends data packets.
@@ -889,6 +899,8 @@ constructors! {
         descriptors: impl Into<crate::List<u8, 249>>,
     );
 }
+
+tuple! { EventActionMessage descriptor_set: u8, decimation: u16, descriptors: crate::List<u8, 249> }
 
 open_enum! {
     /// Satellite constellation. QZSS has no value.
@@ -1267,6 +1279,8 @@ constructors! {
     );
 }
 
+tuple! { NmeaMessage message_id: NmeaMessageId, talker_id: NmeaTalkerId, source_descriptor_set: u8, decimation: u16 }
+
 open_enum! {
     /// A port of a device.
     ///
@@ -1513,6 +1527,8 @@ constructors! {
     /// Creates it from its values.
     fn new(descriptor: u8, decimation: u16);
 }
+
+tuple! { DescriptorRate descriptor: u8, decimation: u16 }
 
 bitfield! {
     /// State of the GPS time of sensor data.

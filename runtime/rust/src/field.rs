@@ -27,6 +27,10 @@ pub trait Field: Wire {
     fn occurs_in(set: u8) -> bool;
 
     /// Decodes the data of a field, the bytes after its descriptor.
+    ///
+    /// # Errors
+    ///
+    /// A required value is missing, a count exceeds what follows, or a constant has another value.
     #[inline]
     fn decode(data: &[u8]) -> Result<Self, DecodeError> {
         let mut reader = Reader::new(data);
@@ -34,6 +38,10 @@ pub trait Field: Wire {
     }
 
     /// Decodes, and returns the number of bytes left over, as newer firmware may append some.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Field::decode`].
     #[inline]
     fn decode_with_trailing(data: &[u8]) -> Result<(Self, usize), DecodeError> {
         let mut reader = Reader::new(data);
@@ -44,6 +52,10 @@ pub trait Field: Wire {
     }
 
     /// Encodes the data of the field to the front of the buffer and returns its length.
+    ///
+    /// # Errors
+    ///
+    /// A value is missing or does not fit, or the buffer is too short.
     #[inline]
     fn encode(&self, buffer: &mut [u8]) -> Result<usize, EncodeError> {
         let mut writer = Writer::of_field(buffer);
@@ -52,6 +64,10 @@ pub trait Field: Wire {
     }
 
     /// The data of the field in a `Vec`.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Field::encode`].
     #[cfg(feature = "alloc")]
     fn to_vec(&self) -> Result<alloc::vec::Vec<u8>, EncodeError> {
         let mut buffer = [0; crate::packet::MAX_FIELD_DATA];

@@ -13,7 +13,7 @@ struct Reply(PacketBuilder);
 
 impl Reply {
     fn new() -> Self {
-        Self(PacketBuilder::new(tools::SET))
+        Self(PacketBuilder::new(tools::TOOLS_SET))
     }
 
     fn ack(self, command: u8, code: AckCode) -> Self {
@@ -101,7 +101,7 @@ fn timed_out() {
 #[test]
 fn several_commands_in_one_packet() {
     let mut client: Client = Client::new();
-    let mut request = client.request(tools::SET);
+    let mut request = client.request(tools::TOOLS_SET);
     let ping = request.add(&tools::Ping).unwrap();
     let bias = request.add(&tools::Bias::read()).unwrap();
     let save = request.add(&tools::Bias::save()).unwrap();
@@ -130,7 +130,7 @@ fn several_commands_in_one_packet() {
 #[test]
 fn events_come_in_the_order_of_the_answers_and_without_their_fields() {
     let mut client: Client = Client::new();
-    let mut request = client.request(tools::SET);
+    let mut request = client.request(tools::TOOLS_SET);
     let ping = request.add(&tools::Ping).unwrap();
     let bias = request.add(&tools::Bias::read()).unwrap();
     let _ = request.send(0);
@@ -148,11 +148,11 @@ fn events_come_in_the_order_of_the_answers_and_without_their_fields() {
 #[test]
 fn replies_may_come_in_several_packets_with_data_between() {
     let mut client: Client = Client::new();
-    let mut request = client.request(tools::SET);
+    let mut request = client.request(tools::TOOLS_SET);
     let first = request.add(&tools::Ping).unwrap();
     let second = request.add(&tools::Inventory).unwrap();
     let _ = request.send(0);
-    let mut data = PacketBuilder::new(measurements::MEASUREMENTS);
+    let mut data = PacketBuilder::new(measurements::MEASUREMENTS_SET);
     data.push(&measurements::Accel::default()).unwrap();
     assert_eq!(client.receive(&data.packet()).count(), 0);
     let reply = Reply::new().ack(1, AckCode::OK);
@@ -183,7 +183,7 @@ fn commands_that_nobody_answers_are_not_waited_for() {
     assert_eq!(client.take(&apply), Some(Answer::Silent));
     assert_eq!(client.take(&quiet).map(Answer::into_result), Some(Ok(None)));
     // Next to others too, and even if the client is full.
-    let mut request = client.request(tools::SET);
+    let mut request = client.request(tools::TOOLS_SET);
     let loud = request.add(&tools::Ping).unwrap();
     let silent = request.add(&tools::Formats::new(true, 0, [])).unwrap();
     assert_eq!(request.send(0).fields().count(), 2);
@@ -247,7 +247,7 @@ fn a_read_that_is_acknowledged_without_data() {
 #[test]
 fn events_that_are_not_taken_stay() {
     let mut client: Client<4> = Client::new();
-    let mut request = client.request(tools::SET);
+    let mut request = client.request(tools::TOOLS_SET);
     let first = request.add(&tools::Ping).unwrap();
     let second = request.add(&tools::Bias::read()).unwrap();
     let third = request.add(&tools::Ping).unwrap();
@@ -341,7 +341,7 @@ fn answers_as_results() {
 fn a_client_in_static_memory() {
     static CLIENT: std::sync::Mutex<Client<2>> = std::sync::Mutex::new(Client::with_timeout(7));
     static PARSER: std::sync::Mutex<Parser> = std::sync::Mutex::new(Parser::new());
-    const BUILDER: PacketBuilder = PacketBuilder::new(tools::SET);
+    const BUILDER: PacketBuilder = PacketBuilder::new(tools::TOOLS_SET);
     let mut client = CLIENT.lock().unwrap();
     let ticket = sent_in(&mut client, 0);
     let mut reply = BUILDER;
@@ -358,7 +358,7 @@ fn a_client_in_static_memory() {
 fn later_commands_are_answered_later_in_whatever_slots() {
     let mut client: Client<3> = Client::new();
     for _ in 0..100 {
-        let mut request = client.request(tools::SET);
+        let mut request = client.request(tools::TOOLS_SET);
         let tickets = [0; 3].map(|_| request.add(&tools::Ping).unwrap());
         assert_eq!(request.add(&tools::Ping).unwrap_err(), RequestError::Busy);
         let _ = request.send(0);
@@ -408,7 +408,7 @@ fn an_answer_behind_noise() {
     let mut client: Client = Client::new();
     let mut parser = Parser::new();
     let ticket = sent(&mut client, &tools::Ping, 0);
-    let mut data = PacketBuilder::new(measurements::MEASUREMENTS);
+    let mut data = PacketBuilder::new(measurements::MEASUREMENTS_SET);
     data.push(&measurements::Accel::default()).unwrap();
     let reply = Reply::new().ack(1, AckCode::OK);
     let stream = [b"ue\x80\xFF", reply.0.bytes(), data.bytes()].concat();
@@ -433,7 +433,7 @@ fn refused<C>(added: Result<Ticket<C>, RequestError>) -> EncodeErrorKind {
 #[test]
 fn commands_whose_type_is_known_only_when_the_program_runs() {
     let mut client: Client = Client::new();
-    let mut request = client.request(tools::SET);
+    let mut request = client.request(tools::TOOLS_SET);
     let read = request.add_any(&AnyField::ToolsBias(tools::Bias::read())).unwrap();
     let quiet = AnyField::ToolsFormats(tools::Formats::new(true, 0, []));
     assert!(request.add_any(&quiet).unwrap().is_silent());
@@ -446,7 +446,7 @@ fn commands_whose_type_is_known_only_when_the_program_runs() {
     let event = only(&mut client, &reply);
     assert_eq!((event.id, event.outcome), (read.id(), Outcome::Acknowledged));
     let found = AnyField::decode_with_trailing(&event.response().unwrap()).unwrap().unwrap();
-    assert_eq!((found.set, &found.field, found.left_over), (tools::SET, &response, 0));
+    assert_eq!((found.set, &found.field, found.left_over), (tools::TOOLS_SET, &response, 0));
     assert_eq!(format!("{read:?}"), format!("Ticket({})", read.id()));
 }
 
@@ -483,7 +483,7 @@ fn the_same_command_twice_is_answered_in_order() {
 fn a_full_client_or_packet_refuses() {
     let mut client: Client<2> = Client::new();
     client.send(&tools::Ping, 0).unwrap();
-    let mut request = client.request(tools::SET);
+    let mut request = client.request(tools::TOOLS_SET);
     request.add(&tools::Ping).unwrap();
     assert_eq!(request.add(&tools::Ping).unwrap_err(), RequestError::Busy);
     let packet = request.send(0);
@@ -491,7 +491,7 @@ fn a_full_client_or_packet_refuses() {
     assert_eq!(client.send(&tools::Ping, 0).unwrap_err(), RequestError::Busy);
 
     let mut client: Client<8> = Client::new();
-    let mut request = client.request(tools::SET);
+    let mut request = client.request(tools::TOOLS_SET);
     let long = tools::List::write([0; 100]);
     request.add(&long).unwrap();
     assert_eq!(refused(request.add(&long)), EncodeErrorKind::Length);
@@ -500,7 +500,7 @@ fn a_full_client_or_packet_refuses() {
     let mut request = client.request(0x0C);
     assert_eq!(refused(request.add(&tools::Ping)), EncodeErrorKind::Set);
     // What is not sent is forgotten.
-    let mut request = client.request(tools::SET);
+    let mut request = client.request(tools::TOOLS_SET);
     request.add(&tools::Ping).unwrap();
     drop(request);
     assert_eq!(client.pending(), 1);
@@ -517,7 +517,7 @@ fn a_client_may_be_shared_by_a_mutex() {
 #[test]
 fn the_event_of_any_ticket() {
     let mut client: Client = Client::new();
-    let mut request = client.request(tools::SET);
+    let mut request = client.request(tools::TOOLS_SET);
     let any = request.add_any(&AnyField::from(tools::Ping)).unwrap();
     let bias = request.add(&tools::Bias::read()).unwrap();
     let _ = request.send(0);

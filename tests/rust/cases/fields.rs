@@ -289,6 +289,24 @@ fn reserved_parameters_default_to_what_is_to_be_sent() {
     assert_eq!(measurements::Arrays::default().offsets, [0; 4]);
 }
 
+#[test]
+fn tuples_convert_to_structures() {
+    assert_eq!(Point::from((1, -2)), Point::new(1, -2));
+    let stripes: tools::Stripes = (0.5, 2.0).into();
+    assert_eq!((stripes.width, stripes.angle), (0.5, 2.0));
+}
+
+#[test]
+fn a_bitfield_in_a_loop_is_its_bits() {
+    let flags = StateFlags::READY | StateFlags::HOT;
+    let mut found = Vec::new();
+    for bit in &flags {
+        found.push(bit);
+    }
+    assert_eq!(found, flags.iter().collect::<Vec<_>>());
+    assert!(found.len() > 1 && found.into_iter().collect::<StateFlags>() == flags);
+}
+
 /// What a program does with some fields, written with its own arms.
 fn first_number(field: &RawField<'_>) -> Result<f64, DecodeErrorKind> {
     let number = dispatch!(field, {
@@ -407,16 +425,16 @@ fn commands_tell_what_to_expect() {
 
 #[test]
 fn a_layout_is_one_type_in_all_its_sets() {
-    use measurements::{Accel, Own, Radio, Strings, COPY, MEASUREMENTS, MORE};
-    assert_eq!((MEASUREMENTS, MORE, COPY), (0x80, 0x81, 0x92));
-    assert_eq!(Accel::SETS, [MEASUREMENTS, MORE, COPY]);
+    use measurements::{Accel, Own, Radio, Strings, COPY_SET, MEASUREMENTS_SET, MORE_SET};
+    assert_eq!((MEASUREMENTS_SET, MORE_SET, COPY_SET), (0x80, 0x81, 0x92));
+    assert_eq!(Accel::SETS, [MEASUREMENTS_SET, MORE_SET, COPY_SET]);
     assert_eq!((Strings::SETS, Radio::SETS), (&[0x80, 0x81, 0x92][..], &[0x80, 0x92][..]));
     let accel = Accel::default();
     let data = bytes(&accel);
     for (set, name, title) in [
-        (MEASUREMENTS, "measurements.accel", "Acceleration"),
-        (MORE, "more.accel", "Second acceleration"),
-        (COPY, "copy.accel", "Third acceleration"),
+        (MEASUREMENTS_SET, "measurements.accel", "Acceleration"),
+        (MORE_SET, "more.accel", "Second acceleration"),
+        (COPY_SET, "copy.accel", "Third acceleration"),
     ] {
         let raw = RawField { set, descriptor: Accel::DESCRIPTOR, data: &data };
         assert_eq!(raw.get(), Some(Ok(accel)));
@@ -435,13 +453,16 @@ fn a_layout_is_one_type_in_all_its_sets() {
     assert!(!other.is::<Accel>() && other.get::<Accel>().is_none());
     assert!(AnyField::decode_with_trailing(&other).is_none());
     // One descriptor, another layout in one of the sets.
-    assert_eq!((Own::DESCRIPTOR, Own::SET, Own::SETS), (Radio::DESCRIPTOR, MORE, &[MORE][..]));
-    let raw = RawField { set: MORE, descriptor: 7, data: &[2; 40] };
+    assert_eq!(
+        (Own::DESCRIPTOR, Own::SET, Own::SETS),
+        (Radio::DESCRIPTOR, MORE_SET, &[MORE_SET][..])
+    );
+    let raw = RawField { set: MORE_SET, descriptor: 7, data: &[2; 40] };
     assert!(raw.is::<Own>() && !raw.is::<Radio>());
     let found = AnyField::decode_with_trailing(&raw).unwrap().unwrap();
     assert_eq!((found.name(), found.left_over), ("more.own", 39));
-    assert_eq!(found.field.info().set(), Some(MORE));
-    for set in [MEASUREMENTS, COPY] {
+    assert_eq!(found.field.info().set(), Some(MORE_SET));
+    for set in [MEASUREMENTS_SET, COPY_SET] {
         let raw = RawField { set, ..raw };
         assert!(raw.is::<Radio>() && !raw.is::<Own>());
         assert!(matches!(

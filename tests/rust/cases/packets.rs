@@ -20,7 +20,7 @@ fn a_packet_is_built_and_looked_into() {
     assert_eq!(packet.bytes(), PING);
     assert_eq!(packet.as_ref(), PING);
     let packet = Packet::new(packet.bytes()).unwrap();
-    assert_eq!((packet.set(), packet.payload()), (tools::SET, &PING[4..6]));
+    assert_eq!((packet.set(), packet.payload()), (tools::TOOLS_SET, &PING[4..6]));
     let fields: Vec<_> = packet.fields().collect();
     assert_eq!(fields, [Ok(RawField { set: 1, descriptor: 1, data: &[] })]);
     assert_eq!(packet.find::<tools::Ping>(), Some(Ok(tools::Ping)));
@@ -144,7 +144,7 @@ fn a_malformed_field_ends_the_walk_and_keeps_what_was_before() {
 
 #[test]
 fn a_builder_refuses_what_does_not_fit_and_stays_valid() {
-    let mut packet = PacketBuilder::new(tools::SET);
+    let mut packet = PacketBuilder::new(tools::TOOLS_SET);
     packet.push_raw(0x70, &[0xAA; 200]).unwrap();
     let before = packet.bytes().to_vec();
     for (data, error) in [
@@ -171,7 +171,7 @@ fn a_builder_refuses_what_does_not_fit_and_stays_valid() {
     assert_eq!(packet.push(&tools::Ping).map_err(kind), Err(EncodeErrorKind::Length));
     assert_eq!(packet.packet().fields().count(), 2);
     packet.clear();
-    assert_eq!((packet.set(), packet.bytes().len()), (tools::SET, 6));
+    assert_eq!((packet.set(), packet.bytes().len()), (tools::TOOLS_SET, 6));
     packet.push_raw(0x72, &[1; MAX_FIELD_DATA]).unwrap();
     assert!(Packet::new(packet.bytes()).is_ok());
 }
@@ -195,7 +195,7 @@ fn sets_take_their_own_and_the_shared_fields() {
     }
     assert_eq!(PacketBuilder::new(0x7F).push(&stamp).map_err(kind), Err(EncodeErrorKind::Set));
     let accel = measurements::Accel::default();
-    for set in [measurements::MEASUREMENTS, measurements::MORE, measurements::COPY] {
+    for set in [measurements::MEASUREMENTS_SET, measurements::MORE_SET, measurements::COPY_SET] {
         assert!(PacketBuilder::new(set).push(&accel).is_ok());
     }
     assert_eq!(PacketBuilder::new(0x82).push(&accel).map_err(kind), Err(EncodeErrorKind::Set));
@@ -238,7 +238,7 @@ fn parse(stream: &[u8], cuts: &[usize]) -> (Vec<Vec<u8>>, u64) {
 
 #[test]
 fn every_chunking_gives_the_same_packets() {
-    let mut accel = PacketBuilder::new(measurements::MEASUREMENTS);
+    let mut accel = PacketBuilder::new(measurements::MEASUREMENTS_SET);
     accel.push(&measurements::Accel::default()).unwrap();
     let mut broken = PING;
     broken[7] ^= 1;

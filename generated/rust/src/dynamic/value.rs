@@ -77,6 +77,10 @@ pub trait ToValue {
 /// A float may also be given as text that holds its bits: `"0x3e7a63a0"`.
 pub trait FromValue: Sized {
     /// The value of a tree.
+    ///
+    /// # Errors
+    ///
+    /// The value has another kind, or a member is missing or unknown.
     fn from_value(value: &Value) -> Result<Self, ValueError>;
 }
 

@@ -7,7 +7,7 @@
 use crate::types;
 
 /// The number of the descriptor set.
-pub const SET: u8 = 0x13;
+pub const AIDING_SET: u8 = 0x13;
 
 open_enum! {
     /// How the rotation of an aiding frame is given.
@@ -926,6 +926,18 @@ record! {
     }
 }
 
+constructors! {
+    FrameConfigResponse
+
+    /// Creates it from its values.
+    fn new(
+        frame_id: u8,
+        tracking_enabled: bool,
+        translation: impl Into<types::Vector3f>,
+        rotation: FrameConfigRotation,
+    ), format: rotation.tag();
+}
+
 field! {
     FrameConfigResponse: 0x81, "aiding.frame_config_response";
     in [0x13];
@@ -955,6 +967,13 @@ record! {
 view! {
     EchoControlResponse
     mode: AidingEchoMode, at 0;
+}
+
+constructors! {
+    EchoControlResponse
+
+    /// Creates it from its values.
+    fn new(mode: AidingEchoMode);
 }
 
 field! {

@@ -7,7 +7,7 @@
 use crate::types;
 
 /// The number of the descriptor set.
-pub const SET: u8 = 0x01;
+pub const BASE_SET: u8 = 0x01;
 
 record! {
     /// Identity of a device. The strings are padded with spaces.
@@ -770,6 +770,13 @@ view! {
     device_info as BaseDeviceInfo, at 0;
 }
 
+constructors! {
+    GetDeviceInfoResponse
+
+    /// Creates it from its values.
+    fn new(device_info: BaseDeviceInfo);
+}
+
 field! {
     GetDeviceInfoResponse: 0x81, "base.get_device_info_response";
     in [0x01];
@@ -810,6 +817,13 @@ record! {
         /// low byte.
         pub descriptors: crate::List<u16, 126>,
     }
+}
+
+constructors! {
+    GetDeviceDescriptorsResponse
+
+    /// Creates it from its values.
+    fn new(descriptors: impl Into<crate::List<u16, 126>>);
 }
 
 field! {
@@ -880,6 +894,13 @@ record! {
 view! {
     BuiltInTestResponse
     result: u32, at 0;
+}
+
+constructors! {
+    BuiltInTestResponse
+
+    /// Creates it from its values.
+    fn new(result: u32);
 }
 
 #[rustfmt::skip]
@@ -961,6 +982,13 @@ view! {
     week_number: u32, at 0;
 }
 
+constructors! {
+    GpsTimeUpdateWeekNumberResponse
+
+    /// Creates it from its values.
+    fn new(week_number: u32);
+}
+
 field! {
     GpsTimeUpdateWeekNumberResponse: 0x84, "base.gps_time_update_week_number_response";
     in [0x01];
@@ -1005,6 +1033,13 @@ view! {
     tow: u32, at 0;
 }
 
+constructors! {
+    GpsTimeUpdateTowResponse
+
+    /// Creates it from its values.
+    fn new(tow: u32);
+}
+
 field! {
     GpsTimeUpdateTowResponse: 0x85, "base.gps_time_update_tow_response";
     in [0x01];
@@ -1038,6 +1073,13 @@ record! {
         /// low byte.
         pub descriptors: crate::List<u16, 126>,
     }
+}
+
+constructors! {
+    GetExtendedDescriptorsResponse
+
+    /// Creates it from its values.
+    fn new(descriptors: impl Into<crate::List<u16, 126>>);
 }
 
 field! {
@@ -1078,6 +1120,13 @@ record! {
 view! {
     ContinuousBuiltInTestResponse
     result: [u8; 16], at 0;
+}
+
+constructors! {
+    ContinuousBuiltInTestResponse
+
+    /// Creates it from its values.
+    fn new(result: [u8; 16]);
 }
 
 #[rustfmt::skip]
@@ -1156,6 +1205,13 @@ view! {
     CommSpeedResponse
     port: u8, at 0;
     baud: u32, at 1;
+}
+
+constructors! {
+    CommSpeedResponse
+
+    /// Creates it from its values.
+    fn new(port: u8, baud: u32);
 }
 
 #[rustfmt::skip]

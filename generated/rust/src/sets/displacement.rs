@@ -7,4 +7,4 @@
 use crate::types;
 
 /// The number of the descriptor set.
-pub const SET: u8 = 0x11;
+pub const DISPLACEMENT_SET: u8 = 0x11;

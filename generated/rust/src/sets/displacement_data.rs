@@ -7,7 +7,7 @@
 use crate::types;
 
 /// The number of the descriptor set.
-pub const SET: u8 = 0x90;
+pub const DISPLACEMENT_DATA_SET: u8 = 0x90;
 
 record! {
     /// Raw displacement (0x90,0x01).
@@ -29,6 +29,13 @@ record! {
 view! {
     DisplacementRaw
     counts: u32, at 0;
+}
+
+constructors! {
+    DisplacementRaw
+
+    /// Creates it from its values.
+    fn new(counts: u32);
 }
 
 field! {
@@ -56,6 +63,13 @@ record! {
 view! {
     Displacement
     displacement: f32, at 0;
+}
+
+constructors! {
+    Displacement
+
+    /// Creates it from its values.
+    fn new(displacement: f32);
 }
 
 field! {

@@ -6,7 +6,7 @@
 use crate::types;
 
 /// The number of the descriptor set.
-pub const SET: u8 = 0x0D;
+pub const FILTER_SET: u8 = 0x0D;
 
 open_enum! {
     /// Motion that the filter expects, by the way in which the device travels.
@@ -4361,6 +4361,13 @@ view! {
     mode: DynamicsMode, at 0;
 }
 
+constructors! {
+    VehicleDynamicsModeResponse
+
+    /// Creates it from its values.
+    fn new(mode: DynamicsMode);
+}
+
 field! {
     VehicleDynamicsModeResponse: 0x80, "filter.vehicle_dynamics_mode_response";
     in [0x0D];
@@ -4406,6 +4413,17 @@ view! {
     yaw: f32, at 8;
 }
 
+constructors! {
+    SensorToVehicleRotationEulerResponse
+
+    /// Creates it from its values.
+    fn new(
+        roll: f32,
+        pitch: f32,
+        yaw: f32,
+    );
+}
+
 field! {
     SensorToVehicleRotationEulerResponse: 0x81, "filter.sensor_to_vehicle_rotation_euler_response";
     in [0x0D];
@@ -4435,6 +4453,13 @@ record! {
 view! {
     SensorToVehicleOffsetResponse
     offset: types::Vector3f, at 0;
+}
+
+constructors! {
+    SensorToVehicleOffsetResponse
+
+    /// Creates it from its values.
+    fn new(offset: impl Into<types::Vector3f>);
 }
 
 field! {
@@ -4470,6 +4495,13 @@ view! {
     offset: types::Vector3f, at 0;
 }
 
+constructors! {
+    AntennaOffsetResponse
+
+    /// Creates it from its values.
+    fn new(offset: impl Into<types::Vector3f>);
+}
+
 field! {
     AntennaOffsetResponse: 0x83, "filter.antenna_offset_response";
     in [0x0D];
@@ -4503,6 +4535,13 @@ view! {
     flags: EstimatedStates, at 0;
 }
 
+constructors! {
+    EstimationControlResponse
+
+    /// Creates it from its values.
+    fn new(flags: EstimatedStates);
+}
+
 field! {
     EstimationControlResponse: 0x84, "filter.estimation_control_response";
     in [0x0D];
@@ -4531,6 +4570,13 @@ record! {
 view! {
     GnssSourceResponse
     source: GnssAidingSource, at 0;
+}
+
+constructors! {
+    GnssSourceResponse
+
+    /// Creates it from its values.
+    fn new(source: GnssAidingSource);
 }
 
 field! {
@@ -4566,6 +4612,13 @@ view! {
     source: HeadingUpdateSource, at 0;
 }
 
+constructors! {
+    HeadingSourceResponse
+
+    /// Creates it from its values.
+    fn new(source: HeadingUpdateSource);
+}
+
 field! {
     HeadingSourceResponse: 0x87, "filter.heading_source_response";
     in [0x0D];
@@ -4599,6 +4652,13 @@ record! {
 view! {
     AutoInitializationControlResponse
     enable: u8, at 0;
+}
+
+constructors! {
+    AutoInitializationControlResponse
+
+    /// Creates it from its values.
+    fn new(enable: u8);
 }
 
 field! {
@@ -4642,6 +4702,13 @@ view! {
     noise: types::Vector3f, at 0;
 }
 
+constructors! {
+    AccelNoiseResponse
+
+    /// Creates it from its values.
+    fn new(noise: impl Into<types::Vector3f>);
+}
+
 field! {
     AccelNoiseResponse: 0x89, "filter.accel_noise_response";
     in [0x0D];
@@ -4683,6 +4750,13 @@ view! {
     noise: types::Vector3f, at 0;
 }
 
+constructors! {
+    GyroNoiseResponse
+
+    /// Creates it from its values.
+    fn new(noise: impl Into<types::Vector3f>);
+}
+
 field! {
     GyroNoiseResponse: 0x8A, "filter.gyro_noise_response";
     in [0x0D];
@@ -4718,6 +4792,13 @@ view! {
     AccelBiasModelResponse
     beta: types::Vector3f, at 0;
     noise: types::Vector3f, at 12;
+}
+
+constructors! {
+    AccelBiasModelResponse
+
+    /// Creates it from its values.
+    fn new(beta: impl Into<types::Vector3f>, noise: impl Into<types::Vector3f>);
 }
 
 field! {
@@ -4766,6 +4847,13 @@ view! {
     noise: types::Vector3f, at 12;
 }
 
+constructors! {
+    GyroBiasModelResponse
+
+    /// Creates it from its values.
+    fn new(beta: impl Into<types::Vector3f>, noise: impl Into<types::Vector3f>);
+}
+
 field! {
     GyroBiasModelResponse: 0x8C, "filter.gyro_bias_model_response";
     in [0x0D];
@@ -4800,6 +4888,13 @@ view! {
     AutoZuptResponse
     enable: u8, at 0;
     threshold: f32, at 1;
+}
+
+constructors! {
+    AutoZuptResponse
+
+    /// Creates it from its values.
+    fn new(enable: u8, threshold: f32);
 }
 
 field! {
@@ -4846,6 +4941,13 @@ view! {
     AutoAngularZuptResponse
     enable: u8, at 0;
     threshold: f32, at 1;
+}
+
+constructors! {
+    AutoAngularZuptResponse
+
+    /// Creates it from its values.
+    fn new(enable: u8, threshold: f32);
 }
 
 field! {
@@ -4895,6 +4997,18 @@ view! {
     altitude: f64, at 17;
 }
 
+constructors! {
+    ReferencePositionResponse
+
+    /// Creates it from its values.
+    fn new(
+        enable: u8,
+        latitude: f64,
+        longitude: f64,
+        altitude: f64,
+    );
+}
+
 field! {
     ReferencePositionResponse: 0x90, "filter.reference_position_response";
     in [0x0D];
@@ -4933,6 +5047,13 @@ view! {
     noise: types::Vector3f, at 0;
 }
 
+constructors! {
+    GravityNoiseResponse
+
+    /// Creates it from its values.
+    fn new(noise: impl Into<types::Vector3f>);
+}
+
 field! {
     GravityNoiseResponse: 0x93, "filter.gravity_noise_response";
     in [0x0D];
@@ -4961,6 +5082,13 @@ record! {
 view! {
     PressureAltitudeNoiseResponse
     noise: f32, at 0;
+}
+
+constructors! {
+    PressureAltitudeNoiseResponse
+
+    /// Creates it from its values.
+    fn new(noise: f32);
 }
 
 field! {
@@ -4993,6 +5121,13 @@ view! {
     noise: types::Vector3f, at 0;
 }
 
+constructors! {
+    HardIronOffsetNoiseResponse
+
+    /// Creates it from its values.
+    fn new(noise: impl Into<types::Vector3f>);
+}
+
 field! {
     HardIronOffsetNoiseResponse: 0x96, "filter.hard_iron_offset_noise_response";
     in [0x0D];
@@ -5021,6 +5156,13 @@ record! {
 view! {
     SoftIronMatrixNoiseResponse
     noise: types::Matrix3f, at 0;
+}
+
+constructors! {
+    SoftIronMatrixNoiseResponse
+
+    /// Creates it from its values.
+    fn new(noise: impl Into<types::Matrix3f>);
 }
 
 field! {
@@ -5057,6 +5199,13 @@ view! {
     axes: TareAxes, at 0;
 }
 
+constructors! {
+    TareOrientationResponse
+
+    /// Creates it from its values.
+    fn new(axes: TareAxes);
+}
+
 field! {
     TareOrientationResponse: 0xA1, "filter.tare_orientation_response";
     in [0x0D];
@@ -5083,6 +5232,13 @@ record! {
 view! {
     EnableMeasurementsResponse
     control: MeasurementFlags, at 0;
+}
+
+constructors! {
+    EnableMeasurementsResponse
+
+    /// Creates it from its values.
+    fn new(control: MeasurementFlags);
 }
 
 field! {
@@ -5115,6 +5271,13 @@ record! {
 view! {
     MagNoiseResponse
     noise: types::Vector3f, at 0;
+}
+
+constructors! {
+    MagNoiseResponse
+
+    /// Creates it from its values.
+    fn new(noise: impl Into<types::Vector3f>);
 }
 
 field! {
@@ -5159,6 +5322,13 @@ view! {
     MagneticDeclinationSourceResponse
     source: MagParameterSource, at 0;
     declination: f32, at 1;
+}
+
+constructors! {
+    MagneticDeclinationSourceResponse
+
+    /// Creates it from its values.
+    fn new(source: MagParameterSource, declination: f32);
 }
 
 field! {
@@ -5222,6 +5392,21 @@ view! {
     low_limit_uncertainty: f32, at 13;
     high_limit_uncertainty: f32, at 17;
     minimum_uncertainty: f32, at 21;
+}
+
+constructors! {
+    AccelMagnitudeErrorAdaptiveMeasurementResponse
+
+    /// Creates it from its values.
+    fn new(
+        adaptive_measurement: AdaptiveMeasurementSelector,
+        frequency: f32,
+        low_limit: f32,
+        high_limit: f32,
+        low_limit_uncertainty: f32,
+        high_limit_uncertainty: f32,
+        minimum_uncertainty: f32,
+    );
 }
 
 field! {
@@ -5291,6 +5476,21 @@ view! {
     minimum_uncertainty: f32, at 21;
 }
 
+constructors! {
+    MagMagnitudeErrorAdaptiveMeasurementResponse
+
+    /// Creates it from its values.
+    fn new(
+        adaptive_measurement: AdaptiveMeasurementSelector,
+        frequency: f32,
+        low_limit: f32,
+        high_limit: f32,
+        low_limit_uncertainty: f32,
+        high_limit_uncertainty: f32,
+        minimum_uncertainty: f32,
+    );
+}
+
 field! {
     MagMagnitudeErrorAdaptiveMeasurementResponse: 0xB4, "filter.mag_magnitude_error_adaptive_measurement_response";
     in [0x0D];
@@ -5344,6 +5544,19 @@ view! {
     minimum_uncertainty: f32, at 13;
 }
 
+constructors! {
+    MagDipAngleErrorAdaptiveMeasurementResponse
+
+    /// Creates it from its values.
+    fn new(
+        enable: bool,
+        frequency: f32,
+        high_limit: f32,
+        high_limit_uncertainty: f32,
+        minimum_uncertainty: f32,
+    );
+}
+
 field! {
     MagDipAngleErrorAdaptiveMeasurementResponse: 0xB5, "filter.mag_dip_angle_error_adaptive_measurement_response";
     in [0x0D];
@@ -5370,6 +5583,13 @@ record! {
 view! {
     AltitudeAidingResponse
     selector: AltitudeAidingSource, at 0;
+}
+
+constructors! {
+    AltitudeAidingResponse
+
+    /// Creates it from its values.
+    fn new(selector: AltitudeAidingSource);
 }
 
 field! {
@@ -5400,6 +5620,13 @@ record! {
 view! {
     PitchRollAidingResponse
     aiding: PitchRollAidingSource, at 0;
+}
+
+constructors! {
+    PitchRollAidingResponse
+
+    /// Creates it from its values.
+    fn new(aiding: PitchRollAidingSource);
 }
 
 field! {
@@ -5433,6 +5660,13 @@ view! {
     inclination: f32, at 1;
 }
 
+constructors! {
+    MagneticInclinationSourceResponse
+
+    /// Creates it from its values.
+    fn new(source: MagParameterSource, inclination: f32);
+}
+
 field! {
     MagneticInclinationSourceResponse: 0xBC, "filter.magnetic_inclination_source_response";
     in [0x0D];
@@ -5464,6 +5698,13 @@ view! {
     magnitude: f32, at 1;
 }
 
+constructors! {
+    MagneticMagnitudeSourceResponse
+
+    /// Creates it from its values.
+    fn new(source: MagParameterSource, magnitude: f32);
+}
+
 field! {
     MagneticMagnitudeSourceResponse: 0xBD, "filter.magnetic_magnitude_source_response";
     in [0x0D];
@@ -5490,6 +5731,13 @@ view! {
     dcm: types::Matrix3f, at 0;
 }
 
+constructors! {
+    SensorToVehicleRotationDcmResponse
+
+    /// Creates it from its values.
+    fn new(dcm: impl Into<types::Matrix3f>);
+}
+
 field! {
     SensorToVehicleRotationDcmResponse: 0xBE, "filter.sensor_to_vehicle_rotation_dcm_response";
     in [0x0D];
@@ -5514,6 +5762,13 @@ record! {
 view! {
     SensorToVehicleRotationQuaternionResponse
     q: types::Quatf, at 0;
+}
+
+constructors! {
+    SensorToVehicleRotationQuaternionResponse
+
+    /// Creates it from its values.
+    fn new(q: impl Into<types::Quatf>);
 }
 
 field! {
@@ -5547,6 +5802,13 @@ view! {
     AidingMeasurementEnableResponse
     aiding_source: AidingSource, at 0;
     enable: crate::Bool, at 2;
+}
+
+constructors! {
+    AidingMeasurementEnableResponse
+
+    /// Creates it from its values.
+    fn new(aiding_source: AidingSource, enable: bool);
 }
 
 field! {
@@ -5583,6 +5845,17 @@ view! {
     accel_constraint: AccelConstraint, at 0;
     velocity_constraint: VelocityConstraint, at 1;
     angular_constraint: AngularConstraint, at 2;
+}
+
+constructors! {
+    KinematicConstraintResponse
+
+    /// Creates it from its values.
+    fn new(
+        accel_constraint: AccelConstraint,
+        velocity_constraint: VelocityConstraint,
+        angular_constraint: AngularConstraint,
+    );
 }
 
 field! {
@@ -5658,6 +5931,23 @@ view! {
     reference_frame_selector: ReferenceFrame, at 39;
 }
 
+constructors! {
+    InitializationConfigResponse
+
+    /// Creates it from its values.
+    fn new(
+        wait_for_run_command: u8,
+        initial_condition_source: InitialConditionSource,
+        auto_heading_alignment_selector: HeadingAlignment,
+        initial_heading: f32,
+        initial_pitch: f32,
+        initial_roll: f32,
+        initial_position: impl Into<types::Vector3f>,
+        initial_velocity: impl Into<types::Vector3f>,
+        reference_frame_selector: ReferenceFrame,
+    );
+}
+
 field! {
     InitializationConfigResponse: 0xD2, "filter.initialization_config_response";
     in [0x0D];
@@ -5697,6 +5987,13 @@ view! {
     time_limit: u16, at 1;
 }
 
+constructors! {
+    AdaptiveFilterOptionsResponse
+
+    /// Creates it from its values.
+    fn new(level: AdaptiveLevel, time_limit: u16);
+}
+
 field! {
     AdaptiveFilterOptionsResponse: 0xD3, "filter.adaptive_filter_options_response";
     in [0x0D];
@@ -5728,6 +6025,13 @@ view! {
     MultiAntennaOffsetResponse
     receiver_id: u8, at 0;
     antenna_offset: types::Vector3f, at 1;
+}
+
+constructors! {
+    MultiAntennaOffsetResponse
+
+    /// Creates it from its values.
+    fn new(receiver_id: u8, antenna_offset: impl Into<types::Vector3f>);
 }
 
 field! {
@@ -5770,6 +6074,17 @@ view! {
     reference_coordinates: types::Vector3d, at 2;
 }
 
+constructors! {
+    RelativePositionConfigResponse
+
+    /// Creates it from its values.
+    fn new(
+        source: RelativePositionSource,
+        reference_frame_selector: ReferenceFrame,
+        reference_coordinates: impl Into<types::Vector3d>,
+    );
+}
+
 field! {
     RelativePositionConfigResponse: 0xD5, "filter.relative_position_config_response";
     in [0x0D];
@@ -5800,6 +6115,13 @@ view! {
     ReferencePointLeverArmResponse
     reference_point: ReferencePoint, at 0;
     lever_arm_offset: types::Vector3f, at 1;
+}
+
+constructors! {
+    ReferencePointLeverArmResponse
+
+    /// Creates it from its values.
+    fn new(reference_point: ReferencePoint, lever_arm_offset: impl Into<types::Vector3f>);
 }
 
 field! {
@@ -5842,6 +6164,13 @@ view! {
     lever_arm_offset: types::Vector3f, at 1;
 }
 
+constructors! {
+    SpeedLeverArmResponse
+
+    /// Creates it from its values.
+    fn new(lever_arm_offset: impl Into<types::Vector3f>), source: 1;
+}
+
 field! {
     SpeedLeverArmResponse: 0xE1, "filter.speed_lever_arm_response";
     in [0x0D];
@@ -5866,6 +6195,13 @@ record! {
 view! {
     VerticalGyroConstraintControlResponse
     enable: u8, at 0;
+}
+
+constructors! {
+    VerticalGyroConstraintControlResponse
+
+    /// Creates it from its values.
+    fn new(enable: u8);
 }
 
 field! {
@@ -5894,6 +6230,13 @@ record! {
 view! {
     WheeledVehicleConstraintControlResponse
     enable: u8, at 0;
+}
+
+constructors! {
+    WheeledVehicleConstraintControlResponse
+
+    /// Creates it from its values.
+    fn new(enable: u8);
 }
 
 field! {
@@ -5928,6 +6271,13 @@ view! {
     GnssAntennaCalibrationControlResponse
     enable: u8, at 0;
     max_offset: f32, at 1;
+}
+
+constructors! {
+    GnssAntennaCalibrationControlResponse
+
+    /// Creates it from its values.
+    fn new(enable: u8, max_offset: f32);
 }
 
 field! {

@@ -6,7 +6,7 @@
 use crate::types;
 
 /// The number of the descriptor set.
-pub const SET: u8 = 0x82;
+pub const FILTER_DATA_SET: u8 = 0x82;
 
 bitfield! {
     /// Whether the values of a field may be used.
@@ -436,6 +436,18 @@ view! {
     valid_flags: ValidFlags, at 24;
 }
 
+constructors! {
+    LlhPosition
+
+    /// Creates it from its values.
+    fn new(
+        latitude: f64,
+        longitude: f64,
+        ellipsoid_height: f64,
+        valid_flags: ValidFlags,
+    );
+}
+
 field! {
     LlhPosition: 0x01, "filter_data.llh_position";
     in [0x82];
@@ -500,6 +512,18 @@ view! {
     east: f32, at 4;
     down: f32, at 8;
     valid_flags: ValidFlags, at 12;
+}
+
+constructors! {
+    NedVelocity
+
+    /// Creates it from its values.
+    fn new(
+        north: f32,
+        east: f32,
+        down: f32,
+        valid_flags: ValidFlags,
+    );
 }
 
 field! {
@@ -579,6 +603,13 @@ view! {
     valid_flags: ValidFlags, at 16;
 }
 
+constructors! {
+    AttitudeQuaternion
+
+    /// Creates it from its values.
+    fn new(q: impl Into<types::Quatf>, valid_flags: ValidFlags);
+}
+
 field! {
     AttitudeQuaternion: 0x03, "filter_data.attitude_quaternion";
     in [0x82];
@@ -655,6 +686,13 @@ view! {
     AttitudeDcm
     dcm: types::Matrix3f, at 0;
     valid_flags: ValidFlags, at 36;
+}
+
+constructors! {
+    AttitudeDcm
+
+    /// Creates it from its values.
+    fn new(dcm: impl Into<types::Matrix3f>, valid_flags: ValidFlags);
 }
 
 field! {
@@ -752,6 +790,18 @@ view! {
     valid_flags: ValidFlags, at 12;
 }
 
+constructors! {
+    EulerAngles
+
+    /// Creates it from its values.
+    fn new(
+        roll: f32,
+        pitch: f32,
+        yaw: f32,
+        valid_flags: ValidFlags,
+    );
+}
+
 field! {
     EulerAngles: 0x05, "filter_data.euler_angles";
     in [0x82];
@@ -804,6 +854,13 @@ view! {
     valid_flags: ValidFlags, at 12;
 }
 
+constructors! {
+    GyroBias
+
+    /// Creates it from its values.
+    fn new(bias: impl Into<types::Vector3f>, valid_flags: ValidFlags);
+}
+
 field! {
     GyroBias: 0x06, "filter_data.gyro_bias";
     in [0x82];
@@ -842,6 +899,13 @@ view! {
     AccelBias
     bias: types::Vector3f, at 0;
     valid_flags: ValidFlags, at 12;
+}
+
+constructors! {
+    AccelBias
+
+    /// Creates it from its values.
+    fn new(bias: impl Into<types::Vector3f>, valid_flags: ValidFlags);
 }
 
 field! {
@@ -897,6 +961,18 @@ view! {
     valid_flags: ValidFlags, at 12;
 }
 
+constructors! {
+    LlhPositionUncertainty
+
+    /// Creates it from its values.
+    fn new(
+        north: f32,
+        east: f32,
+        down: f32,
+        valid_flags: ValidFlags,
+    );
+}
+
 field! {
     LlhPositionUncertainty: 0x08, "filter_data.llh_position_uncertainty";
     in [0x82];
@@ -948,6 +1024,18 @@ view! {
     east: f32, at 4;
     down: f32, at 8;
     valid_flags: ValidFlags, at 12;
+}
+
+constructors! {
+    NedVelocityUncertainty
+
+    /// Creates it from its values.
+    fn new(
+        north: f32,
+        east: f32,
+        down: f32,
+        valid_flags: ValidFlags,
+    );
 }
 
 field! {
@@ -1016,6 +1104,18 @@ view! {
     valid_flags: ValidFlags, at 12;
 }
 
+constructors! {
+    EulerAnglesUncertainty
+
+    /// Creates it from its values.
+    fn new(
+        roll: f32,
+        pitch: f32,
+        yaw: f32,
+        valid_flags: ValidFlags,
+    );
+}
+
 field! {
     EulerAnglesUncertainty: 0x0A, "filter_data.euler_angles_uncertainty";
     in [0x82];
@@ -1065,6 +1165,13 @@ view! {
     valid_flags: ValidFlags, at 12;
 }
 
+constructors! {
+    GyroBiasUncertainty
+
+    /// Creates it from its values.
+    fn new(bias_uncertainty: impl Into<types::Vector3f>, valid_flags: ValidFlags);
+}
+
 field! {
     GyroBiasUncertainty: 0x0B, "filter_data.gyro_bias_uncertainty";
     in [0x82];
@@ -1101,6 +1208,13 @@ view! {
     AccelBiasUncertainty
     bias_uncertainty: types::Vector3f, at 0;
     valid_flags: ValidFlags, at 12;
+}
+
+constructors! {
+    AccelBiasUncertainty
+
+    /// Creates it from its values.
+    fn new(bias_uncertainty: impl Into<types::Vector3f>, valid_flags: ValidFlags);
 }
 
 field! {
@@ -1154,6 +1268,13 @@ view! {
     LinearAccel
     accel: types::Vector3f, at 0;
     valid_flags: ValidFlags, at 12;
+}
+
+constructors! {
+    LinearAccel
+
+    /// Creates it from its values.
+    fn new(accel: impl Into<types::Vector3f>, valid_flags: ValidFlags);
 }
 
 field! {
@@ -1210,6 +1331,13 @@ view! {
     valid_flags: ValidFlags, at 12;
 }
 
+constructors! {
+    CompAngularRate
+
+    /// Creates it from its values.
+    fn new(gyro: impl Into<types::Vector3f>, valid_flags: ValidFlags);
+}
+
 field! {
     CompAngularRate: 0x0E, "filter_data.comp_angular_rate";
     in [0x82];
@@ -1250,6 +1378,13 @@ view! {
     Wgs84GravityMagnitude
     gravity_magnitude: f32, at 0;
     valid_flags: ValidFlags, at 4;
+}
+
+constructors! {
+    Wgs84GravityMagnitude
+
+    /// Creates it from its values.
+    fn new(gravity_magnitude: f32, valid_flags: ValidFlags);
 }
 
 field! {
@@ -1355,6 +1490,17 @@ view! {
     filter_state: u16, at 0;
     dynamics_mode: u16, at 2;
     status_flags: u16, at 4;
+}
+
+constructors! {
+    Status
+
+    /// Creates it from its values.
+    fn new(
+        filter_state: u16,
+        dynamics_mode: u16,
+        status_flags: u16,
+    );
 }
 
 #[rustfmt::skip]
@@ -1511,6 +1657,17 @@ view! {
     valid_flags: ValidFlags, at 10;
 }
 
+constructors! {
+    Timestamp
+
+    /// Creates it from its values.
+    fn new(
+        tow: f64,
+        week_number: u16,
+        valid_flags: ValidFlags,
+    );
+}
+
 field! {
     Timestamp: 0x11, "filter_data.timestamp";
     in [0x82];
@@ -1561,6 +1718,13 @@ view! {
     QuaternionAttitudeUncertainty
     q: types::Quatf, at 0;
     valid_flags: ValidFlags, at 16;
+}
+
+constructors! {
+    QuaternionAttitudeUncertainty
+
+    /// Creates it from its values.
+    fn new(q: impl Into<types::Quatf>, valid_flags: ValidFlags);
 }
 
 field! {
@@ -1616,6 +1780,13 @@ view! {
     valid_flags: ValidFlags, at 12;
 }
 
+constructors! {
+    GravityVector
+
+    /// Creates it from its values.
+    fn new(gravity: impl Into<types::Vector3f>, valid_flags: ValidFlags);
+}
+
 field! {
     GravityVector: 0x13, "filter_data.gravity_vector";
     in [0x82];
@@ -1665,6 +1836,18 @@ view! {
     heading_uncertainty: f32, at 4;
     source: HeadingSourceFlags, at 8;
     valid_flags: ValidFlags, at 10;
+}
+
+constructors! {
+    HeadingUpdateState
+
+    /// Creates it from its values.
+    fn new(
+        heading: f32,
+        heading_uncertainty: f32,
+        source: HeadingSourceFlags,
+        valid_flags: ValidFlags,
+    );
 }
 
 field! {
@@ -1727,6 +1910,20 @@ view! {
     valid_flags: ValidFlags, at 20;
 }
 
+constructors! {
+    MagneticModel
+
+    /// Creates it from its values.
+    fn new(
+        intensity_north: f32,
+        intensity_east: f32,
+        intensity_down: f32,
+        inclination: f32,
+        declination: f32,
+        valid_flags: ValidFlags,
+    );
+}
+
 field! {
     MagneticModel: 0x15, "filter_data.magnetic_model";
     in [0x82];
@@ -1759,6 +1956,13 @@ view! {
     GyroScaleFactor
     scale_factor: types::Vector3f, at 0;
     valid_flags: ValidFlags, at 12;
+}
+
+constructors! {
+    GyroScaleFactor
+
+    /// Creates it from its values.
+    fn new(scale_factor: impl Into<types::Vector3f>, valid_flags: ValidFlags);
 }
 
 field! {
@@ -1795,6 +1999,13 @@ view! {
     valid_flags: ValidFlags, at 12;
 }
 
+constructors! {
+    AccelScaleFactor
+
+    /// Creates it from its values.
+    fn new(scale_factor: impl Into<types::Vector3f>, valid_flags: ValidFlags);
+}
+
 field! {
     AccelScaleFactor: 0x17, "filter_data.accel_scale_factor";
     in [0x82];
@@ -1827,6 +2038,13 @@ view! {
     valid_flags: ValidFlags, at 12;
 }
 
+constructors! {
+    GyroScaleFactorUncertainty
+
+    /// Creates it from its values.
+    fn new(scale_factor_uncertainty: impl Into<types::Vector3f>, valid_flags: ValidFlags);
+}
+
 field! {
     GyroScaleFactorUncertainty: 0x18, "filter_data.gyro_scale_factor_uncertainty";
     in [0x82];
@@ -1857,6 +2075,13 @@ view! {
     AccelScaleFactorUncertainty
     scale_factor_uncertainty: types::Vector3f, at 0;
     valid_flags: ValidFlags, at 12;
+}
+
+constructors! {
+    AccelScaleFactorUncertainty
+
+    /// Creates it from its values.
+    fn new(scale_factor_uncertainty: impl Into<types::Vector3f>, valid_flags: ValidFlags);
 }
 
 field! {
@@ -1892,6 +2117,13 @@ view! {
     valid_flags: ValidFlags, at 12;
 }
 
+constructors! {
+    MagBias
+
+    /// Creates it from its values.
+    fn new(bias: impl Into<types::Vector3f>, valid_flags: ValidFlags);
+}
+
 field! {
     MagBias: 0x1A, "filter_data.mag_bias";
     in [0x82];
@@ -1921,6 +2153,13 @@ view! {
     MagBiasUncertainty
     bias_uncertainty: types::Vector3f, at 0;
     valid_flags: ValidFlags, at 12;
+}
+
+constructors! {
+    MagBiasUncertainty
+
+    /// Creates it from its values.
+    fn new(bias_uncertainty: impl Into<types::Vector3f>, valid_flags: ValidFlags);
 }
 
 field! {
@@ -1972,6 +2211,13 @@ view! {
     CompAccel
     accel: types::Vector3f, at 0;
     valid_flags: ValidFlags, at 12;
+}
+
+constructors! {
+    CompAccel
+
+    /// Creates it from its values.
+    fn new(accel: impl Into<types::Vector3f>, valid_flags: ValidFlags);
 }
 
 field! {
@@ -2028,6 +2274,20 @@ view! {
     valid_flags: ValidFlags, at 20;
 }
 
+constructors! {
+    StandardAtmosphere
+
+    /// Creates it from its values.
+    fn new(
+        geometric_altitude: f32,
+        geopotential_altitude: f32,
+        standard_temperature: f32,
+        standard_pressure: f32,
+        standard_density: f32,
+        valid_flags: ValidFlags,
+    );
+}
+
 field! {
     StandardAtmosphere: 0x20, "filter_data.standard_atmosphere";
     in [0x82];
@@ -2073,6 +2333,13 @@ view! {
     valid_flags: ValidFlags, at 4;
 }
 
+constructors! {
+    PressureAltitude
+
+    /// Creates it from its values.
+    fn new(pressure_altitude: f32, valid_flags: ValidFlags);
+}
+
 field! {
     PressureAltitude: 0x21, "filter_data.pressure_altitude";
     in [0x82];
@@ -2103,6 +2370,13 @@ view! {
     DensityAltitude
     density_altitude: f32, at 0;
     valid_flags: ValidFlags, at 4;
+}
+
+constructors! {
+    DensityAltitude
+
+    /// Creates it from its values.
+    fn new(density_altitude: f32, valid_flags: ValidFlags);
 }
 
 field! {
@@ -2148,6 +2422,13 @@ view! {
     valid_flags: ValidFlags, at 12;
 }
 
+constructors! {
+    MagOffset
+
+    /// Creates it from its values.
+    fn new(hard_iron: impl Into<types::Vector3f>, valid_flags: ValidFlags);
+}
+
 field! {
     MagOffset: 0x25, "filter_data.mag_offset";
     in [0x82];
@@ -2191,6 +2472,13 @@ view! {
     valid_flags: ValidFlags, at 36;
 }
 
+constructors! {
+    MagMatrix
+
+    /// Creates it from its values.
+    fn new(soft_iron: impl Into<types::Matrix3f>, valid_flags: ValidFlags);
+}
+
 field! {
     MagMatrix: 0x26, "filter_data.mag_matrix";
     in [0x82];
@@ -2226,6 +2514,13 @@ view! {
     MagOffsetUncertainty
     hard_iron_uncertainty: types::Vector3f, at 0;
     valid_flags: ValidFlags, at 12;
+}
+
+constructors! {
+    MagOffsetUncertainty
+
+    /// Creates it from its values.
+    fn new(hard_iron_uncertainty: impl Into<types::Vector3f>, valid_flags: ValidFlags);
 }
 
 field! {
@@ -2265,6 +2560,13 @@ view! {
     valid_flags: ValidFlags, at 36;
 }
 
+constructors! {
+    MagMatrixUncertainty
+
+    /// Creates it from its values.
+    fn new(soft_iron_uncertainty: impl Into<types::Matrix3f>, valid_flags: ValidFlags);
+}
+
 field! {
     MagMatrixUncertainty: 0x29, "filter_data.mag_matrix_uncertainty";
     in [0x82];
@@ -2298,6 +2600,13 @@ view! {
     valid_flags: ValidFlags, at 36;
 }
 
+constructors! {
+    MagCovarianceMatrix
+
+    /// Creates it from its values.
+    fn new(covariance: impl Into<types::Matrix3f>, valid_flags: ValidFlags);
+}
+
 field! {
     MagCovarianceMatrix: 0x2A, "filter_data.mag_covariance_matrix";
     in [0x82];
@@ -2328,6 +2637,13 @@ view! {
     MagResidualVector
     residual: types::Vector3f, at 0;
     valid_flags: ValidFlags, at 12;
+}
+
+constructors! {
+    MagResidualVector
+
+    /// Creates it from its values.
+    fn new(residual: impl Into<types::Vector3f>, valid_flags: ValidFlags);
 }
 
 field! {
@@ -2368,6 +2684,13 @@ view! {
     valid_flags: ValidFlags, at 12;
 }
 
+constructors! {
+    AntennaOffsetCorrection
+
+    /// Creates it from its values.
+    fn new(offset: impl Into<types::Vector3f>, valid_flags: ValidFlags);
+}
+
 field! {
     AntennaOffsetCorrection: 0x30, "filter_data.antenna_offset_correction";
     in [0x82];
@@ -2398,6 +2721,13 @@ view! {
     AntennaOffsetCorrectionUncertainty
     offset_uncertainty: types::Vector3f, at 0;
     valid_flags: ValidFlags, at 12;
+}
+
+constructors! {
+    AntennaOffsetCorrectionUncertainty
+
+    /// Creates it from its values.
+    fn new(offset_uncertainty: impl Into<types::Vector3f>, valid_flags: ValidFlags);
 }
 
 field! {
@@ -2441,6 +2771,18 @@ view! {
     valid_flags: ValidFlags, at 9;
 }
 
+constructors! {
+    ClockCorrection
+
+    /// Creates it from its values.
+    fn new(
+        receiver_id: u8,
+        bias: f32,
+        bias_drift: f32,
+        valid_flags: ValidFlags,
+    );
+}
+
 field! {
     ClockCorrection: 0x32, "filter_data.clock_correction";
     in [0x82];
@@ -2479,6 +2821,18 @@ view! {
     bias_uncertainty: f32, at 1;
     bias_drift_uncertainty: f32, at 5;
     valid_flags: ValidFlags, at 9;
+}
+
+constructors! {
+    ClockCorrectionUncertainty
+
+    /// Creates it from its values.
+    fn new(
+        receiver_id: u8,
+        bias_uncertainty: f32,
+        bias_drift_uncertainty: f32,
+        valid_flags: ValidFlags,
+    );
 }
 
 field! {
@@ -2523,6 +2877,17 @@ view! {
     valid_flags: ValidFlags, at 13;
 }
 
+constructors! {
+    MultiAntennaOffsetCorrection
+
+    /// Creates it from its values.
+    fn new(
+        receiver_id: u8,
+        offset: impl Into<types::Vector3f>,
+        valid_flags: ValidFlags,
+    );
+}
+
 field! {
     MultiAntennaOffsetCorrection: 0x34, "filter_data.multi_antenna_offset_correction";
     in [0x82];
@@ -2558,6 +2923,17 @@ view! {
     receiver_id: u8, at 0;
     offset_uncertainty: types::Vector3f, at 1;
     valid_flags: ValidFlags, at 13;
+}
+
+constructors! {
+    MultiAntennaOffsetCorrectionUncertainty
+
+    /// Creates it from its values.
+    fn new(
+        receiver_id: u8,
+        offset_uncertainty: impl Into<types::Vector3f>,
+        valid_flags: ValidFlags,
+    );
 }
 
 field! {
@@ -2596,6 +2972,13 @@ view! {
     valid_flags: ValidFlags, at 12;
 }
 
+constructors! {
+    EcefPositionUncertainty
+
+    /// Creates it from its values.
+    fn new(position_uncertainty: impl Into<types::Vector3f>, valid_flags: ValidFlags);
+}
+
 field! {
     EcefPositionUncertainty: 0x36, "filter_data.ecef_position_uncertainty";
     in [0x82];
@@ -2632,6 +3015,13 @@ view! {
     EcefVelocityUncertainty
     velocity_uncertainty: types::Vector3f, at 0;
     valid_flags: ValidFlags, at 12;
+}
+
+constructors! {
+    EcefVelocityUncertainty
+
+    /// Creates it from its values.
+    fn new(velocity_uncertainty: impl Into<types::Vector3f>, valid_flags: ValidFlags);
 }
 
 field! {
@@ -2673,6 +3063,13 @@ view! {
     EcefPosition
     position: types::Vector3d, at 0;
     valid_flags: ValidFlags, at 24;
+}
+
+constructors! {
+    EcefPosition
+
+    /// Creates it from its values.
+    fn new(position: impl Into<types::Vector3d>, valid_flags: ValidFlags);
 }
 
 field! {
@@ -2721,6 +3118,13 @@ view! {
     valid_flags: ValidFlags, at 12;
 }
 
+constructors! {
+    EcefVelocity
+
+    /// Creates it from its values.
+    fn new(velocity: impl Into<types::Vector3f>, valid_flags: ValidFlags);
+}
+
 field! {
     EcefVelocity: 0x41, "filter_data.ecef_velocity";
     in [0x82];
@@ -2758,6 +3162,13 @@ view! {
     NedRelativePosition
     relative_position: types::Ned3d, at 0;
     valid_flags: ValidFlags, at 24;
+}
+
+constructors! {
+    NedRelativePosition
+
+    /// Creates it from its values.
+    fn new(relative_position: impl Into<types::Ned3d>, valid_flags: ValidFlags);
 }
 
 field! {
@@ -2804,6 +3215,17 @@ view! {
     reserved: [u8; 8], at 7;
 }
 
+constructors! {
+    GnssPositionAidingStatus
+
+    /// Creates it from its values.
+    fn new(
+        receiver_id: u8,
+        tow: f32,
+        status: GnssAidingStatus,
+    ), reserved: [0; 8];
+}
+
 field! {
     GnssPositionAidingStatus: 0x43, "filter_data.gnss_position_aiding_status";
     in [0x82];
@@ -2841,6 +3263,13 @@ view! {
     tow: f32, at 0;
     status: GnssAidingStatus, at 4;
     reserved: [u8; 8], at 6;
+}
+
+constructors! {
+    GnssAttitudeAidingStatus
+
+    /// Creates it from its values.
+    fn new(tow: f32, status: GnssAidingStatus), reserved: [0; 8];
 }
 
 field! {
@@ -2886,6 +3315,13 @@ view! {
     tow: f32, at 0;
     type_: HeadingAidingType, at 4;
     reserved: [f32; 2], at 5;
+}
+
+constructors! {
+    HeadingAidingStatus
+
+    /// Creates it from its values.
+    fn new(tow: f32, type_: HeadingAidingType), reserved: [0.0; 2];
 }
 
 field! {
@@ -2937,6 +3373,18 @@ view! {
     indicator: AidingMeasurementIndicator, at 6;
 }
 
+constructors! {
+    AidingMeasurementSummary
+
+    /// Creates it from its values.
+    fn new(
+        tow: f32,
+        source: u8,
+        type_: AidingMeasurementType,
+        indicator: AidingMeasurementIndicator,
+    );
+}
+
 field! {
     AidingMeasurementSummary: 0x46, "filter_data.aiding_measurement_summary";
     in [0x82];
@@ -2971,6 +3419,13 @@ view! {
     valid_flags: ValidFlags, at 4;
 }
 
+constructors! {
+    OdometerScaleFactorError
+
+    /// Creates it from its values.
+    fn new(scale_factor_error: f32, valid_flags: ValidFlags);
+}
+
 field! {
     OdometerScaleFactorError: 0x47, "filter_data.odometer_scale_factor_error";
     in [0x82];
@@ -3000,6 +3455,13 @@ view! {
     OdometerScaleFactorErrorUncertainty
     scale_factor_error_uncertainty: f32, at 0;
     valid_flags: ValidFlags, at 4;
+}
+
+constructors! {
+    OdometerScaleFactorErrorUncertainty
+
+    /// Creates it from its values.
+    fn new(scale_factor_error_uncertainty: f32, valid_flags: ValidFlags);
 }
 
 field! {
@@ -3054,6 +3516,20 @@ view! {
     valid_flags: ValidFlags, at 15;
 }
 
+constructors! {
+    GnssDualAntennaStatus
+
+    /// Creates it from its values.
+    fn new(
+        tow: f32,
+        heading: f32,
+        heading_uncertainty: f32,
+        fix_type: DualAntennaFixType,
+        status_flags: DualAntennaStatusFlags,
+        valid_flags: ValidFlags,
+    );
+}
+
 field! {
     GnssDualAntennaStatus: 0x49, "filter_data.gnss_dual_antenna_status";
     in [0x82];
@@ -3094,6 +3570,17 @@ view! {
     attitude: types::Quatf, at 13;
 }
 
+constructors! {
+    AidingFrameConfigError
+
+    /// Creates it from its values.
+    fn new(
+        frame_id: u8,
+        translation: impl Into<types::Vector3f>,
+        attitude: impl Into<types::Quatf>,
+    );
+}
+
 field! {
     AidingFrameConfigError: 0x50, "filter_data.aiding_frame_config_error";
     in [0x82];
@@ -3131,6 +3618,17 @@ view! {
     frame_id: u8, at 0;
     translation_uncertainty: types::Vector3f, at 1;
     attitude_uncertainty: types::Vector3f, at 13;
+}
+
+constructors! {
+    AidingFrameConfigErrorUncertainty
+
+    /// Creates it from its values.
+    fn new(
+        frame_id: u8,
+        translation_uncertainty: impl Into<types::Vector3f>,
+        attitude_uncertainty: impl Into<types::Vector3f>,
+    );
 }
 
 field! {

@@ -6,7 +6,7 @@
 use crate::types;
 
 /// The number of the descriptor set.
-pub const SET: u8 = 0x0E;
+pub const GNSS_SET: u8 = 0x0E;
 
 record! {
     /// One GNSS receiver.
@@ -45,6 +45,8 @@ constructors! {
         description: crate::Text<32>,
     );
 }
+
+tuple! { ReceiverInfoEntry receiver_id: u8, mip_data_descriptor_set: u8, description: crate::Text<32> }
 
 bitfield! {
     /// GPS signals that are enabled.
@@ -586,6 +588,13 @@ record! {
     }
 }
 
+constructors! {
+    ReceiverInfoResponse
+
+    /// Creates it from its values.
+    fn new(receiver_info: impl Into<crate::List<ReceiverInfoEntry, 7>>);
+}
+
 field! {
     ReceiverInfoResponse: 0x81, "gnss.receiver_info_response";
     in [0x0E];
@@ -624,6 +633,18 @@ view! {
     reserved: [u8; 4], at 4;
 }
 
+constructors! {
+    SignalConfigResponse
+
+    /// Creates it from its values.
+    fn new(
+        gps_enable: GpsSignals,
+        glonass_enable: GlonassSignals,
+        galileo_enable: GalileoSignals,
+        beidou_enable: BeidouSignals,
+    ), reserved: [0; 4];
+}
+
 field! {
     SignalConfigResponse: 0x82, "gnss.signal_config_response";
     in [0x0E];
@@ -650,6 +671,13 @@ view! {
     RtkConfigResponse
     ambiguity_fix_mode: AmbiguityFixMode, at 0;
     reserved: [u8; 4], at 1;
+}
+
+constructors! {
+    RtkConfigResponse
+
+    /// Creates it from its values.
+    fn new(ambiguity_fix_mode: AmbiguityFixMode), reserved: [0; 4];
 }
 
 field! {
@@ -681,6 +709,13 @@ view! {
     RtkDongleConfigResponse
     enable: u8, at 0;
     reserved: [u8; 3], at 1;
+}
+
+constructors! {
+    RtkDongleConfigResponse
+
+    /// Creates it from its values.
+    fn new(enable: u8), reserved: [0; 3];
 }
 
 field! {
@@ -749,6 +784,22 @@ view! {
     next_key_tow: u32, at 40;
     next_key_week: u16, at 44;
     next_key: [u8; 32], at 46;
+}
+
+constructors! {
+    SpartnConfigResponse
+
+    /// Creates it from its values.
+    fn new(
+        enable: u8,
+        type_: SpartnConnection,
+        current_key_tow: u32,
+        current_key_week: u16,
+        current_key: [u8; 32],
+        next_key_tow: u32,
+        next_key_week: u16,
+        next_key: [u8; 32],
+    );
 }
 
 field! {

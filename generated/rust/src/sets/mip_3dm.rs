@@ -6,7 +6,7 @@
 use crate::types;
 
 /// The number of the descriptor set.
-pub const SET: u8 = 0x0C;
+pub const MIP_3DM_SET: u8 = 0x0C;
 
 record! {
     /// A field requested by a poll.
@@ -226,6 +226,8 @@ constructors! {
     fn new(type_: u8, count: u8);
 }
 
+tuple! { EventSupportInfo type_: u8, count: u8 }
+
 record! {
     /// Type and state of one trigger.
     ///
@@ -258,6 +260,8 @@ constructors! {
     fn new(type_: types::EventTriggerType, status: types::EventTriggerStatus);
 }
 
+tuple! { EventTriggerStatusEntry type_: types::EventTriggerType, status: types::EventTriggerStatus }
+
 record! {
     /// Type and trigger of one action.
     ///
@@ -284,6 +288,8 @@ constructors! {
     /// Creates it from its values.
     fn new(action_type: types::EventActionType, trigger_id: u8);
 }
+
+tuple! { EventActionStatusEntry action_type: types::EventActionType, trigger_id: u8 }
 
 open_enum! {
     /// Motion that a GNSS receiver assumes.
@@ -441,6 +447,8 @@ constructors! {
     /// Creates it from its values.
     fn new(setting: u8, range: f32);
 }
+
+tuple! { SensorRangeEntry setting: u8, range: f32 }
 
 open_enum! {
     /// A sensor inside a 3-series device.
@@ -4559,6 +4567,13 @@ record! {
     }
 }
 
+constructors! {
+    ImuMessageFormatResponse
+
+    /// Creates it from its values.
+    fn new(descriptors: impl Into<crate::List<types::DescriptorRate, 84>>);
+}
+
 field! {
     ImuMessageFormatResponse: 0x80, "3dm.imu_message_format_response";
     in [0x0C];
@@ -4592,6 +4607,13 @@ record! {
         [num_descriptors: u8 counts descriptors]
         [descriptors by num_descriptors]
     }
+}
+
+constructors! {
+    GnssMessageFormatResponse
+
+    /// Creates it from its values.
+    fn new(descriptors: impl Into<crate::List<types::DescriptorRate, 84>>);
 }
 
 field! {
@@ -4629,6 +4651,13 @@ record! {
         [num_descriptors: u8 counts descriptors]
         [descriptors by num_descriptors]
     }
+}
+
+constructors! {
+    FilterMessageFormatResponse
+
+    /// Creates it from its values.
+    fn new(descriptors: impl Into<crate::List<types::DescriptorRate, 84>>);
 }
 
 field! {
@@ -4671,6 +4700,13 @@ view! {
     rate: u16, at 0;
 }
 
+constructors! {
+    GetImuBaseRateResponse
+
+    /// Creates it from its values.
+    fn new(rate: u16);
+}
+
 field! {
     GetImuBaseRateResponse: 0x83, "3dm.get_imu_base_rate_response";
     in [0x0C];
@@ -4702,6 +4738,13 @@ record! {
 view! {
     GetGnssBaseRateResponse
     rate: u16, at 0;
+}
+
+constructors! {
+    GetGnssBaseRateResponse
+
+    /// Creates it from its values.
+    fn new(rate: u16);
 }
 
 field! {
@@ -4769,6 +4812,13 @@ view! {
     DataStreamControlResponse
     descriptor_set: u8, at 0;
     enabled: crate::Bool, at 1;
+}
+
+constructors! {
+    DataStreamControlResponse
+
+    /// Creates it from its values.
+    fn new(descriptor_set: u8, enabled: bool);
 }
 
 #[rustfmt::skip]
@@ -4859,6 +4909,21 @@ view! {
     reserved: u16, at 11;
 }
 
+constructors! {
+    ImuSignalConditioningResponse
+
+    /// Creates it from its values.
+    fn new(
+        orientation_decimation: u16,
+        data_conditioning_flags: DataConditioningFlags,
+        inertial_filter_width: u8,
+        mag_filter_width: u8,
+        up_compensation: u16,
+        north_compensation: u16,
+        mag_bandwidth: MagBandwidth,
+    ), reserved: 0;
+}
+
 field! {
     ImuSignalConditioningResponse: 0x86, "3dm.imu_signal_conditioning_response";
     in [0x0C];
@@ -4899,6 +4964,13 @@ view! {
     baud: u32, at 0;
 }
 
+constructors! {
+    UartBaudRateResponse
+
+    /// Creates it from its values.
+    fn new(baud: u32);
+}
+
 field! {
     UartBaudRateResponse: 0x87, "3dm.uart_baud_rate_response";
     in [0x0C];
@@ -4925,6 +4997,13 @@ view! {
     DataStreamFormatResponse
     stream: InternalSensor, at 0;
     format: StreamFormat, at 1;
+}
+
+constructors! {
+    DataStreamFormatResponse
+
+    /// Creates it from its values.
+    fn new(stream: InternalSensor, format: StreamFormat);
 }
 
 field! {
@@ -4954,6 +5033,13 @@ view! {
     DevicePowerStateResponse
     device: InternalSensor, at 0;
     state: SensorPowerState, at 1;
+}
+
+constructors! {
+    DevicePowerStateResponse
+
+    /// Creates it from its values.
+    fn new(device: InternalSensor, state: SensorPowerState);
 }
 
 field! {
@@ -4990,6 +5076,13 @@ record! {
 view! {
     GetFilterBaseRateResponse
     rate: u16, at 0;
+}
+
+constructors! {
+    GetFilterBaseRateResponse
+
+    /// Creates it from its values.
+    fn new(rate: u16);
 }
 
 field! {
@@ -5056,6 +5149,18 @@ view! {
     reserved: u8, at 5;
 }
 
+constructors! {
+    ImuLowPassFilterResponse
+
+    /// Creates it from its values.
+    fn new(
+        target_descriptor: u8,
+        enable: bool,
+        manual: bool,
+        frequency: u16,
+    ), reserved: 0;
+}
+
 field! {
     ImuLowPassFilterResponse: 0x8B, "3dm.imu_low_pass_filter_response";
     in [0x0C];
@@ -5083,6 +5188,13 @@ record! {
         [count: u8 counts format_entries]
         [format_entries by count]
     }
+}
+
+constructors! {
+    NmeaMessageFormatResponse
+
+    /// Creates it from its values.
+    fn new(format_entries: impl Into<crate::List<types::NmeaMessage, 50>>);
 }
 
 field! {
@@ -5120,6 +5232,13 @@ view! {
     rate: u16, at 1;
 }
 
+constructors! {
+    GetBaseRateResponse
+
+    /// Creates it from its values.
+    fn new(descriptor_set: u8, rate: u16);
+}
+
 field! {
     GetBaseRateResponse: 0x8E, "3dm.get_base_rate_response";
     in [0x0C];
@@ -5155,6 +5274,13 @@ record! {
         [num_descriptors: u8 counts descriptors]
         [descriptors by num_descriptors]
     }
+}
+
+constructors! {
+    MessageFormatResponse
+
+    /// Creates it from its values.
+    fn new(descriptor_set: u8, descriptors: impl Into<crate::List<types::DescriptorRate, 83>>);
 }
 
 field! {
@@ -5210,6 +5336,18 @@ record! {
         [system_state]
         [system_timer]
     }
+}
+
+constructors! {
+    DeviceStatusBasicResponse
+
+    /// Creates it from its values.
+    fn new(
+        model_number: u16,
+        status_flags: u32,
+        system_state: u16,
+        system_timer: u32,
+    );
 }
 
 #[rustfmt::skip]
@@ -5271,6 +5409,17 @@ record! {
         [status_flags]
         [system_timer]
     }
+}
+
+constructors! {
+    DeviceStatusBasicWithoutStateResponse
+
+    /// Creates it from its values.
+    fn new(
+        model_number: u16,
+        status_flags: u32,
+        system_timer: u32,
+    );
 }
 
 field! {
@@ -5374,6 +5523,29 @@ record! {
         [imu_message_count]
         [imu_last_message_time]
     }
+}
+
+constructors! {
+    DeviceStatusDiagnosticResponse
+
+    /// Creates it from its values.
+    fn new(
+        model_number: u16,
+        status_flags: u32,
+        system_state: u16,
+        system_timer: u32,
+        imu_stream_enabled: bool,
+        filter_stream_enabled: bool,
+        imu_dropped_packets: u32,
+        filter_dropped_packets: u32,
+        comm_port_bytes_written: u32,
+        comm_port_bytes_read: u32,
+        comm_port_write_overruns: u32,
+        comm_port_read_overruns: u32,
+        imu_parser_errors: u32,
+        imu_message_count: u32,
+        imu_last_message_time: u32,
+    );
 }
 
 field! {
@@ -5514,6 +5686,37 @@ record! {
         [gnss_message_count]
         [gnss_last_message_time]
     }
+}
+
+constructors! {
+    DeviceStatusDiagnosticGnssResponse
+
+    /// Creates it from its values.
+    fn new(
+        model_number: u16,
+        status_flags: u32,
+        system_state: u16,
+        system_timer: u32,
+        gnss_power_state: u8,
+        pps_count: u32,
+        pps_last_time: u32,
+        imu_stream_enabled: bool,
+        gnss_stream_enabled: bool,
+        filter_stream_enabled: bool,
+        imu_dropped_packets: u32,
+        gnss_dropped_packets: u32,
+        filter_dropped_packets: u32,
+        comm_port_bytes_written: u32,
+        comm_port_bytes_read: u32,
+        comm_port_write_overruns: u32,
+        comm_port_read_overruns: u32,
+        imu_parser_errors: u32,
+        imu_message_count: u32,
+        imu_last_message_time: u32,
+        gnss_parser_errors: u32,
+        gnss_message_count: u32,
+        gnss_last_message_time: u32,
+    );
 }
 
 field! {
@@ -5659,6 +5862,40 @@ record! {
         [pressure_init_failed]
         [receiver_init_failed]
     }
+}
+
+constructors! {
+    DeviceStatusDiagnosticGq4_45Response
+
+    /// Creates it from its values.
+    fn new(
+        model_number: u16,
+        status_flags: u32,
+        system_state: u16,
+        system_timer: u32,
+        gnss_power_state: u8,
+        pps_count: u32,
+        pps_last_time: u32,
+        imu_stream_enabled: bool,
+        gnss_stream_enabled: bool,
+        filter_stream_enabled: bool,
+        imu_dropped_packets: u32,
+        gnss_dropped_packets: u32,
+        filter_dropped_packets: u32,
+        comm_port_bytes_written: u32,
+        comm_port_bytes_read: u32,
+        comm_port_write_overruns: u32,
+        comm_port_read_overruns: u32,
+        imu_parser_errors: u32,
+        imu_message_count: u32,
+        imu_last_message_time: u32,
+        gnss_parser_errors: u32,
+        gnss_message_count: u32,
+        gnss_last_message_time: u32,
+        mag_init_failed: bool,
+        pressure_init_failed: bool,
+        receiver_init_failed: bool,
+    );
 }
 
 field! {
@@ -5811,6 +6048,40 @@ record! {
     }
 }
 
+constructors! {
+    DeviceStatusDiagnosticRq1_45Response
+
+    /// Creates it from its values.
+    fn new(
+        model_number: u16,
+        status_flags: u32,
+        system_state: u16,
+        system_timer: u32,
+        gnss_power_state: u8,
+        cold_start_on_power_on: u8,
+        temperature: f32,
+        temperature_last_time: u32,
+        pps_count: u32,
+        pps_last_time: u32,
+        imu_stream_enabled: bool,
+        gnss_stream_enabled: bool,
+        filter_stream_enabled: bool,
+        imu_dropped_packets: u32,
+        gnss_dropped_packets: u32,
+        filter_dropped_packets: u32,
+        comm_port_bytes_written: u32,
+        comm_port_bytes_read: u32,
+        comm_port_write_overruns: u32,
+        comm_port_read_overruns: u32,
+        imu_parser_errors: u32,
+        imu_message_count: u32,
+        imu_last_message_time: u32,
+        gnss_parser_errors: u32,
+        gnss_message_count: u32,
+        gnss_last_message_time: u32,
+    );
+}
+
 field! {
     DeviceStatusDiagnosticRq1_45Response: 0x90, "3dm.device_status_diagnostic_rq1_45_response";
     in [0x0C];
@@ -5940,6 +6211,34 @@ record! {
     }
 }
 
+constructors! {
+    DeviceStatusDiagnosticGx4Response
+
+    /// Creates it from its values.
+    fn new(
+        model_number: u16,
+        status_flags: u32,
+        system_timer: u32,
+        pps_count: u32,
+        pps_last_time: u32,
+        imu_stream_enabled: bool,
+        filter_stream_enabled: bool,
+        imu_dropped_packets: u32,
+        filter_dropped_packets: u32,
+        comm_port_bytes_written: u32,
+        comm_port_bytes_read: u32,
+        comm_port_write_overruns: u32,
+        comm_port_read_overruns: u32,
+        usb_bytes_written: u32,
+        usb_bytes_read: u32,
+        usb_write_overruns: u32,
+        usb_read_overruns: u32,
+        imu_parser_errors: u32,
+        imu_message_count: u32,
+        imu_last_message_time: u32,
+    );
+}
+
 field! {
     DeviceStatusDiagnosticGx4Response: 0x90, "3dm.device_status_diagnostic_gx4_response";
     in [0x0C];
@@ -6058,6 +6357,33 @@ record! {
     }
 }
 
+constructors! {
+    DeviceStatusDiagnosticImuResponse
+
+    /// Creates it from its values.
+    fn new(
+        model_number: u16,
+        status_flags: u32,
+        system_timer: u32,
+        has_mag: bool,
+        has_pressure: bool,
+        power_state: u8,
+        gyro_range: u16,
+        accel_range: u16,
+        temperature: f32,
+        temperature_last_time: u32,
+        temperature_error: u8,
+        pps_count: u32,
+        pps_last_time: u32,
+        imu_stream_enabled: bool,
+        imu_dropped_packets: u32,
+        comm_port_bytes_written: u32,
+        comm_port_bytes_read: u32,
+        comm_port_write_overruns: u32,
+        comm_port_read_overruns: u32,
+    ), reserved: 0;
+}
+
 field! {
     DeviceStatusDiagnosticImuResponse: 0x90, "3dm.device_status_diagnostic_imu_response";
     in [0x0C];
@@ -6109,6 +6435,20 @@ record! {
         [comm_state]
         [comm_baud_rate]
     }
+}
+
+constructors! {
+    DeviceStatusBasicGx3Response
+
+    /// Creates it from its values.
+    fn new(
+        model_number: u16,
+        comm_mode: u8,
+        comm_device: u8,
+        settings_flags: u32,
+        comm_state: u16,
+        comm_baud_rate: u32,
+    );
 }
 
 field! {
@@ -6281,6 +6621,45 @@ record! {
     }
 }
 
+constructors! {
+    DeviceStatusDiagnosticGx3Response
+
+    /// Creates it from its values.
+    fn new(
+        model_number: u16,
+        comm_mode: u8,
+        comm_device: u8,
+        settings_flags: u32,
+        comm_state: u16,
+        comm_baud_rate: u32,
+        comm_port_bytes_written: u32,
+        comm_port_bytes_read: u32,
+        comm_port_write_overruns: u32,
+        comm_port_read_overruns: u32,
+        usb_state: u16,
+        usb_bytes_written: u32,
+        usb_bytes_read: u32,
+        usb_write_overruns: u32,
+        usb_read_overruns: u32,
+        gnss_driver_state: u16,
+        gnss_port_state: u16,
+        gnss_bytes_written: u32,
+        gnss_bytes_read: u32,
+        gnss_write_overruns: u32,
+        gnss_read_overruns: u32,
+        gnss_message_count: u32,
+        gnss_delayed_message_count: u32,
+        imu_driver_state: u16,
+        imu_port_state: u16,
+        imu_bytes_written: u32,
+        imu_bytes_read: u32,
+        imu_write_overruns: u32,
+        imu_read_overruns: u32,
+        imu_message_count: u32,
+        imu_delayed_message_count: u32,
+    );
+}
+
 field! {
     DeviceStatusDiagnosticGx3Response: 0x90, "3dm.device_status_diagnostic_gx3_response";
     in [0x0C];
@@ -6306,6 +6685,13 @@ record! {
 view! {
     GpsDynamicsModeResponse
     mode: ReceiverDynamics, at 0;
+}
+
+constructors! {
+    GpsDynamicsModeResponse
+
+    /// Creates it from its values.
+    fn new(mode: ReceiverDynamics);
 }
 
 field! {
@@ -6335,6 +6721,13 @@ view! {
     ImuTimestampResponse
     selector: ImuTimestampSelector, at 0;
     time: u32, at 1;
+}
+
+constructors! {
+    ImuTimestampResponse
+
+    /// Creates it from its values.
+    fn new(selector: ImuTimestampSelector, time: u32);
 }
 
 field! {
@@ -6391,6 +6784,18 @@ view! {
     heading_time_constant: f32, at 6;
 }
 
+constructors! {
+    ComplementaryFilterResponse
+
+    /// Creates it from its values.
+    fn new(
+        pitch_roll_enable: bool,
+        heading_enable: bool,
+        pitch_roll_time_constant: f32,
+        heading_time_constant: f32,
+    );
+}
+
 field! {
     ComplementaryFilterResponse: 0x97, "3dm.complementary_filter_response";
     in [0x0C];
@@ -6433,6 +6838,13 @@ record! {
 view! {
     AccelBiasResponse
     bias: types::Vector3f, at 0;
+}
+
+constructors! {
+    AccelBiasResponse
+
+    /// Creates it from its values.
+    fn new(bias: impl Into<types::Vector3f>);
 }
 
 field! {
@@ -6482,6 +6894,13 @@ view! {
     bias: types::Vector3f, at 0;
 }
 
+constructors! {
+    GyroBiasResponse
+
+    /// Creates it from its values.
+    fn new(bias: impl Into<types::Vector3f>);
+}
+
 field! {
     GyroBiasResponse: 0x9B, "3dm.gyro_bias_response";
     in [0x0C];
@@ -6520,6 +6939,13 @@ record! {
 view! {
     MagHardIronOffsetResponse
     offset: types::Vector3f, at 0;
+}
+
+constructors! {
+    MagHardIronOffsetResponse
+
+    /// Creates it from its values.
+    fn new(offset: impl Into<types::Vector3f>);
 }
 
 field! {
@@ -6562,6 +6988,13 @@ view! {
     matrix: types::Matrix3f, at 0;
 }
 
+constructors! {
+    MagSoftIronMatrixResponse
+
+    /// Creates it from its values.
+    fn new(matrix: impl Into<types::Matrix3f>);
+}
+
 field! {
     MagSoftIronMatrixResponse: 0x9D, "3dm.mag_soft_iron_matrix_response";
     in [0x0C];
@@ -6598,6 +7031,13 @@ record! {
 view! {
     ConingScullingEnableResponse
     enable: crate::Bool, at 0;
+}
+
+constructors! {
+    ConingScullingEnableResponse
+
+    /// Creates it from its values.
+    fn new(enable: bool);
 }
 
 field! {
@@ -6642,6 +7082,17 @@ record! {
     }
 }
 
+constructors! {
+    ConstellationSettingsResponse
+
+    /// Creates it from its values.
+    fn new(
+        max_channels_available: u16,
+        max_channels_use: u16,
+        settings: impl Into<crate::List<ConstellationSettingsEntry, 41>>,
+    );
+}
+
 field! {
     ConstellationSettingsResponse: 0xA0, "3dm.constellation_settings_response";
     in [0x0C];
@@ -6679,6 +7130,17 @@ record! {
         [num_included_prns: u8 counts included_prns]
         [included_prns by num_included_prns]
     }
+}
+
+constructors! {
+    GnssSbasSettingsResponse
+
+    /// Creates it from its values.
+    fn new(
+        enable_sbas: u8,
+        sbas_options: SbasOptions,
+        included_prns: impl Into<crate::List<u16, 124>>,
+    );
 }
 
 field! {
@@ -6723,6 +7185,13 @@ view! {
     flags: u8, at 1;
 }
 
+constructors! {
+    GnssAssistedFixResponse
+
+    /// Creates it from its values.
+    fn new(option: AssistedFixOption), flags: 255;
+}
+
 field! {
     GnssAssistedFixResponse: 0xA2, "3dm.gnss_assisted_fix_response";
     in [0x0C];
@@ -6762,6 +7231,17 @@ view! {
     accuracy: f32, at 10;
 }
 
+constructors! {
+    GnssTimeAssistanceResponse
+
+    /// Creates it from its values.
+    fn new(
+        tow: f64,
+        week_number: u16,
+        accuracy: f32,
+    );
+}
+
 field! {
     GnssTimeAssistanceResponse: 0xA3, "3dm.gnss_time_assistance_response";
     in [0x0C];
@@ -6790,6 +7270,13 @@ record! {
 view! {
     PpsSourceControlResponse
     source: PpsSource, at 0;
+}
+
+constructors! {
+    PpsSourceControlResponse
+
+    /// Creates it from its values.
+    fn new(source: PpsSource);
 }
 
 field! {
@@ -6836,6 +7323,17 @@ view! {
     yaw: f32, at 8;
 }
 
+constructors! {
+    SensorToVehicleTransformEulerResponse
+
+    /// Creates it from its values.
+    fn new(
+        roll: f32,
+        pitch: f32,
+        yaw: f32,
+    );
+}
+
 field! {
     SensorToVehicleTransformEulerResponse: 0xB1, "3dm.sensor_to_vehicle_transform_euler_response";
     in [0x0C];
@@ -6867,6 +7365,13 @@ record! {
 view! {
     SensorToVehicleTransformQuaternionResponse
     q: types::Quatf, at 0;
+}
+
+constructors! {
+    SensorToVehicleTransformQuaternionResponse
+
+    /// Creates it from its values.
+    fn new(q: impl Into<types::Quatf>);
 }
 
 field! {
@@ -6901,6 +7406,13 @@ record! {
 view! {
     SensorToVehicleTransformDcmResponse
     dcm: types::Matrix3f, at 0;
+}
+
+constructors! {
+    SensorToVehicleTransformDcmResponse
+
+    /// Creates it from its values.
+    fn new(dcm: impl Into<types::Matrix3f>);
 }
 
 field! {
@@ -6948,6 +7460,17 @@ record! {
     }
 }
 
+constructors! {
+    GetEventSupportResponse
+
+    /// Creates it from its values.
+    fn new(
+        query: EventSupportQuery,
+        max_instances: u8,
+        entries: impl Into<crate::List<EventSupportInfo, 125>>,
+    );
+}
+
 field! {
     GetEventSupportResponse: 0xB4, "3dm.get_event_support_response";
     in [0x0C];
@@ -6983,6 +7506,13 @@ view! {
     mode: types::EventTriggerMode, at 1;
 }
 
+constructors! {
+    EventControlResponse
+
+    /// Creates it from its values.
+    fn new(instance: u8, mode: types::EventTriggerMode);
+}
+
 field! {
     EventControlResponse: 0xB5, "3dm.event_control_response";
     in [0x0C];
@@ -7015,6 +7545,13 @@ record! {
     }
 }
 
+constructors! {
+    GetEventTriggerStatusResponse
+
+    /// Creates it from its values.
+    fn new(triggers: impl Into<crate::List<EventTriggerStatusEntry, 126>>);
+}
+
 field! {
     GetEventTriggerStatusResponse: 0xB6, "3dm.get_event_trigger_status_response";
     in [0x0C];
@@ -7045,6 +7582,13 @@ record! {
         [count: u8 counts actions]
         [actions by count]
     }
+}
+
+constructors! {
+    GetEventActionStatusResponse
+
+    /// Creates it from its values.
+    fn new(actions: impl Into<crate::List<EventActionStatusEntry, 126>>);
 }
 
 field! {
@@ -7084,6 +7628,13 @@ record! {
         [type_ "type"]
         [parameters as type_]
     }
+}
+
+constructors! {
+    EventTriggerConfigResponse
+
+    /// Creates it from its values.
+    fn new(instance: u8, parameters: EventTriggerConfigParameters), type_: parameters.tag();
 }
 
 field! {
@@ -7127,6 +7678,17 @@ record! {
         [type_ "type"]
         [parameters as type_]
     }
+}
+
+constructors! {
+    EventActionConfigResponse
+
+    /// Creates it from its values.
+    fn new(
+        instance: u8,
+        trigger: u8,
+        parameters: EventActionConfigParameters,
+    ), type_: parameters.tag();
 }
 
 field! {
@@ -7178,6 +7740,18 @@ view! {
     feature: types::GpioFeature, at 1;
     behavior: u8, at 2;
     pin_mode: types::GpioPinMode, at 3;
+}
+
+constructors! {
+    GpioConfigResponse
+
+    /// Creates it from its values.
+    fn new(
+        pin: u8,
+        feature: types::GpioFeature,
+        behavior: u8,
+        pin_mode: types::GpioPinMode,
+    );
 }
 
 #[rustfmt::skip]
@@ -7284,6 +7858,13 @@ view! {
     state: crate::Bool, at 1;
 }
 
+constructors! {
+    GpioStateResponse
+
+    /// Creates it from its values.
+    fn new(pin: u8, state: bool);
+}
+
 field! {
     GpioStateResponse: 0xC2, "3dm.gpio_state_response";
     in [0x0C];
@@ -7322,6 +7903,17 @@ view! {
     uncertainty: f32, at 5;
 }
 
+constructors! {
+    OdometerConfigResponse
+
+    /// Creates it from its values.
+    fn new(
+        mode: OdometerMode,
+        scaling: f32,
+        uncertainty: f32,
+    );
+}
+
 field! {
     OdometerConfigResponse: 0xC3, "3dm.odometer_config_response";
     in [0x0C];
@@ -7353,6 +7945,13 @@ view! {
     SensorRangeResponse
     sensor: SensorRangeType, at 0;
     setting: u8, at 1;
+}
+
+constructors! {
+    SensorRangeResponse
+
+    /// Creates it from its values.
+    fn new(sensor: SensorRangeType, setting: u8);
 }
 
 field! {
@@ -7397,6 +7996,13 @@ record! {
         [num_ranges: u8 counts ranges]
         [ranges by num_ranges]
     }
+}
+
+constructors! {
+    GetCalibratedSensorRangesResponse
+
+    /// Creates it from its values.
+    fn new(sensor: SensorRangeType, ranges: impl Into<crate::List<SensorRangeEntry, 50>>);
 }
 
 field! {
@@ -7444,6 +8050,19 @@ view! {
     enable: crate::Bool, at 2;
     manual: crate::Bool, at 3;
     frequency: f32, at 4;
+}
+
+constructors! {
+    LowPassFilterResponse
+
+    /// Creates it from its values.
+    fn new(
+        descriptor_set: u8,
+        field_descriptor: u8,
+        enable: bool,
+        manual: bool,
+        frequency: f32,
+    );
 }
 
 field! {

@@ -9,7 +9,7 @@
 use crate::types;
 
 /// The number of the descriptor set.
-pub const SET: u8 = 0x0F;
+pub const RTK_SET: u8 = 0x0F;
 
 open_enum! {
     /// A device that a corrections modem serves.
@@ -503,6 +503,13 @@ view! {
     flags: types::RtkStatusFlags, at 0;
 }
 
+constructors! {
+    GetStatusFlagsResponse
+
+    /// Creates it from its values.
+    fn new(flags: types::RtkStatusFlags);
+}
+
 field! {
     GetStatusFlagsResponse: 0x81, "rtk.get_status_flags_response";
     in [0x0F];
@@ -525,6 +532,13 @@ record! {
 view! {
     GetImeiResponse
     imei: crate::Text<32>, at 0;
+}
+
+constructors! {
+    GetImeiResponse
+
+    /// Creates it from its values.
+    fn new(imei: crate::Text<32>);
 }
 
 field! {
@@ -551,6 +565,13 @@ view! {
     imsi: crate::Text<32>, at 0;
 }
 
+constructors! {
+    GetImsiResponse
+
+    /// Creates it from its values.
+    fn new(imsi: crate::Text<32>);
+}
+
 field! {
     GetImsiResponse: 0x83, "rtk.get_imsi_response";
     in [0x0F];
@@ -573,6 +594,13 @@ record! {
 view! {
     GetIccidResponse
     iccid: crate::Text<32>, at 0;
+}
+
+constructors! {
+    GetIccidResponse
+
+    /// Creates it from its values.
+    fn new(iccid: crate::Text<32>);
 }
 
 field! {
@@ -610,6 +638,17 @@ view! {
     signal_quality: i32, at 5;
 }
 
+constructors! {
+    GetRssiResponse
+
+    /// Creates it from its values.
+    fn new(
+        valid: bool,
+        rssi: i32,
+        signal_quality: i32,
+    );
+}
+
 field! {
     GetRssiResponse: 0x85, "rtk.get_rssi_response";
     in [0x0F];
@@ -632,6 +671,13 @@ record! {
 view! {
     ConnectedDeviceTypeResponse
     device_type: ConnectedDevice, at 0;
+}
+
+constructors! {
+    ConnectedDeviceTypeResponse
+
+    /// Creates it from its values.
+    fn new(device_type: ConnectedDevice);
 }
 
 field! {
@@ -659,6 +705,13 @@ view! {
     activation_code: crate::Text<32>, at 0;
 }
 
+constructors! {
+    GetActivationCodeResponse
+
+    /// Creates it from its values.
+    fn new(activation_code: crate::Text<32>);
+}
+
 field! {
     GetActivationCodeResponse: 0x87, "rtk.get_activation_code_response";
     in [0x0F];
@@ -681,6 +734,13 @@ record! {
 view! {
     GetModemFirmwareVersionResponse
     modem_firmware_version: crate::Text<32>, at 0;
+}
+
+constructors! {
+    GetModemFirmwareVersionResponse
+
+    /// Creates it from its values.
+    fn new(modem_firmware_version: crate::Text<32>);
 }
 
 field! {
@@ -723,6 +783,18 @@ view! {
     received_bytes: u32, at 1;
     last_bytes: u32, at 5;
     last_bytes_time: u64, at 9;
+}
+
+constructors! {
+    ServiceStatusResponse
+
+    /// Creates it from its values.
+    fn new(
+        flags: ServiceFlags,
+        received_bytes: u32,
+        last_bytes: u32,
+        last_bytes_time: u64,
+    );
 }
 
 field! {

@@ -7,7 +7,7 @@
 use crate::types;
 
 /// The number of the descriptor set.
-pub const SET: u8 = 0x80;
+pub const SENSOR_SET: u8 = 0x80;
 
 bitfield! {
     /// Sensor axes that were near or outside their range.
@@ -78,6 +78,13 @@ view! {
     raw_accel: types::Vector3f, at 0;
 }
 
+constructors! {
+    RawAccel
+
+    /// Creates it from its values.
+    fn new(raw_accel: impl Into<types::Vector3f>);
+}
+
 field! {
     RawAccel: 0x01, "sensor.raw_accel";
     in [0x80];
@@ -104,6 +111,13 @@ record! {
 view! {
     RawGyro
     raw_gyro: types::Vector3f, at 0;
+}
+
+constructors! {
+    RawGyro
+
+    /// Creates it from its values.
+    fn new(raw_gyro: impl Into<types::Vector3f>);
 }
 
 field! {
@@ -133,6 +147,13 @@ record! {
 view! {
     RawMag
     raw_mag: types::Vector3f, at 0;
+}
+
+constructors! {
+    RawMag
+
+    /// Creates it from its values.
+    fn new(raw_mag: impl Into<types::Vector3f>);
 }
 
 field! {
@@ -203,6 +224,13 @@ record! {
 view! {
     ScaledAccel
     scaled_accel: types::Vector3f, at 0;
+}
+
+constructors! {
+    ScaledAccel
+
+    /// Creates it from its values.
+    fn new(scaled_accel: impl Into<types::Vector3f>);
 }
 
 field! {
@@ -277,6 +305,13 @@ view! {
     scaled_gyro: types::Vector3f, at 0;
 }
 
+constructors! {
+    ScaledGyro
+
+    /// Creates it from its values.
+    fn new(scaled_gyro: impl Into<types::Vector3f>);
+}
+
 field! {
     ScaledGyro: 0x05, "sensor.scaled_gyro";
     in [0x80];
@@ -345,6 +380,13 @@ view! {
     scaled_mag: types::Vector3f, at 0;
 }
 
+constructors! {
+    ScaledMag
+
+    /// Creates it from its values.
+    fn new(scaled_mag: impl Into<types::Vector3f>);
+}
+
 field! {
     ScaledMag: 0x06, "sensor.scaled_mag";
     in [0x80];
@@ -399,6 +441,13 @@ record! {
 view! {
     DeltaTheta
     delta_theta: types::Vector3f, at 0;
+}
+
+constructors! {
+    DeltaTheta
+
+    /// Creates it from its values.
+    fn new(delta_theta: impl Into<types::Vector3f>);
 }
 
 field! {
@@ -459,6 +508,13 @@ view! {
     delta_velocity: types::Vector3f, at 0;
 }
 
+constructors! {
+    DeltaVelocity
+
+    /// Creates it from its values.
+    fn new(delta_velocity: impl Into<types::Vector3f>);
+}
+
 field! {
     DeltaVelocity: 0x08, "sensor.delta_velocity";
     in [0x80];
@@ -512,6 +568,13 @@ view! {
     m: types::Matrix3f, at 0;
 }
 
+constructors! {
+    CompOrientationMatrix
+
+    /// Creates it from its values.
+    fn new(m: impl Into<types::Matrix3f>);
+}
+
 field! {
     CompOrientationMatrix: 0x09, "sensor.comp_orientation_matrix";
     in [0x80];
@@ -563,6 +626,13 @@ view! {
     q: types::Quatf, at 0;
 }
 
+constructors! {
+    CompQuaternion
+
+    /// Creates it from its values.
+    fn new(q: impl Into<types::Quatf>);
+}
+
 field! {
     CompQuaternion: 0x0A, "sensor.comp_quaternion";
     in [0x80];
@@ -596,6 +666,13 @@ record! {
 view! {
     CompOrientationUpdateMatrix
     m: types::Matrix3f, at 0;
+}
+
+constructors! {
+    CompOrientationUpdateMatrix
+
+    /// Creates it from its values.
+    fn new(m: impl Into<types::Matrix3f>);
 }
 
 field! {
@@ -661,6 +738,17 @@ view! {
     yaw: f32, at 8;
 }
 
+constructors! {
+    CompEulerAngles
+
+    /// Creates it from its values.
+    fn new(
+        roll: f32,
+        pitch: f32,
+        yaw: f32,
+    );
+}
+
 field! {
     CompEulerAngles: 0x0C, "sensor.comp_euler_angles";
     in [0x80];
@@ -696,6 +784,13 @@ view! {
     raw_temperature: [u16; 4], at 0;
 }
 
+constructors! {
+    OrientationRawTemperature
+
+    /// Creates it from its values.
+    fn new(raw_temperature: [u16; 4]);
+}
+
 field! {
     OrientationRawTemperature: 0x0D, "sensor.orientation_raw_temperature";
     in [0x80];
@@ -725,6 +820,13 @@ record! {
 view! {
     InternalTimestamp
     counts: u32, at 0;
+}
+
+constructors! {
+    InternalTimestamp
+
+    /// Creates it from its values.
+    fn new(counts: u32);
 }
 
 field! {
@@ -763,6 +865,13 @@ view! {
     PpsTimestamp
     seconds: u32, at 0;
     useconds: u32, at 4;
+}
+
+constructors! {
+    PpsTimestamp
+
+    /// Creates it from its values.
+    fn new(seconds: u32, useconds: u32);
 }
 
 field! {
@@ -810,6 +919,17 @@ view! {
     nanoseconds: u32, at 5;
 }
 
+constructors! {
+    PpsTimestampWithFlags
+
+    /// Creates it from its values.
+    fn new(
+        flags: u8,
+        seconds: u32,
+        nanoseconds: u32,
+    );
+}
+
 field! {
     PpsTimestampWithFlags: 0x0F, "sensor.pps_timestamp_with_flags";
     in [0x80];
@@ -851,6 +971,13 @@ view! {
     stabilized_mag: types::Vector3f, at 0;
 }
 
+constructors! {
+    NorthVector
+
+    /// Creates it from its values.
+    fn new(stabilized_mag: impl Into<types::Vector3f>);
+}
+
 field! {
     NorthVector: 0x10, "sensor.north_vector";
     in [0x80];
@@ -888,6 +1015,13 @@ record! {
 view! {
     UpVector
     stabilized_accel: types::Vector3f, at 0;
+}
+
+constructors! {
+    UpVector
+
+    /// Creates it from its values.
+    fn new(stabilized_accel: impl Into<types::Vector3f>);
 }
 
 field! {
@@ -956,6 +1090,17 @@ view! {
     valid_flags: types::SensorGpsTimestampFlags, at 10;
 }
 
+constructors! {
+    GpsTimestamp
+
+    /// Creates it from its values.
+    fn new(
+        tow: f64,
+        week_number: u16,
+        valid_flags: types::SensorGpsTimestampFlags,
+    );
+}
+
 #[rustfmt::skip]
 impl GpsTimestamp {
     /// Reads `valid_flags` as [`types::Gx5SensorGpsTimestampFlags`].
@@ -1014,6 +1159,17 @@ view! {
     mean_temperature: f32, at 8;
 }
 
+constructors! {
+    TemperatureStatistics
+
+    /// Creates it from its values.
+    fn new(
+        min_temperature: f32,
+        max_temperature: f32,
+        mean_temperature: f32,
+    );
+}
+
 field! {
     TemperatureStatistics: 0x14, "sensor.temperature_statistics";
     in [0x80];
@@ -1039,6 +1195,13 @@ record! {
 view! {
     RawPressure
     raw_pressure: f32, at 0;
+}
+
+constructors! {
+    RawPressure
+
+    /// Creates it from its values.
+    fn new(raw_pressure: f32);
 }
 
 field! {
@@ -1095,6 +1258,13 @@ view! {
     scaled_pressure: f32, at 0;
 }
 
+constructors! {
+    ScaledPressure
+
+    /// Creates it from its values.
+    fn new(scaled_pressure: f32);
+}
+
 field! {
     ScaledPressure: 0x17, "sensor.scaled_pressure";
     in [0x80];
@@ -1125,6 +1295,13 @@ record! {
 view! {
     OverrangeStatus
     status: OverrangeFlags, at 0;
+}
+
+constructors! {
+    OverrangeStatus
+
+    /// Creates it from its values.
+    fn new(status: OverrangeFlags);
 }
 
 field! {
@@ -1164,6 +1341,17 @@ view! {
     speed: f32, at 0;
     uncertainty: f32, at 4;
     valid_flags: OdometerFlags, at 8;
+}
+
+constructors! {
+    Odometer
+
+    /// Creates it from its values.
+    fn new(
+        speed: f32,
+        uncertainty: f32,
+        valid_flags: OdometerFlags,
+    );
 }
 
 field! {

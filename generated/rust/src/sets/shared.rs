@@ -68,6 +68,13 @@ view! {
     trigger_id: u8, at 0;
 }
 
+constructors! {
+    EventSource
+
+    /// Creates it from its values.
+    fn new(trigger_id: u8);
+}
+
 field! {
     EventSource: 0xD0, "shared.event_source";
     in [0x80..=0xFE];
@@ -99,6 +106,13 @@ view! {
     ticks: u32, at 0;
 }
 
+constructors! {
+    Ticks
+
+    /// Creates it from its values.
+    fn new(ticks: u32);
+}
+
 field! {
     Ticks: 0xD1, "shared.ticks";
     in [0x80..=0xFE];
@@ -127,6 +141,13 @@ record! {
 view! {
     DeltaTicks
     ticks: u32, at 0;
+}
+
+constructors! {
+    DeltaTicks
+
+    /// Creates it from its values.
+    fn new(ticks: u32);
 }
 
 field! {
@@ -183,6 +204,17 @@ view! {
     valid_flags: GpsTimestampFlags, at 10;
 }
 
+constructors! {
+    GpsTimestamp
+
+    /// Creates it from its values.
+    fn new(
+        tow: f64,
+        week_number: u16,
+        valid_flags: GpsTimestampFlags,
+    );
+}
+
 field! {
     GpsTimestamp: 0xD3, "shared.gps_timestamp";
     in [0x80..=0xFE];
@@ -217,6 +249,13 @@ record! {
 view! {
     DeltaTime
     seconds: f64, at 0;
+}
+
+constructors! {
+    DeltaTime
+
+    /// Creates it from its values.
+    fn new(seconds: f64);
 }
 
 field! {
@@ -256,6 +295,13 @@ view! {
     nanoseconds: u64, at 0;
 }
 
+constructors! {
+    ReferenceTimestamp
+
+    /// Creates it from its values.
+    fn new(nanoseconds: u64);
+}
+
 field! {
     ReferenceTimestamp: 0xD5, "shared.reference_timestamp";
     in [0x80..=0xFE];
@@ -289,6 +335,13 @@ record! {
 view! {
     ReferenceTimeDelta
     dt_nanos: u64, at 0;
+}
+
+constructors! {
+    ReferenceTimeDelta
+
+    /// Creates it from its values.
+    fn new(dt_nanos: u64);
 }
 
 field! {
@@ -340,6 +393,13 @@ view! {
     valid_flags: ExternalTimestampFlags, at 8;
 }
 
+constructors! {
+    ExternalTimestamp
+
+    /// Creates it from its values.
+    fn new(nanoseconds: u64, valid_flags: ExternalTimestampFlags);
+}
+
 field! {
     ExternalTimestamp: 0xD7, "shared.external_timestamp";
     in [0x80..=0xFE];
@@ -377,6 +437,13 @@ view! {
     ExternalTimeDelta
     dt_nanos: u64, at 0;
     valid_flags: ExternalTimeDeltaFlags, at 8;
+}
+
+constructors! {
+    ExternalTimeDelta
+
+    /// Creates it from its values.
+    fn new(dt_nanos: u64, valid_flags: ExternalTimeDeltaFlags);
 }
 
 field! {

@@ -6,7 +6,7 @@
 use crate::types;
 
 /// The number of the descriptor set.
-pub const SET: u8 = 0x7F;
+pub const SYSTEM_SET: u8 = 0x7F;
 
 bitfield! {
     /// Protocols of a port.
@@ -219,6 +219,17 @@ view! {
     protocols_outgoing: CommProtocols, at 5;
 }
 
+constructors! {
+    InterfaceControlResponse
+
+    /// Creates it from its values.
+    fn new(
+        port: types::CommInterface,
+        protocols_incoming: CommProtocols,
+        protocols_outgoing: CommProtocols,
+    );
+}
+
 field! {
     InterfaceControlResponse: 0x82, "system.interface_control_response";
     in [0x7F];
@@ -254,6 +265,13 @@ record! {
 view! {
     CommModeResponse
     mode: ProtocolMode, at 0;
+}
+
+constructors! {
+    CommModeResponse
+
+    /// Creates it from its values.
+    fn new(mode: ProtocolMode);
 }
 
 field! {

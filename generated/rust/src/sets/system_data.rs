@@ -6,7 +6,7 @@
 use crate::types;
 
 /// The number of the descriptor set.
-pub const SET: u8 = 0xA0;
+pub const SYSTEM_DATA_SET: u8 = 0xA0;
 
 bitfield! {
     /// Level of each GPIO pin, set for high. Bits of pins that do not exist read 0.
@@ -68,6 +68,13 @@ record! {
 view! {
     BuiltInTest
     result: [u8; 16], at 0;
+}
+
+constructors! {
+    BuiltInTest
+
+    /// Creates it from its values.
+    fn new(result: [u8; 16]);
 }
 
 #[rustfmt::skip]
@@ -134,6 +141,13 @@ view! {
     last_pps_received: u8, at 1;
 }
 
+constructors! {
+    TimeSyncStatus
+
+    /// Creates it from its values.
+    fn new(time_sync: bool, last_pps_received: u8);
+}
+
 field! {
     TimeSyncStatus: 0x02, "system_data.time_sync_status";
     in [0xA0];
@@ -173,6 +187,13 @@ view! {
     states: GpioPinStates, at 0;
 }
 
+constructors! {
+    GpioState
+
+    /// Creates it from its values.
+    fn new(states: GpioPinStates);
+}
+
 field! {
     GpioState: 0x03, "system_data.gpio_state";
     in [0xA0];
@@ -206,6 +227,13 @@ view! {
     GpioAnalogValue
     gpio_id: u8, at 0;
     value: f32, at 1;
+}
+
+constructors! {
+    GpioAnalogValue
+
+    /// Creates it from its values.
+    fn new(gpio_id: u8, value: f32);
 }
 
 field! {

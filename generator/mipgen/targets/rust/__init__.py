@@ -85,6 +85,7 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "members_of": of.members_of,
         "readings": of.readings,
         "settable": of.settable,
+        "tuple_of": of.tuple_of,
         "responses_derive": lambda f: records.responses_derive(model.responses(f)),
         "union_derives": records.union_derives,
         "unions_of": of.unions_of,

@@ -214,7 +214,10 @@ class Records:
     # ------------------------------------------------------------------ constructors and setters
 
     def constructors(self, record: m.Record) -> list[Constructor]:
-        return [self._constructor(record, way) for way in calls.constructors(record)]
+        """Those of what a device sends are for simulators and tests."""
+        sent = isinstance(record, m.Field) and record.role != m.COMMAND and record.parameters
+        ways = record.calls if sent else calls.constructors(record)
+        return [self._constructor(record, way) for way in ways]
 
     def _constructor(self, record: m.Record, way: m.Call) -> Constructor:
         """The caller gives no reserved values, and no tag whose union is given."""
@@ -233,8 +236,14 @@ class Records:
             return Constructor(
                 constructor(way.function), way.function.description, way.function, tuple(given), tuple(values)
             )
-        what = "the command from its parameters" if isinstance(record, m.Field) else "it from its values"
+        command = isinstance(record, m.Field) and record.role == m.COMMAND
+        what = "the command from its parameters" if command else "it from its values"
         return Constructor("new", f"Creates {what}.", None, tuple(given), tuple(values))
+
+    def tuple_of(self, record: m.Struct) -> list[Member]:
+        """The members that a tuple converts to: of two to four, all of which a caller gives."""
+        (way,) = self.constructors(record)
+        return list(way.given) if 2 <= len(way.given) <= 4 and not way.set else []
 
     def settable(self, record: m.Record) -> list[Member]:
         """What a caller may add to a command."""

@@ -207,6 +207,18 @@ macro_rules! constructor {
     };
 }
 
+/// A tuple of all values converts to a structure.
+macro_rules! tuple {
+    ($name:ident $($member:ident: $type:ty),+) => {
+        impl ::core::convert::From<($($type,)+)> for $name {
+            #[inline]
+            fn from(($($member,)+): ($($type,)+)) -> Self {
+                Self { $($member),+ }
+            }
+        }
+    };
+}
+
 /// Methods that add an optional value to a command.
 macro_rules! setters {
     ($name:ident $(fn $with:ident($member:ident: $type:ty);)*) => {

@@ -162,6 +162,10 @@ macro_rules! registry {
         // fields, and take longer than the rest of the crate.
         impl AnyField {
             /// Encodes the data of the field to the front of the buffer and returns its length.
+            ///
+            /// # Errors
+            ///
+            /// A value is missing or does not fit, or the buffer is too short.
             #[inline]
             pub fn encode(&self, buffer: &mut [u8]) -> Result<usize, EncodeError> {
                 let mut writer = Writer::of_field(buffer);
@@ -215,6 +219,10 @@ macro_rules! registry {
             }
 
             /// The field of this name, or of this name in one of its sets, with the values of a tree.
+            ///
+            /// # Errors
+            ///
+            /// There is no such field, or the tree does not have its values.
             #[cfg(feature = "dynamic")]
             #[inline]
             pub fn from_value(

@@ -32,6 +32,13 @@ view! {
     code: types::AckCode, at 1;
 }
 
+constructors! {
+    Acknowledge
+
+    /// Creates it from its values.
+    fn new(command: u8, code: types::AckCode);
+}
+
 #[rustfmt::skip]
 impl Acknowledge {
     /// Reads `code` as [`types::Mode`].

@@ -148,6 +148,8 @@ constructors! {
     fn new(x: i16, y: i16);
 }
 
+tuple! { Point x: i16, y: i16 }
+
 record! {
     /// Two places, nested.
     #[derive(Copy, Default, Eq, Hash)]
@@ -179,6 +181,8 @@ constructors! {
         weights: [u8; 2],
     );
 }
+
+tuple! { Segment from: Point, to: Point, weights: [u8; 2] }
 
 /// On the [Model B](crate::devices::MODEL_B): values of [`Mode`].
 #[rustfmt::skip]

@@ -4,15 +4,15 @@
 use crate::types;
 
 /// Measurements (0x80): Data of every type; `tools` has what they are set up with.
-pub const MEASUREMENTS: u8 = 0x80;
+pub const MEASUREMENTS_SET: u8 = 0x80;
 
 /// More measurements (0x81): A second sensor with some fields of the first.
-pub const MORE: u8 = 0x81;
+pub const MORE_SET: u8 = 0x81;
 
 /// Copied measurements (0x92): All the fields of another set.
 ///
 /// Uncertain: Which device sends it.
-pub const COPY: u8 = 0x92;
+pub const COPY_SET: u8 = 0x92;
 
 record! {
     /// Acceleration (0x01).
@@ -56,6 +56,13 @@ view! {
     Accel
     scaled_accel: types::Vector3f, at 0;
     valid_flags: types::StateFlags, at 12;
+}
+
+constructors! {
+    Accel
+
+    /// Creates it from its values.
+    fn new(scaled_accel: impl Into<types::Vector3f>, valid_flags: types::StateFlags);
 }
 
 field! {
@@ -122,6 +129,26 @@ view! {
     char: u8, at 43;
 }
 
+constructors! {
+    Numbers
+
+    /// Creates it from its values.
+    fn new(
+        u8: u8,
+        u16: u16,
+        u32: u32,
+        u64: u64,
+        s8: i8,
+        s16: i16,
+        s32: i32,
+        s64: i64,
+        float: f32,
+        double: f64,
+        bool: bool,
+        char: u8,
+    );
+}
+
 field! {
     Numbers: 0x02, "measurements.numbers";
     in [0x80 0x92];
@@ -156,6 +183,17 @@ record! {
     }
 }
 
+constructors! {
+    Strings
+
+    /// Creates it from its values.
+    fn new(
+        model: crate::Text<16>,
+        name: crate::VarText<236>,
+        rest: crate::VarText<236>,
+    );
+}
+
 field! {
     Strings: 0x03, "measurements.strings";
     in [0x80 0x81 0x92];
@@ -184,6 +222,13 @@ view! {
     Health
     result: types::Health, at 0;
     code: types::WideCode, at 16;
+}
+
+constructors! {
+    Health
+
+    /// Creates it from its values.
+    fn new(result: types::Health, code: types::WideCode);
 }
 
 field! {
@@ -231,6 +276,19 @@ view! {
     offsets: [i8; 4], at 49;
 }
 
+constructors! {
+    Arrays
+
+    /// Creates it from its values.
+    fn new(
+        modes: [types::Mode; 3],
+        flags: [types::StateFlags; 2],
+        vectors: [types::Vector3f; 2],
+        points: [types::Point; 2],
+        track: types::Segment,
+    ), offsets: [0; 4];
+}
+
 field! {
     Arrays: 0x05, "measurements.arrays";
     in [0x80 0x92];
@@ -263,6 +321,13 @@ record! {
         [second optional]
         [third optional]
     }
+}
+
+constructors! {
+    Growing
+
+    /// Creates it from its values.
+    fn new(first: u16), second: None, third: None;
 }
 
 field! {
@@ -313,6 +378,17 @@ view! {
     gaps: [f64; 2], at 13;
 }
 
+constructors! {
+    Radio
+
+    /// Creates it from its values.
+    fn new(
+        connected: bool,
+        strength: i32,
+        noise: f32,
+    ), gap: 0.0, gaps: [0.0; 2];
+}
+
 field! {
     Radio: 0x07, "measurements.radio";
     in [0x80 0x92];
@@ -337,6 +413,13 @@ record! {
 view! {
     Own
     mode: types::Mode, at 0;
+}
+
+constructors! {
+    Own
+
+    /// Creates it from its values.
+    fn new(mode: types::Mode);
 }
 
 field! {
@@ -370,6 +453,13 @@ record! {
         [points by num_points]
         [stamp]
     }
+}
+
+constructors! {
+    Cloud
+
+    /// Creates it from its values.
+    fn new(points: impl Into<crate::List<types::Point, 61>>, stamp: u64);
 }
 
 field! {
@@ -421,6 +511,19 @@ record! {
     }
 }
 
+constructors! {
+    Gust
+
+    /// Creates it from its values.
+    fn new(
+        station: u8,
+        place: types::Point,
+        height: f32,
+        speed: impl Into<types::Vector3f>,
+        valid_flags: types::StateFlags,
+    );
+}
+
 field! {
     Gust: 0x09, "measurements.gust";
     in [0x80 0x92];
@@ -456,6 +559,17 @@ view! {
     place as types::Point, at 0;
     height: f32, at 4;
     turn: types::Quatf, at 8;
+}
+
+constructors! {
+    Breeze
+
+    /// Creates it from its values.
+    fn new(
+        place: types::Point,
+        height: f32,
+        turn: impl Into<types::Quatf>,
+    );
 }
 
 field! {

@@ -28,6 +28,13 @@ view! {
     valid_flags: types::StateFlags, at 8;
 }
 
+constructors! {
+    Timestamp
+
+    /// Creates it from its values.
+    fn new(tow: f64, valid_flags: types::StateFlags);
+}
+
 field! {
     Timestamp: 0xD3, "shared.timestamp";
     in [0x80..=0xFE];

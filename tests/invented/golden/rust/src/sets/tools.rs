@@ -4,7 +4,7 @@
 use crate::types;
 
 /// The number of the descriptor set.
-pub const SET: u8 = 0x01;
+pub const TOOLS_SET: u8 = 0x01;
 
 open_enum! {
     /// Which member the union has.
@@ -62,6 +62,8 @@ constructors! {
     /// Creates it from its values.
     fn new(width: f64, angle: f32);
 }
+
+tuple! { Stripes width: f64, angle: f32 }
 
 record! {
     /// Ends in a union of its own.
@@ -141,6 +143,8 @@ constructors! {
     fn new(closed: bool, points: impl Into<crate::List<types::Point, 62>>);
 }
 
+tuple! { Path closed: crate::Bool, points: crate::List<types::Point, 62> }
+
 open_enum! {
     /// What drives a pin.
     Drive: u8 {
@@ -197,6 +201,8 @@ constructors! {
     /// Creates it from its values.
     fn new(kind: u8, value: f32);
 }
+
+tuple! { Reading kind: u8, value: f32 }
 
 bitfield! {
     /// Of the model A.
@@ -1083,6 +1089,18 @@ view! {
     reserved: u8, at 8;
 }
 
+constructors! {
+    SettingsResponse
+
+    /// Creates it from its values.
+    fn new(
+        port: u8,
+        mode: types::Mode,
+        baud: u32,
+        limit: u16,
+    ), reserved: 1;
+}
+
 field! {
     SettingsResponse: 0x82, "tools.settings_response";
     in [0x01];
@@ -1110,6 +1128,13 @@ view! {
     value: u32, at 0;
 }
 
+constructors! {
+    SetTimeFastResponse
+
+    /// Creates it from its values.
+    fn new(value: u32);
+}
+
 field! {
     SetTimeFastResponse: 0x83, "tools.set_time_fast_response";
     in [0x01];
@@ -1135,6 +1160,13 @@ record! {
 view! {
     SetTimeSlowResponse
     value: u32, at 0;
+}
+
+constructors! {
+    SetTimeSlowResponse
+
+    /// Creates it from its values.
+    fn new(value: u32);
 }
 
 field! {
@@ -1167,6 +1199,13 @@ record! {
     }
 }
 
+constructors! {
+    ChoiceResponse
+
+    /// Creates it from its values.
+    fn new(instance: u8, parameters: ChoiceParameters), shape: parameters.tag();
+}
+
 field! {
     ChoiceResponse: 0x88, "tools.choice_response";
     in [0x01];
@@ -1194,6 +1233,13 @@ record! {
     }
 }
 
+constructors! {
+    ListResponse
+
+    /// Creates it from its values.
+    fn new(items: impl Into<crate::List<u16, 126>>);
+}
+
 field! {
     ListResponse: 0x89, "tools.list_response";
     in [0x01];
@@ -1212,6 +1258,13 @@ record! {
         /// As many as there are.
         pub descriptors: crate::List<u16, 126>,
     }
+}
+
+constructors! {
+    InventoryResponse
+
+    /// Creates it from its values.
+    fn new(descriptors: impl Into<crate::List<u16, 126>>);
 }
 
 field! {
@@ -1248,6 +1301,13 @@ view! {
     PinResponse
     drive: Drive, at 0;
     use_: u8, at 1;
+}
+
+constructors! {
+    PinResponse
+
+    /// Creates it from its values.
+    fn new(drive: Drive, use_: u8);
 }
 
 #[rustfmt::skip]
@@ -1301,6 +1361,13 @@ view! {
     seen: u32, at 0;
 }
 
+constructors! {
+    HelloResponse
+
+    /// Creates it from its values.
+    fn new(seen: u32);
+}
+
 field! {
     HelloResponse: 0x8C, "tools.hello_response";
     in [0x01];
@@ -1342,6 +1409,17 @@ record! {
     }
 }
 
+constructors! {
+    ReadingsResponse
+
+    /// Creates it from its values.
+    fn new(
+        drive: Drive,
+        readings: impl Into<crate::List<Reading, 49>>,
+        last: Reading,
+    );
+}
+
 field! {
     ReadingsResponse: 0x8D, "tools.readings_response";
     in [0x01];
@@ -1374,6 +1452,13 @@ record! {
         [selector: u8 = 1]
         [flags]
     }
+}
+
+constructors! {
+    StatusShort
+
+    /// Creates it from its values.
+    fn new(flags: u32);
 }
 
 #[rustfmt::skip]
@@ -1438,6 +1523,13 @@ record! {
     }
 }
 
+constructors! {
+    StatusLong
+
+    /// Creates it from its values.
+    fn new(flags: u32, uptime: u64);
+}
+
 #[rustfmt::skip]
 impl StatusLong {
     /// Reads `flags` as [`ModelAFaults`].
@@ -1495,6 +1587,13 @@ record! {
     }
 }
 
+constructors! {
+    StatusOld
+
+    /// Creates it from its values.
+    fn new(uptime: u32);
+}
+
 field! {
     StatusOld: 0x90, "tools.status_old";
     in [0x01];
@@ -1535,6 +1634,17 @@ record! {
     }
 }
 
+constructors! {
+    StatusFull
+
+    /// Creates it from its values.
+    fn new(
+        place: types::Point,
+        uptime: u64,
+        mode: types::Mode,
+    );
+}
+
 field! {
     StatusFull: 0x90, "tools.status_full";
     in [0x01];
@@ -1562,6 +1672,13 @@ record! {
 view! {
     BiasVector
     bias: types::Vector3f, at 0;
+}
+
+constructors! {
+    BiasVector
+
+    /// Creates it from its values.
+    fn new(bias: impl Into<types::Vector3f>);
 }
 
 field! {
