@@ -272,7 +272,10 @@ macro_rules! dispatch {
     (@ $field:ident _ => $other:expr $(,)?) => {
         ::core::result::Result::<_, $crate::DecodeError>::Ok($other)
     };
-    (@ $field:ident $($type:ident)::+ ($value:pat) => $body:block $(,)? $($rest:tt)*) => {
+    (@ $field:ident $($type:ident)::+ ($value:pat) => $body:block, $($rest:tt)*) => {
+        $crate::dispatch!(@ $field $($type)::+ ($value), $body, $($rest)*)
+    };
+    (@ $field:ident $($type:ident)::+ ($value:pat) => $body:block $($rest:tt)*) => {
         $crate::dispatch!(@ $field $($type)::+ ($value), $body, $($rest)*)
     };
     (@ $field:ident $($type:ident)::+ ($value:pat) => $body:expr $(, $($rest:tt)*)?) => {

@@ -313,7 +313,7 @@ fn first_number(field: &RawField<'_>) -> Result<f64, DecodeErrorKind> {
         measurements::Accel(accel) => { accel.scaled_accel.x.into() }
         shared::Timestamp(time) => time.tow,
         tools::StatusLong(status) => status.uptime as f64,
-        tools::StatusShort(_) => -1.0,
+        tools::StatusShort(_) => { -1.0 },
         _ => f64::NAN,
     });
     number.map_err(|error| error.kind)
