@@ -16,8 +16,8 @@ CYCLE = (
     ("filter_data.linear_accel", "filter_data.comp_angular_rate", "filter_data.status"),
 )
 
-#: The packets of one cycle of a recording. As in practice, shared fields have the time of most packets: they are 43 % of
-#: all fields.
+#: The packets of one cycle of a recording. As in practice, shared fields have the time of most packets: they are 43 %
+#: of all fields.
 RECORDED = (
     ("shared.gps_timestamp", "shared.reference_timestamp", "sensor.scaled_accel", "sensor.scaled_gyro"),
     ("shared.reference_timestamp", "shared.reference_time_delta", "sensor.delta_theta", "sensor.delta_velocity"),
