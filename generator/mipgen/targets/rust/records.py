@@ -215,8 +215,9 @@ class Records:
 
     def constructors(self, record: m.Record) -> list[Constructor]:
         """Those of what a device sends are for simulators and tests."""
-        sent = isinstance(record, m.Field) and record.role != m.COMMAND and record.parameters
-        ways = record.calls if sent else calls.constructors(record)
+        ways = calls.constructors(record)
+        if isinstance(record, m.Field) and record.role != m.COMMAND and record.parameters:
+            ways = record.calls
         return [self._constructor(record, way) for way in ways]
 
     def _constructor(self, record: m.Record, way: m.Call) -> Constructor:
