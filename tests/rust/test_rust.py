@@ -257,7 +257,7 @@ LINTS = {"invented": ("", "alloc", "std", "dynamic", "core-error,dynamic"), "dif
 
 
 def lints(spec: str, *features: str) -> None:
-    passes(bare(spec), "clippy", "--quiet", "--offline", *features, "--", "-D", "warnings")
+    passes(bare(spec), "clippy", "--quiet", "--offline", *features, "--", "-D", "warnings", "-W", "clippy::pedantic")
 
 
 @small

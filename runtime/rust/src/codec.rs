@@ -321,13 +321,11 @@ impl<'a> Writer<'a> {
     /// Appends the number of elements that follow later.
     #[inline]
     pub fn count<C: Wire + TryFrom<usize>>(&mut self, count: usize) -> Result<(), EncodeErrorKind> {
-        match C::try_from(count) {
-            Ok(number) => self.write(&number),
-            Err(_) => {
-                let most = 1_usize.checked_shl(C::SIZE.saturating_mul(8) as u32).unwrap_or(0);
-                Err(self.wrong(EncodeErrorKind::Count, count, most.wrapping_sub(1)))
-            }
+        if let Ok(number) = C::try_from(count) {
+            return self.write(&number);
         }
+        let most = 1_usize.checked_shl(C::SIZE.saturating_mul(8) as u32).unwrap_or(0);
+        Err(self.wrong(EncodeErrorKind::Count, count, most.wrapping_sub(1)))
     }
 
     /// Decides about a group of one value: returns it if it is present and allowed.

@@ -47,6 +47,7 @@ impl<const N: usize> Text<N> {
     }
 
     /// All characters, with the padding.
+    #[must_use]
     pub fn chars(&self) -> impl DoubleEndedIterator<Item = char> + '_ {
         self.0.iter().map(|b| char::from(*b))
     }
@@ -95,6 +96,7 @@ impl<const N: usize> VarText<N> {
     }
 
     /// All characters, with the padding.
+    #[must_use]
     pub fn chars(&self) -> impl DoubleEndedIterator<Item = char> + '_ {
         self.0.iter().map(|b| char::from(*b))
     }

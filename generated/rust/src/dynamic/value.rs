@@ -132,9 +132,10 @@ impl Value {
     /// A record that has only values of these steps.
     pub(crate) fn record(&self, steps: &[&[&str]]) -> Result<&Record, ValueError> {
         let record = self.as_record().ok_or(ValueError::Kind)?;
-        match record.names().all(|name| steps.iter().any(|step| step.contains(&name))) {
-            true => Ok(record),
-            false => Err(ValueError::Unknown),
+        if record.names().all(|name| steps.iter().any(|step| step.contains(&name))) {
+            Ok(record)
+        } else {
+            Err(ValueError::Unknown)
         }
     }
 
@@ -150,9 +151,10 @@ impl Value {
     /// Checks that a union has no member.
     pub(crate) fn no_member(&self) -> Result<(), ValueError> {
         let record = self.as_record().ok_or(ValueError::Kind)?;
-        match record.values.is_empty() {
-            true => Ok(()),
-            false => Err(ValueError::Tag),
+        if record.values.is_empty() {
+            Ok(())
+        } else {
+            Err(ValueError::Tag)
         }
     }
 
