@@ -2,6 +2,11 @@
 //!
 //! Source: 3dm-gx5-15: 4.3 Estimation Filter Commands; 3dm-cv7-gnss-ins: Filter (0x0D).
 
+// What the macros make, which `cargo doc` shows and `src/macros` defines:
+// `open_enum!` and `bitfield!` types of values; `record!` a structure with its codec; `union!` its
+// alternatives; `view!` methods that read single values; `constructors!` and `setters!` what makes
+// it; `field!` its sets and descriptor; `command!` and `responses!` how it is answered.
+
 #[allow(unused_imports)] // some families name a type in comments only, or none
 use crate::types;
 

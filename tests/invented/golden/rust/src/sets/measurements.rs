@@ -1,5 +1,10 @@
 //! Measurements (0x80, 0x81, 0x92): Data of every type; `tools` has what they are set up with.
 
+// What the macros make, which `cargo doc` shows and `src/macros` defines:
+// `open_enum!` and `bitfield!` types of values; `record!` a structure with its codec; `union!` its
+// alternatives; `view!` methods that read single values; `constructors!` and `setters!` what makes
+// it; `field!` its sets and descriptor; `command!` and `responses!` how it is answered.
+
 #[allow(unused_imports)] // some families name a type in comments only, or none
 use crate::types;
 

@@ -1,5 +1,10 @@
 //! Awkward names (0x0C): Names that are keywords or begin with a digit.
 
+// What the macros make, which `cargo doc` shows and `src/macros` defines:
+// `open_enum!` and `bitfield!` types of values; `record!` a structure with its codec; `union!` its
+// alternatives; `view!` methods that read single values; `constructors!` and `setters!` what makes
+// it; `field!` its sets and descriptor; `command!` and `responses!` how it is answered.
+
 #[allow(unused_imports)] // some families name a type in comments only, or none
 use crate::types;
 
