@@ -10,8 +10,8 @@ fn main() -> Result<(), RequestError> {
     let mut parser = Parser::new();
 
     let (ticket, packet) = client.send(&mip_3dm::PpsSourceControl::read(), 0)?;
-    let mut packets = parser.feed(exchange(packet.bytes()));
-    while let Some(packet) = packets.next() {
+    let mut received = exchange(packet.bytes());
+    while let Some(packet) = parser.next(&mut received) {
         for event in client.receive(&packet) {
             match event.answer(&ticket) {
                 Some(Answer::Acknowledged(Some(response))) => println!("{:?}", response.source),
@@ -27,7 +27,7 @@ fn main() -> Result<(), RequestError> {
     assert_eq!(client.take(&ticket), Some(Answer::TimedOut)); // events stay until they are taken
 
     // Several commands in one packet:
-    let mut request = client.request(base::SET);
+    let mut request = client.request(base::BASE_SET);
     let first = request.add(&base::Ping::new())?;
     let second = request.add(&base::Ping::new())?;
     let packet = request.send(1_000);

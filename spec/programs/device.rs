@@ -8,7 +8,7 @@ fn run<P: Port>(port: P) -> Result<(), DeviceError<P::Error>> {
     println!("{}", info.device_info.model_name);
     device.run(&mip_3dm::DataStreamControl::write(0x80, true))?; // for commands without response
 
-    let (rate, pps) = device.send_all(mip_3dm::SET, |request| {
+    let (rate, pps) = device.send_all(mip_3dm::MIP_3DM_SET, |request| {
         let rate = request.add(&mip_3dm::GetBaseRate::new(0x80))?;
         Ok((rate, request.add(&mip_3dm::PpsSourceControl::read())?))
     })?;

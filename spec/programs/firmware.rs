@@ -28,7 +28,7 @@ fn run(board: &mut impl Board) {
     let mut client: Client<1> = Client::new(); // one command at a time
     let mut start = None;
 
-    let rate = match client.send(&GetBaseRate::new(sensor::SET), board.milliseconds()) {
+    let rate = match client.send(&GetBaseRate::new(sensor::SENSOR_SET), board.milliseconds()) {
         Ok((ticket, packet)) => {
             board.send(packet.bytes());
             ticket
@@ -37,9 +37,8 @@ fn run(board: &mut impl Board) {
     };
     while board.running() {
         if let Some(byte) = board.receive() {
-            let byte = [byte];
-            let mut packets = parser.feed(&byte);
-            while let Some(packet) = packets.next() {
+            let mut received = &[byte][..];
+            while let Some(packet) = parser.next(&mut received) {
                 for field in client.receive(&packet).others().map_while(Result::ok) {
                     take(board, &field);
                 }
@@ -55,7 +54,7 @@ fn run(board: &mut impl Board) {
             None => {}
             Some(Answer::Acknowledged(Some(response))) => {
                 board.show(1, response.rate.into());
-                let stream = DataStreamControl::write(sensor::SET, true);
+                let stream = DataStreamControl::write(sensor::SENSOR_SET, true);
                 if let Ok((ticket, packet)) = client.send(&stream, board.milliseconds()) {
                     board.send(packet.bytes());
                     start = Some(ticket);

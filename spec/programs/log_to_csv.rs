@@ -1,35 +1,66 @@
-//! Turns a log of accelerations and angular rates into a table.
+//! Turns a log of accelerations and angular rates into a table, with the time that the log has.
 //!
 //!     cargo run --example log_to_csv --features std -- log.bin > log.csv
 
 use std::error::Error;
 use std::fs::File;
-use std::io::{stdout, Write};
+use std::io::{stdout, BufWriter, Write};
 
-use mip_protocol::sensor::{ScaledAccel, ScaledGyro};
-use mip_protocol::{shared, types::Vector3f, PacketReader};
+use mip_protocol::types::{SensorGpsTimestampFlags, Vector3f};
+use mip_protocol::{dispatch, sensor, shared, PacketReader};
+
+/// What a packet says, as far as it has it.
+#[derive(Default)]
+struct Row {
+    tow_s: Option<f64>,
+    since_start_s: Option<f64>,
+    accel: Option<Vector3f>,
+    gyro: Option<Vector3f>,
+}
 
 fn main() -> Result<(), Box<dyn Error>> {
     let path = std::env::args().nth(1).ok_or("usage: log_to_csv LOG")?;
     let mut packets = PacketReader::new(File::open(path)?);
-    let mut table = stdout().lock();
-    writeln!(table, "tow_s,accel_x_g,accel_y_g,accel_z_g,gyro_x_rad_s,gyro_y_rad_s,gyro_z_rad_s")?;
+    let mut table = BufWriter::new(stdout().lock());
+    writeln!(
+        table,
+        "tow_s,since_start_s,accel_x_g,accel_y_g,accel_z_g,gyro_x_rad_s,gyro_y_rad_s,gyro_z_rad_s"
+    )?;
     while let Some(packet) = packets.next_packet()? {
         // What is not in the packet leaves its columns empty; what is broken is an error.
-        let time = packet.find::<shared::GpsTimestamp>().transpose()?;
-        let accel = packet.find::<ScaledAccel>().transpose()?.map(|field| field.scaled_accel);
-        let gyro = packet.find::<ScaledGyro>().transpose()?.map(|field| field.scaled_gyro);
-        if accel.is_none() && gyro.is_none() {
-            continue;
+        let mut row = Row::default();
+        for field in packet.fields() {
+            dispatch!(field?, {
+                shared::GpsTimestamp(time) => {
+                    row.tow_s = Some(time.tow).filter(|_| time.valid_flags.tow());
+                },
+                // That of older devices. The 5-series has one flag for time and week.
+                sensor::GpsTimestamp(time) => {
+                    let valid = SensorGpsTimestampFlags::TOW_VALID
+                        | SensorGpsTimestampFlags::TIME_INITIALIZED;
+                    row.tow_s = Some(time.tow).filter(|_| time.valid_flags.intersects(valid));
+                },
+                shared::ReferenceTimestamp(time) => {
+                    row.since_start_s = Some(time.nanoseconds as f64 / 1e9);
+                },
+                sensor::ScaledAccel(field) => row.accel = Some(field.scaled_accel),
+                sensor::ScaledGyro(field) => row.gyro = Some(field.scaled_gyro),
+            })?;
         }
-        let time = time.filter(|time| time.valid_flags.tow()).map(|time| time.tow.to_string());
-        let columns = [time.unwrap_or_default(), text(accel), text(gyro)];
-        writeln!(table, "{}", columns.join(","))?;
+        if row.accel.is_some() || row.gyro.is_some() {
+            let (tow, since_start) = (number(row.tow_s), number(row.since_start_s));
+            writeln!(table, "{tow},{since_start},{},{}", vector(row.accel), vector(row.gyro))?;
+        }
     }
+    table.flush()?;
     eprintln!("{} bytes are not part of a packet", packets.parser().skipped());
     Ok(())
 }
 
-fn text(vector: Option<Vector3f>) -> String {
-    vector.map_or(",,".into(), |v| format!("{},{},{}", v.x, v.y, v.z))
+fn number(value: Option<f64>) -> String {
+    value.map_or_else(String::new, |value| value.to_string())
+}
+
+fn vector(value: Option<Vector3f>) -> String {
+    value.map_or(",,".into(), |v| format!("{},{},{}", v.x, v.y, v.z))
 }

@@ -24,30 +24,30 @@ fn main() -> Result<(), Box<dyn Error>> {
     while device.next_packet(0)?.is_some() {} // what it sent before
 
     // 2. Settings.
-    device.run(&mip_3dm::LowPassFilter::write(sensor::SET, accel, true, true, CUTOFF))?;
+    device.run(&mip_3dm::LowPassFilter::write(sensor::SENSOR_SET, accel, true, true, CUTOFF))?;
 
     // 3. What is to be sent, and how often. Several commands may share a packet.
-    let base_rate = device.request(&mip_3dm::GetBaseRate::new(sensor::SET))?.rate;
+    let base_rate = device.request(&mip_3dm::GetBaseRate::new(sensor::SENSOR_SET))?.rate;
     let decimation = (base_rate / RATE).max(1);
     let fields = [shared::GpsTimestamp::DESCRIPTOR, accel, sensor::ScaledGyro::DESCRIPTOR];
     let format = fields.map(|descriptor| DescriptorRate::new(descriptor, decimation));
-    let (format, stream) = device.send_all(mip_3dm::SET, |request| {
+    let (format, stream) = device.send_all(mip_3dm::MIP_3DM_SET, |request| {
         Ok((
-            request.add(&mip_3dm::MessageFormat::write(sensor::SET, format))?,
-            request.add(&mip_3dm::DataStreamControl::write(sensor::SET, true))?,
+            request.add(&mip_3dm::MessageFormat::write(sensor::SENSOR_SET, format))?,
+            request.add(&mip_3dm::DataStreamControl::write(sensor::SENSOR_SET, true))?,
         ))
     })?;
     device.answer(&format).into_result()?;
     device.answer(&stream).into_result()?;
 
     // 4. Is it so?
-    let filter = device.request(&mip_3dm::LowPassFilter::read(sensor::SET, accel))?;
-    let format = device.request(&mip_3dm::MessageFormat::read(sensor::SET))?;
+    let filter = device.request(&mip_3dm::LowPassFilter::read(sensor::SENSOR_SET, accel))?;
+    let format = device.request(&mip_3dm::MessageFormat::read(sensor::SENSOR_SET))?;
 
     // 5. Save, so that it is the same after the next start.
-    device.run(&mip_3dm::LowPassFilter::save(sensor::SET, accel))?;
-    device.run(&mip_3dm::MessageFormat::save(sensor::SET))?;
-    device.run(&mip_3dm::DataStreamControl::save(sensor::SET))?;
+    device.run(&mip_3dm::LowPassFilter::save(sensor::SENSOR_SET, accel))?;
+    device.run(&mip_3dm::MessageFormat::save(sensor::SENSOR_SET))?;
+    device.run(&mip_3dm::DataStreamControl::save(sensor::SENSOR_SET))?;
 
     // 6. Resume: data come.
     device.run(&base::Resume::new())?;

@@ -7,8 +7,8 @@ use std::time::Instant;
 fn run(data: &[u8], decode: bool, sum: &mut f64) -> f64 {
     let (mut parser, mut packets) = (Parser::new(), 0u32);
     let begin = Instant::now();
-    let mut found = parser.feed(data);
-    while let Some(packet) = found.next() {
+    let mut rest = data;
+    while let Some(packet) = parser.next(&mut rest) {
         packets += 1;
         if !decode {
             continue;

@@ -7,8 +7,8 @@ mod peer;
 use std::hint::black_box;
 
 use mip_protocol::registry::{visit, Listed, Visitor};
-use mip_protocol::{filter_data as filter, packets, sensor};
-use mip_protocol::{AnyField, Field, Packet, PacketReader, Parser, RawField};
+use mip_protocol::{dispatch, filter_data as filter, packets, sensor, shared, types};
+use mip_protocol::{AnyField, Field, Packet, PacketBuilder, PacketReader, Parser, RawField};
 
 const CHUNK: usize = 4096;
 
@@ -16,9 +16,8 @@ const CHUNK: usize = 4096;
 
 fn chunks(data: &[u8], size: usize, mut found: impl FnMut(&Packet<'_>) -> usize) -> usize {
     let (mut parser, mut count) = (Parser::new(), 0);
-    for chunk in data.chunks(size) {
-        let mut packets = parser.feed(chunk);
-        while let Some(packet) = packets.next() {
+    for mut chunk in data.chunks(size) {
+        while let Some(packet) = parser.next(&mut chunk) {
             count += found(&packet);
         }
     }
@@ -58,39 +57,61 @@ fn reader(data: &[u8]) -> usize {
     count
 }
 
-fn got<T: Field>(field: &RawField<'_>) -> Option<bool> {
-    field.get::<T>().map(|value| black_box(&value).is_ok())
+fn got<T: Field>(field: &RawField<'_>) -> bool {
+    used(field.get::<T>())
+}
+
+/// As in a loop without the crate, the value is used, and an error only counted.
+fn used<T, E>(value: Option<Result<T, E>>) -> bool {
+    match value {
+        Some(Ok(value)) => {
+            black_box(&value);
+            true
+        }
+        _ => false,
+    }
+}
+
+fn of_any_set(field: &RawField<'_>) -> bool {
+    match field.descriptor {
+        shared::EventSource::DESCRIPTOR => got::<shared::EventSource>(field),
+        shared::GpsTimestamp::DESCRIPTOR => got::<shared::GpsTimestamp>(field),
+        shared::ReferenceTimestamp::DESCRIPTOR => got::<shared::ReferenceTimestamp>(field),
+        shared::ReferenceTimeDelta::DESCRIPTOR => got::<shared::ReferenceTimeDelta>(field),
+        _ => false,
+    }
 }
 
 fn get(data: &[u8]) -> usize {
     let known = |field: &RawField<'_>| match field.set {
-        sensor::SET => match field.descriptor {
+        sensor::SENSOR_SET => match field.descriptor {
             sensor::ScaledAccel::DESCRIPTOR => got::<sensor::ScaledAccel>(field),
             sensor::ScaledGyro::DESCRIPTOR => got::<sensor::ScaledGyro>(field),
             sensor::DeltaTheta::DESCRIPTOR => got::<sensor::DeltaTheta>(field),
             sensor::DeltaVelocity::DESCRIPTOR => got::<sensor::DeltaVelocity>(field),
-            sensor::GpsTimestamp::DESCRIPTOR => got::<sensor::GpsTimestamp>(field),
-            _ => None,
+            _ => of_any_set(field),
         },
-        filter::SET => match field.descriptor {
-            filter::Timestamp::DESCRIPTOR => got::<filter::Timestamp>(field),
+        filter::FILTER_DATA_SET => match field.descriptor {
             filter::AttitudeQuaternion::DESCRIPTOR => got::<filter::AttitudeQuaternion>(field),
             filter::LlhPosition::DESCRIPTOR => got::<filter::LlhPosition>(field),
             filter::NedVelocity::DESCRIPTOR => got::<filter::NedVelocity>(field),
             filter::LinearAccel::DESCRIPTOR => got::<filter::LinearAccel>(field),
             filter::CompAngularRate::DESCRIPTOR => got::<filter::CompAngularRate>(field),
             filter::Status::DESCRIPTOR => got::<filter::Status>(field),
-            _ => None,
+            _ => of_any_set(field),
         },
-        _ => None,
+        _ => false,
     };
-    chunks(data, CHUNK, |packet| each(packet, |field| known(field) == Some(true)))
+    chunks(data, CHUNK, |packet| each(packet, known))
 }
 
 fn any(data: &[u8]) -> usize {
     let known = |field: &RawField<'_>| {
-        let value = AnyField::decode(field);
-        matches!(black_box(&value), Some(Ok(_)))
+        let value = &AnyField::decode(field);
+        if let Some(Ok(value)) = value {
+            black_box(value);
+        }
+        matches!(value, Some(Ok(_)))
     };
     chunks(data, CHUNK, |packet| each(packet, known))
 }
@@ -101,7 +122,7 @@ impl Visitor for Decode {
     type Output = bool;
 
     fn visit<T: Listed>(self, field: &RawField<'_>) -> bool {
-        black_box(&T::decode(field.data)).is_ok()
+        used(Some(T::decode(field.data)))
     }
 
     fn unknown(self, _: &RawField<'_>) -> bool {
@@ -111,6 +132,69 @@ impl Visitor for Decode {
 
 fn visitor(data: &[u8]) -> usize {
     chunks(data, CHUNK, |packet| each(packet, |field| visit(field, Decode)))
+}
+
+fn counted<T: Field>(packet: &Packet<'_>) -> usize {
+    used(packet.find::<T>()).into()
+}
+
+fn find(data: &[u8]) -> usize {
+    chunks(data, CHUNK, |packet| {
+        counted::<shared::ReferenceTimestamp>(packet)
+            + counted::<sensor::ScaledAccel>(packet)
+            + counted::<sensor::ScaledGyro>(packet)
+    })
+}
+
+fn dispatched(data: &[u8]) -> usize {
+    let known = |field: &RawField<'_>| {
+        let used = dispatch!(field, {
+            shared::ReferenceTimestamp(value) => Some(black_box(value.nanoseconds)).is_some(),
+            sensor::ScaledAccel(value) => Some(black_box(value.scaled_accel)).is_some(),
+            sensor::ScaledGyro(value) => Some(black_box(value.scaled_gyro)).is_some(),
+            _ => false,
+        });
+        used == Ok(true)
+    };
+    chunks(data, CHUNK, |packet| each(packet, known))
+}
+
+fn view(data: &[u8]) -> usize {
+    chunks(data, CHUNK, |packet| {
+        let Some(Ok(position)) = packet.view::<filter::LlhPosition>() else { return 0 };
+        black_box(position.valid_flags());
+        1
+    })
+}
+
+/// Two vectors and a time, which change with each packet.
+fn values(number: u32) -> (f32, u64) {
+    (number as f32, u64::from(number) << 20)
+}
+
+/// As many packets as a stream of this size has.
+fn numbers(data: &[u8]) -> std::ops::Range<u32> {
+    0..data.len() as u32 / BUILT
+}
+
+/// The size of a packet with three fields.
+const BUILT: u32 = 44;
+
+fn encode(data: &[u8]) -> usize {
+    let mut size = 0;
+    for number in numbers(data) {
+        let (x, nanoseconds) = black_box(values(number));
+        let mut builder = PacketBuilder::new(sensor::SENSOR_SET);
+        let vector = types::Vector3f { x, y: -x, z: x };
+        let accel = sensor::ScaledAccel { scaled_accel: vector };
+        let gyro = sensor::ScaledGyro { scaled_gyro: vector };
+        let time = shared::ReferenceTimestamp { nanoseconds };
+        let fits = builder.push(&time).and(builder.push(&accel)).and(builder.push(&gyro));
+        if fits.is_ok() {
+            size += black_box(builder.bytes()).len();
+        }
+    }
+    size
 }
 
 // ------------------------------------------------------------------- safe loops without the crate
@@ -156,6 +240,10 @@ fn words<const N: usize>(data: &[u8]) -> [u16; N] {
     std::array::from_fn(|i| u16::from_be_bytes(data[2 * i..2 * i + 2].try_into().unwrap()))
 }
 
+fn long(data: &[u8]) -> u64 {
+    u64::from_be_bytes(data[..8].try_into().unwrap())
+}
+
 fn bare_get(mut data: &[u8]) -> usize {
     let mut count = 0;
     while let Some((rest, packet)) = next(data) {
@@ -168,8 +256,14 @@ fn bare_get(mut data: &[u8]) -> usize {
                 (0x80, 0x04 | 0x05 | 0x07 | 0x08) if value.len() >= 12 => {
                     black_box(floats::<3>(value));
                 }
-                (0x80, 0x12) | (0x82, 0x11) if value.len() >= 12 => {
+                (_, 0xD0) if !value.is_empty() => {
+                    black_box(value[0]);
+                }
+                (_, 0xD3) if value.len() >= 12 => {
                     black_box((doubles::<1>(value), words::<2>(&value[8..])));
+                }
+                (_, 0xD5 | 0xD6) if value.len() >= 8 => {
+                    black_box(long(value));
                 }
                 (0x82, 0x03) if value.len() >= 18 => {
                     black_box((floats::<4>(value), words::<1>(&value[16..])));
@@ -191,6 +285,74 @@ fn bare_get(mut data: &[u8]) -> usize {
     count
 }
 
+fn bare_find(mut data: &[u8]) -> usize {
+    let mut count = 0;
+    while let Some((rest, packet)) = next(data) {
+        data = rest;
+        let mut payload = &packet[4..packet.len() - 2];
+        while let [length, descriptor, ..] = *payload {
+            let Some(value) = payload.get(2..usize::from(length)) else { break };
+            payload = &payload[usize::from(length)..];
+            match (packet[2], descriptor) {
+                (0x80, 0x04 | 0x05) if value.len() >= 12 => {
+                    black_box(floats::<3>(value));
+                }
+                (_, 0xD5) if value.len() >= 8 => {
+                    black_box(long(value));
+                }
+                _ => continue,
+            }
+            count += 1;
+        }
+    }
+    count
+}
+
+fn bare_view(mut data: &[u8]) -> usize {
+    let mut count = 0;
+    while let Some((rest, packet)) = next(data) {
+        data = rest;
+        let mut payload = &packet[4..packet.len() - 2];
+        if packet[2] != 0x82 {
+            continue;
+        }
+        while let [length, descriptor, ..] = *payload {
+            let Some(value) = payload.get(2..usize::from(length)) else { break };
+            payload = &payload[usize::from(length)..];
+            if descriptor == 0x01 && value.len() >= 26 {
+                black_box(words::<1>(&value[24..]));
+                count += 1;
+                break;
+            }
+        }
+    }
+    count
+}
+
+fn bare_encode(data: &[u8]) -> usize {
+    let mut size = 0;
+    for number in numbers(data) {
+        let (x, nanoseconds) = black_box(values(number));
+        let mut packet = [0_u8; 44];
+        packet[..6].copy_from_slice(&[0x75, 0x65, 0x80, 38, 10, 0xD5]);
+        packet[6..14].copy_from_slice(&nanoseconds.to_be_bytes());
+        for (at, descriptor) in [(14, 4), (28, 5)] {
+            packet[at..at + 2].copy_from_slice(&[14, descriptor]);
+            for (place, value) in packet[at + 2..at + 14].chunks_exact_mut(4).zip([x, -x, x]) {
+                place.copy_from_slice(&value.to_be_bytes());
+            }
+        }
+        let (mut a, mut b) = (0_u8, 0_u8);
+        for byte in &packet[..42] {
+            a = a.wrapping_add(*byte);
+            b = b.wrapping_add(a);
+        }
+        packet[42..].copy_from_slice(&[a, b]);
+        size += black_box(&packet[..]).len();
+    }
+    size
+}
+
 // ---------------------------------------------------------------------------------------- measure
 
 type Row = (&'static str, fn(&[u8]) -> usize);
@@ -204,8 +366,15 @@ const ROWS: &[Row] = &[
     ("get", get),
     ("any", any),
     ("visitor", visitor),
+    ("find", find),
+    ("dispatch", dispatched),
+    ("view", view),
+    ("encode", encode),
     ("bare", bare),
     ("bare_get", bare_get),
+    ("bare_find", bare_find),
+    ("bare_view", bare_view),
+    ("bare_encode", bare_encode),
     #[cfg(feature = "peer")]
     ("peer", peer::parse),
     #[cfg(feature = "peer")]

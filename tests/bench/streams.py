@@ -16,6 +16,17 @@ CYCLE = (
     ("filter_data.linear_accel", "filter_data.comp_angular_rate", "filter_data.status"),
 )
 
+#: The packets of one cycle of a recording. As in practice, shared fields have the time of most packets: they are 43 %
+#: of all fields.
+RECORDED = (
+    ("shared.gps_timestamp", "shared.reference_timestamp", "sensor.scaled_accel", "sensor.scaled_gyro"),
+    ("shared.reference_timestamp", "shared.reference_time_delta", "sensor.delta_theta", "sensor.delta_velocity"),
+    ("shared.gps_timestamp", "shared.reference_timestamp", "filter_data.attitude_quaternion", "filter_data.status"),
+    ("shared.gps_timestamp", "filter_data.llh_position", "filter_data.ned_velocity"),
+    ("shared.event_source", "shared.reference_timestamp", "filter_data.linear_accel", "filter_data.comp_angular_rate"),
+    ("sensor.scaled_accel", "sensor.scaled_gyro"),
+)
+
 #: Lower case is rare in what receivers send, but the first sync byte of MIP is a small u.
 SENTENCES = (
     "GPGGA,{:06d}.00,4807.{:04d},N,01131.{:04d},E,4,12,0.9,545.4,M,46.9,M,1.2,0000",
@@ -25,14 +36,21 @@ SENTENCES = (
 )
 
 
-def log(model: m.Model, size: int) -> bytes:
+def log(model: m.Model, size: int, cycle: tuple[tuple[str, ...], ...] = CYCLE) -> bytes:
+    """Packets of the set of their last field."""
     random, out = Random(1), bytearray()
     fields = {f.full_name: f for f in model.fields}
     while len(out) < size:
-        for names in CYCLE:
+        for names in cycle:
             parts = [(fields[n].descriptor, random.randbytes(fields[n].min_size)) for n in names]
-            out += codec.build(model, fields[names[0]].set, parts)
+            out += codec.build(model, fields[names[-1]].set, parts)
     return bytes(out)
+
+
+def recording(model: m.Model, size: int) -> bytes:
+    """Many different packets, as often as it takes: building each anew would take minutes."""
+    part = log(model, 1_000_000, RECORDED)
+    return part * -(-size // len(part))
 
 
 def noise(size: int) -> bytes:

@@ -26,7 +26,7 @@ HEAD = """//! Made by everything.py.
 use mip_protocol::registry::{FieldInfo, Listed, ParameterInfo};
 use mip_protocol::{
     devices, AnyField, Bool, Command, DecodeErrorKind, EncodeErrorKind, Field, List, OneSet, Packet, PacketBuilder,
-    RawField, ResponseOf, Text, VarText,
+    RawField, ResponseOf, Text, VarText, View, Viewed,
 };
 
 /// All prefixes of the data of a field: negative numbers are errors, others tell what is left over.
@@ -74,7 +74,7 @@ fn occurs<T: Listed>(descriptor: u8, name: &str, sets: &[(u8, &str)], data: &[u8
         let mut builder = PacketBuilder::new(set);
         let pushed = builder.push(&value).map_err(|error| (error.kind, error.got));
         let field = RawField { set, descriptor, data };
-        let any = AnyField::decode(&field);
+        let any = AnyField::decode_with_trailing(&field);
         let Some(its_name) = its_name else {
             assert_eq!(pushed, Err((EncodeErrorKind::Set, set.into())), "{name} in {set}");
             assert_eq!(field.get::<T>(), None);
@@ -86,8 +86,30 @@ fn occurs<T: Listed>(descriptor: u8, name: &str, sets: &[(u8, &str)], data: &[u8
         assert_eq!(packet.find::<T>(), Some(Ok(value.clone())), "{its_name}");
         let any = any.unwrap().unwrap();
         assert_eq!((any.set, any.name()), (set, its_name));
+        assert_eq!(AnyField::decode(&field), Some(Ok(value.clone().into_any())));
         assert_eq!(any.field, value.clone().into_any());
     }
+}
+
+/// The same field as a view and decoded; with fewer bytes, both are the same error.
+fn viewed<'a, T: Viewed + Listed>(field: &RawField<'a>) -> (View<'a, T>, T) {
+    let short = RawField { data: &field.data[..field.data.len() - 1], ..*field };
+    assert_eq!(short.view::<T>().is_some(), short.is::<T>());
+    if let Some(found) = short.view::<T>() {
+        let error = found.err().unwrap();
+        assert_eq!((error.kind, error.field), (DecodeErrorKind::Truncated, T::NAME));
+        assert_eq!((error.need, error.got), (field.data.len(), short.data.len()));
+    }
+    let mut builder = PacketBuilder::new(field.set);
+    builder.push_raw(field.descriptor, field.data).unwrap();
+    let value = builder.packet().find::<T>().unwrap().unwrap();
+    alike(&builder.packet().view::<T>().unwrap().unwrap(), &value);
+    (field.view().unwrap().unwrap(), value)
+}
+
+/// NaN is equal here.
+fn alike(one: &dyn std::fmt::Debug, other: &dyn std::fmt::Debug) {
+    assert_eq!(format!("{one:?}"), format!("{other:?}"));
 }
 
 fn only_in<T: OneSet>(set: u8) {
@@ -233,6 +255,10 @@ class _Writer:
         if f.role == m.COMMAND:
             for call, constructor in zip(f.calls, self.records.constructors(f), strict=True):
                 yield from self.constructed(f, call, constructor)
+        elif f.parameters:
+            ((call,), (constructor,)) = f.calls, self.records.constructors(f)
+            expression, values = self.call(f, call.required, constructor)
+            yield f"same({expression}, {data_literal(codec.encode(f, values))});"
         literal, values = self.literal(f)
         data = codec.encode(f, values)
         yield f"same({literal}, {data_literal(data)});"
@@ -241,6 +267,12 @@ class _Writer:
         if len(f.sets) == 1:
             yield f"only_in::<{of}>({f.set});"
         yield f"prefixes::<{of}>({data_literal(data + bytes(3))}, &{self.prefixes(f, data + bytes(3))});"
+        fixed = f.min_size == f.max_size and all(p.constant is None for p in f.parameters)
+        if f.role != m.COMMAND and fixed and f.parameters:
+            of_set = f"set: {min(f.sets)}, descriptor: {f.descriptor}"
+            yield f"let field = RawField {{ {of_set}, data: {data_literal(data)} }};"
+            yield f"let (view, value) = viewed::<{of}>(&field);"
+            yield from self.values_in_view(f, "view", "value")
         if not f.selector:
             yield f"same({of}::default(), {data_literal(codec.encode(f, defaults(f)))});"
         size = "copied" if self.is_copy(f) else "not_copied"
@@ -250,6 +282,12 @@ class _Writer:
             yield f"assert_eq!({of}::TIMEOUT_MS, {timeout});"
         for response in self.model.responses(f):
             yield f"answers::<{of}, {path(response)}>();"
+
+    def values_in_view(self, record: m.Record, view: str, value: str) -> Iterator[str]:
+        for x in self.records.members(record):
+            yield f"alike(&{view}.{x.name}(), &{value}.{x.name});"
+            if x.parameter.struct:
+                yield from self.values_in_view(x.parameter.struct, f"{view}.{x.name}()", f"{value}.{x.name}")
 
     def is_copy(self, f: m.Field) -> bool:
         """Small and without lists: as a user may rely on, wherever a list is."""

@@ -8,7 +8,8 @@ use core::hint::black_box;
 use core::panic::PanicInfo;
 
 use mip_protocol::device::{Device, Port};
-use mip_protocol::{AnyField, Client, Packet, PacketBuilder, Parser, RawField};
+use mip_protocol::protocol::Acknowledge;
+use mip_protocol::{dispatch, AnyField, Client, Packet, PacketBuilder, Parser, RawField};
 
 extern "C" {
     fn a_panic_can_be_reached() -> !;
@@ -64,11 +65,11 @@ pub extern "C" fn _start() -> ! {
     let mut client: Client<4> = Client::new();
     let mut builder = PacketBuilder::new(0x80);
     loop {
-        let mut packets = parser.feed(input());
-        while let Some(packet) = packets.next() {
+        let mut rest = input();
+        while let Some(packet) = parser.next(&mut rest) {
             look_into(&packet, &mut client, &mut builder);
         }
-        black_box(packets.rest());
+        black_box(rest);
         let mut packets = mip_protocol::packets(input());
         for packet in &mut packets {
             look_into(&packet, &mut client, &mut builder);
@@ -78,7 +79,7 @@ pub extern "C" fn _start() -> ! {
             look_into(&packet, &mut client, &mut builder);
         }
         if let Some(Ok(found)) =
-            &AnyField::decode(&RawField { set: 1, descriptor: 1, data: input() })
+            &AnyField::decode_with_trailing(&RawField { set: 1, descriptor: 1, data: input() })
         {
             ask(&mut device, &found.field);
         }
@@ -106,7 +107,14 @@ fn look_into(packet: &Packet<'_>, client: &mut Client<4>, builder: &mut PacketBu
 }
 
 fn look_at(field: &RawField<'_>, builder: &mut PacketBuilder) {
-    if let Some(Ok(found)) = AnyField::decode(field) {
+    if let Some(Ok(reply)) = field.view::<Acknowledge>() {
+        black_box((reply.command(), reply.code()));
+    }
+    let _ = black_box(dispatch!(field, {
+        Acknowledge(reply) => black_box(reply.command),
+        _ => 0,
+    }));
+    if let Some(Ok(found)) = AnyField::decode_with_trailing(field) {
         let mut data = [0; 253];
         if let Ok(length) = found.field.encode(&mut data) {
             if let Some(data) = data.get(..length) {

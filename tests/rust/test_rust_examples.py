@@ -192,13 +192,26 @@ def test_log_to_csv(log: Path) -> None:
     code, out, error = ran("log_to_csv", log)
     head, row = out.splitlines()
     assert (code, error) == (0, "14 bytes are not part of a packet\n")
-    assert head.split(",")[:2] == ["tow_s", "accel_x_g"] and head.count(",") == row.count(",") == 6
-    assert row == ",0.24452066,-0.0043405485,NaN,,,"
+    columns = head.split(",")
+    assert columns[:3] == ["tow_s", "since_start_s", "accel_x_g"] and head.count(",") == row.count(",") == 7
+    assert row == ",,0.24452066,-0.0043405485,NaN,,,"
+    accel = "0e04" + "3f80000000000000c0000000"
+    tow, week = "40c1170000000000", "0001"  # 8750 s
+    times = {  # each kind of time, valid and not
+        "0ed3" + tow + week + "0003": "8750,", "0ed3" + tow + week + "0000": ",",
+        "0e12" + tow + week + "0008": "8750,", "0e12" + tow + week + "0004": "8750,", "0e12" + tow + week + "0003": ",",
+        "0ad5" + "0000000059682f00": ",1.5",
+    }  # fmt: skip
+    for field, time in times.items():
+        log.write_bytes(packet(f"756580{len(field + accel) // 2:02x}" + field + accel))
+        code, out, error = ran("log_to_csv", log)
+        assert (code, out.splitlines()[1]) == (0, f"{time},1,0,-2,,,"), error
     assert ran("log_to_csv")[0] == 1
-    for length in ("06", "0e"):  # a short field, and one that its packet cuts
+    # A short field, and one that its packet cuts.
+    for length, said in {"06": "need: 12, got: 4", "0e": "FieldLengthError"}.items():
         log.write_bytes(packet("75658006" + length + "04" + "3e7a63a0"))
         code, out, error = ran("log_to_csv", log)
-        assert code == 1 and "need: 12, got: 4" in error
+        assert code == 1 and said in error
 
 
 @heavy(EXAMPLES)

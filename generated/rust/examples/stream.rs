@@ -23,15 +23,15 @@ fn main() -> Result<(), Box<dyn Error>> {
     device.run(&base::SetIdle::new())?;
     while device.next_packet(0)?.is_some() {} // what it sent before
     let info = device.request(&base::GetDeviceInfo::new())?.device_info;
-    let base_rate = device.request(&mip_3dm::GetBaseRate::new(sensor::SET))?.rate;
+    let base_rate = device.request(&mip_3dm::GetBaseRate::new(sensor::SENSOR_SET))?.rate;
     let mut out = stdout().lock();
     writeln!(out, "{}, {base_rate} Hz", info.model_name)?;
 
     let decimation = (base_rate / RATE).max(1);
     let fields = [shared::GpsTimestamp::DESCRIPTOR, sensor::ScaledAccel::DESCRIPTOR];
     let format = fields.map(|descriptor| DescriptorRate::new(descriptor, decimation));
-    device.run(&mip_3dm::MessageFormat::write(sensor::SET, format))?;
-    device.run(&mip_3dm::DataStreamControl::write(sensor::SET, true))?;
+    device.run(&mip_3dm::MessageFormat::write(sensor::SENSOR_SET, format))?;
+    device.run(&mip_3dm::DataStreamControl::write(sensor::SENSOR_SET, true))?;
     device.run(&base::Resume::new())?;
 
     let mut count = 0;

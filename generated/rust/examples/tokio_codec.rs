@@ -21,10 +21,10 @@ impl Decoder for Mip {
     type Error = io::Error;
 
     fn decode(&mut self, bytes: &mut BytesMut) -> io::Result<Option<PacketBuf>> {
-        let mut packets = self.parser.feed(bytes);
-        let packet = packets.next().map(PacketBuf::from);
-        let rest = packets.rest().len();
-        bytes.advance(bytes.len() - rest); // the parser has the rest of what it has read
+        let mut rest = &bytes[..];
+        let packet = self.parser.next(&mut rest).map(PacketBuf::from);
+        let searched = bytes.len() - rest.len();
+        bytes.advance(searched);
         Ok(packet)
     }
 

@@ -357,9 +357,10 @@ pub(crate) fn debug<S: Storage + Hexadecimal>(
             continue;
         }
         left.set(*first, *last, 0);
-        match first == last {
-            true => write!(f, "{separator}{name}")?,
-            false => write!(f, "{separator}{name}={number}")?,
+        if first == last {
+            write!(f, "{separator}{name}")?;
+        } else {
+            write!(f, "{separator}{name}={number}")?;
         }
         separator = " | ";
     }

@@ -3,6 +3,9 @@
 //! [`Wire`] is implemented by all types with a wire format: numbers, enumerations, bitfields,
 //! structures and fields. [`Reader`] and [`Writer`] work on borrowed bytes and never panic.
 
+// What is wrong, the reader and the writer know: the same for all methods.
+#![allow(clippy::missing_errors_doc)]
+
 use core::fmt;
 
 use crate::bits::Number;
@@ -210,8 +213,9 @@ impl<'a> Reader<'a> {
 /// Writes values one after another to a caller's buffer.
 #[derive(Debug)]
 pub struct Writer<'a> {
-    buffer: &'a mut [u8],
-    length: usize,
+    /// What is free behind the values written.
+    free: &'a mut [u8],
+    size: usize,
     ended: bool,
     need: usize,
     got: usize,
@@ -219,12 +223,14 @@ pub struct Writer<'a> {
 
 impl<'a> Writer<'a> {
     /// Starts at the front of the buffer.
+    #[inline]
     #[must_use]
     pub fn new(buffer: &'a mut [u8]) -> Self {
-        Self { buffer, length: 0, ended: false, need: 0, got: 0 }
+        Self { size: buffer.len(), free: buffer, ended: false, need: 0, got: 0 }
     }
 
     /// Writes no more than a field can hold.
+    #[inline]
     #[must_use]
     pub(crate) fn of_field(buffer: &'a mut [u8]) -> Self {
         let most = buffer.len().min(MAX_FIELD_DATA);
@@ -232,13 +238,14 @@ impl<'a> Writer<'a> {
     }
 
     /// The number of bytes written to a field, or the last error as that of the field.
+    #[inline]
     pub fn finish(
         &self,
         done: Result<(), EncodeErrorKind>,
         field: &'static str,
     ) -> Result<usize, EncodeError> {
         match done {
-            Ok(()) => Ok(self.length),
+            Ok(()) => Ok(self.length()),
             Err(kind) => Err(EncodeError::new(kind, field, self.need, self.got)),
         }
     }
@@ -254,32 +261,33 @@ impl<'a> Writer<'a> {
     }
 
     /// The number of bytes written.
+    #[inline]
     #[must_use]
     pub const fn length(&self) -> usize {
-        self.length
+        self.size.saturating_sub(self.free.len())
     }
 
     /// Checks that this number of bytes fits.
     #[inline]
     pub fn require(&mut self, count: usize) -> Result<(), EncodeErrorKind> {
-        let end = self.length.saturating_add(count);
-        if end <= self.buffer.len() {
+        if count <= self.free.len() {
             return Ok(());
         }
-        Err(self.wrong(EncodeErrorKind::Length, end, self.buffer.len()))
+        Err(self.full(count))
+    }
+
+    #[cold]
+    fn full(&mut self, count: usize) -> EncodeErrorKind {
+        self.wrong(EncodeErrorKind::Length, self.length().saturating_add(count), self.size)
     }
 
     /// Appends bytes.
     #[inline]
     pub fn put(&mut self, bytes: &[u8]) -> Result<(), EncodeErrorKind> {
-        let end = self.length.saturating_add(bytes.len());
-        // Exactly as long as the bytes, which avoids a check that could panic.
-        let free = self.buffer.get_mut(self.length..).and_then(|free| free.get_mut(..bytes.len()));
-        let Some(free) = free else {
-            return Err(self.wrong(EncodeErrorKind::Length, end, self.buffer.len()));
-        };
-        free.iter_mut().zip(bytes).for_each(|(place, byte)| *place = *byte);
-        self.length = end;
+        self.require(bytes.len())?;
+        let (places, free) = core::mem::take(&mut self.free).split_at_mut(bytes.len());
+        places.iter_mut().zip(bytes).for_each(|(place, byte)| *place = *byte);
+        self.free = free;
         Ok(())
     }
 
@@ -313,13 +321,11 @@ impl<'a> Writer<'a> {
     /// Appends the number of elements that follow later.
     #[inline]
     pub fn count<C: Wire + TryFrom<usize>>(&mut self, count: usize) -> Result<(), EncodeErrorKind> {
-        match C::try_from(count) {
-            Ok(number) => self.write(&number),
-            Err(_) => {
-                let most = 1_usize.checked_shl(C::SIZE.saturating_mul(8) as u32).unwrap_or(0);
-                Err(self.wrong(EncodeErrorKind::Count, count, most.wrapping_sub(1)))
-            }
+        if let Ok(number) = C::try_from(count) {
+            return self.write(&number);
         }
+        let most = 1_usize.checked_shl(C::SIZE.saturating_mul(8) as u32).unwrap_or(0);
+        Err(self.wrong(EncodeErrorKind::Count, count, most.wrapping_sub(1)))
     }
 
     /// Decides about a group of one value: returns it if it is present and allowed.

@@ -70,9 +70,17 @@ pub trait Port {
 
     /// Reads bytes that have arrived to the front of the buffer, and returns their number. It may
     /// wait for a while if there are none, but must then return 0.
+    ///
+    /// # Errors
+    ///
+    /// Those of the port.
     fn read(&mut self, buffer: &mut [u8]) -> Result<usize, Self::Error>;
 
     /// Sends all of these bytes.
+    ///
+    /// # Errors
+    ///
+    /// Those of the port.
     fn write(&mut self, bytes: &[u8]) -> Result<(), Self::Error>;
 
     /// A count of milliseconds that goes on, and may wrap around.
@@ -203,9 +211,8 @@ impl<const N: usize, const Q: usize> Core<N, Q> {
     }
 
     /// Takes received bytes.
-    fn arrived(&mut self, bytes: &[u8]) {
-        let mut packets = self.parser.feed(bytes);
-        while let Some(packet) = packets.next() {
+    fn arrived(&mut self, mut bytes: &[u8]) {
+        while let Some(packet) = self.parser.next(&mut bytes) {
             sort(&mut self.client, &mut self.data, &packet);
         }
     }
@@ -383,6 +390,10 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
     /// Sends a command, and waits until the device has carried it out. A response is ignored.
     ///
     /// It does not wait if devices do not answer the command.
+    ///
+    /// # Errors
+    ///
+    /// The command is not sent, refused, not answered, or the port fails.
     pub fn run<C: Command>(&mut self, command: &C) -> Result<(), DeviceError<P::Error>> {
         self.carry_out(command).map(drop)
     }
@@ -403,6 +414,10 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
     ///
     /// The closure adds them, and returns any value, usually their tickets. [`Device::answer`]
     /// returns the outcome of each. If it adds none, nothing is sent.
+    ///
+    /// # Errors
+    ///
+    /// Those of the function, or the port fails.
     pub fn send_all<T>(
         &mut self,
         set: u8,
@@ -487,6 +502,10 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
     /// contains a whole packet: then it is taken for noise, and the inner one is returned.
     ///
     /// Continuation packets are returned one by one, as the device sends them.
+    ///
+    /// # Errors
+    ///
+    /// The port fails.
     pub fn next_packet(
         &mut self,
         wait_ms: u32,

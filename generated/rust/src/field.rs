@@ -2,6 +2,7 @@
 
 use crate::codec::{Reader, Wire, Writer};
 use crate::error::{DecodeError, EncodeError};
+use crate::view::{self, View, Viewed};
 use core::fmt;
 use core::ops::RangeInclusive;
 
@@ -26,6 +27,10 @@ pub trait Field: Wire {
     fn occurs_in(set: u8) -> bool;
 
     /// Decodes the data of a field, the bytes after its descriptor.
+    ///
+    /// # Errors
+    ///
+    /// A required value is missing, a count exceeds what follows, or a constant has another value.
     #[inline]
     fn decode(data: &[u8]) -> Result<Self, DecodeError> {
         let mut reader = Reader::new(data);
@@ -33,6 +38,10 @@ pub trait Field: Wire {
     }
 
     /// Decodes, and returns the number of bytes left over, as newer firmware may append some.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Field::decode`].
     #[inline]
     fn decode_with_trailing(data: &[u8]) -> Result<(Self, usize), DecodeError> {
         let mut reader = Reader::new(data);
@@ -43,6 +52,11 @@ pub trait Field: Wire {
     }
 
     /// Encodes the data of the field to the front of the buffer and returns its length.
+    ///
+    /// # Errors
+    ///
+    /// A value is missing or does not fit, or the buffer is too short.
+    #[inline]
     fn encode(&self, buffer: &mut [u8]) -> Result<usize, EncodeError> {
         let mut writer = Writer::of_field(buffer);
         let done = self.encode_to(&mut writer);
@@ -50,6 +64,10 @@ pub trait Field: Wire {
     }
 
     /// The data of the field in a `Vec`.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Field::encode`].
     #[cfg(feature = "alloc")]
     fn to_vec(&self) -> Result<alloc::vec::Vec<u8>, EncodeError> {
         let mut buffer = [0; crate::packet::MAX_FIELD_DATA];
@@ -187,7 +205,7 @@ pub struct RawField<'a> {
     pub data: &'a [u8],
 }
 
-impl RawField<'_> {
+impl<'a> RawField<'a> {
     /// Is it a field of this type?
     #[inline]
     #[must_use]
@@ -216,6 +234,64 @@ impl RawField<'_> {
     pub fn get<T: Field>(&self) -> Option<Result<T, DecodeError>> {
         self.is::<T>().then(|| T::decode(self.data))
     }
+
+    /// Its values where they are, if it is a field of this type.
+    #[inline]
+    #[must_use]
+    pub fn view<T: Field + Viewed>(&self) -> Option<Result<View<'a, T>, DecodeError>> {
+        self.is::<T>().then(|| view::open(self.data))
+    }
+}
+
+/// Runs the arm for the type of a field, with the decoded value.
+///
+/// It is what a chain of [`RawField::get`] does, and takes one look at each field, where
+/// [`Packet::find`](crate::Packet::find) looks for one type after another. Its value is a `Result`: a
+/// field that cannot be decoded is an error. Without an arm `_`, nothing happens for other types.
+///
+/// ```
+/// use mip_protocol::{dispatch, protocol::Acknowledge, DecodeError, RawField};
+///
+/// fn show(field: &RawField<'_>) -> Result<(), DecodeError> {
+///     dispatch!(field, {
+///         Acknowledge(reply) => println!("{}: {}", reply.command, reply.code),
+///         _ => println!("another field"),
+///     })
+/// }
+/// # show(&RawField { set: 1, descriptor: 0xF1, data: &[1, 0] }).unwrap();
+/// ```
+#[macro_export]
+macro_rules! dispatch {
+    ($field:expr, { $($arms:tt)* }) => {{
+        let field = &$field;
+        $crate::dispatch!(@ field $($arms)*)
+    }};
+    (@ $field:ident) => {
+        ::core::result::Result::<_, $crate::DecodeError>::Ok(())
+    };
+    (@ $field:ident _ => $other:expr $(,)?) => {
+        ::core::result::Result::<_, $crate::DecodeError>::Ok($other)
+    };
+    (@ $field:ident $($type:ident)::+ ($value:pat) => $body:block, $($rest:tt)*) => {
+        $crate::dispatch!(@ $field $($type)::+ ($value), $body, $($rest)*)
+    };
+    (@ $field:ident $($type:ident)::+ ($value:pat) => $body:block $($rest:tt)*) => {
+        $crate::dispatch!(@ $field $($type)::+ ($value), $body, $($rest)*)
+    };
+    (@ $field:ident $($type:ident)::+ ($value:pat) => $body:expr $(, $($rest:tt)*)?) => {
+        $crate::dispatch!(@ $field $($type)::+ ($value), $body, $($($rest)*)?)
+    };
+    (@ $field:ident $($type:ident)::+ ($value:pat), $body:expr, $($rest:tt)*) => {
+        match $field.get::<$($type)::+>() {
+            ::core::option::Option::Some(::core::result::Result::Ok($value)) => {
+                ::core::result::Result::Ok($body)
+            }
+            ::core::option::Option::Some(::core::result::Result::Err(error)) => {
+                ::core::result::Result::Err(error)
+            }
+            ::core::option::Option::None => $crate::dispatch!(@ $field $($rest)*),
+        }
+    };
 }
 
 /// The numbers from the first one on.

@@ -25,6 +25,19 @@ record! {
     }
 }
 
+view! {
+    Acknowledge
+    command: u8, at 0;
+    code: types::AckCode, at 1;
+}
+
+constructors! {
+    Acknowledge
+
+    /// Creates it from its values.
+    fn new(command: u8, code: types::AckCode);
+}
+
 field! {
     Acknowledge: 0xF1, "protocol.acknowledge";
     in [0x01..=0x7F];

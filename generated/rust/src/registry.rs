@@ -221,10 +221,21 @@ impl Decoded {
 
 impl AnyField {
     /// Decodes a field; `None` if it is unknown.
+    ///
+    /// [`AnyField::decode_with_trailing`] also returns the descriptor set, and how many bytes are
+    /// left over.
     #[inline]
     #[must_use]
-    pub fn decode(field: &RawField<'_>) -> Option<Result<Decoded, DecodeError>> {
+    pub fn decode(field: &RawField<'_>) -> Option<Result<Self, DecodeError>> {
         visit(field, Decode)
+    }
+
+    /// Decodes a field, and returns the number of bytes left over, as newer firmware may append
+    /// some; `None` if it is unknown.
+    #[inline]
+    #[must_use]
+    pub fn decode_with_trailing(field: &RawField<'_>) -> Option<Result<Decoded, DecodeError>> {
+        visit(field, DecodeWithTrailing)
     }
 }
 
@@ -232,7 +243,7 @@ struct Decode;
 
 impl Visitor for Decode {
     // The whole answer, so that each type writes its value right where the caller wants it.
-    type Output = Option<Result<Decoded, DecodeError>>;
+    type Output = Option<Result<AnyField, DecodeError>>;
 
     #[inline]
     fn visit<T: Listed>(self, field: &RawField<'_>) -> Self::Output {
@@ -244,8 +255,32 @@ impl Visitor for Decode {
     }
 }
 
-#[inline(always)]
-fn decode<T: Listed>(field: &RawField<'_>) -> Option<Result<Decoded, DecodeError>> {
+#[inline(never)] // so that finding the type needs no stack, and only jumps here
+fn decode<T: Listed>(field: &RawField<'_>) -> Option<Result<AnyField, DecodeError>> {
+    let mut reader = Reader::new(field.data);
+    Some(match T::decode_from(&mut reader) {
+        Ok(value) => Ok(value.into_any()),
+        Err(_) => Err(wrong(reader, T::NAME)),
+    })
+}
+
+struct DecodeWithTrailing;
+
+impl Visitor for DecodeWithTrailing {
+    type Output = Option<Result<Decoded, DecodeError>>;
+
+    #[inline]
+    fn visit<T: Listed>(self, field: &RawField<'_>) -> Self::Output {
+        decode_with_trailing::<T>(field)
+    }
+
+    fn unknown(self, _: &RawField<'_>) -> Self::Output {
+        None
+    }
+}
+
+#[inline(never)] // for the same reason
+fn decode_with_trailing<T: Listed>(field: &RawField<'_>) -> Option<Result<Decoded, DecodeError>> {
     let mut reader = Reader::new(field.data);
     match T::decode_from(&mut reader) {
         Ok(value) => Some(Ok(Decoded {
@@ -283,6 +318,40 @@ fn from_value<T: Listed>(
     value: &crate::dynamic::Value,
 ) -> Result<AnyField, crate::dynamic::ValueError> {
     T::from_value(value).map(T::into_any)
+}
+
+/// The row of each set in a table: that of the first range that has it, from 1.
+#[allow(clippy::indexing_slicing, clippy::arithmetic_side_effects)] // when the crate is compiled
+const fn rows(ranges: &[&[(u8, u8)]]) -> [u8; 256] {
+    let (mut rows, mut row, mut family) = ([0; 256], 0, 0);
+    while family < ranges.len() {
+        let mut at = 0;
+        while at < ranges[family].len() {
+            let (first, last) = ranges[family][at];
+            let mut set = first as usize;
+            row += 1;
+            while set <= last as usize {
+                if rows[set] == 0 {
+                    rows[set] = row;
+                }
+                set += 1;
+            }
+            at += 1;
+        }
+        family += 1;
+    }
+    rows
+}
+
+/// The number of rows.
+#[allow(clippy::indexing_slicing, clippy::arithmetic_side_effects)] // when the crate is compiled
+const fn count(ranges: &[&[(u8, u8)]]) -> usize {
+    let (mut count, mut family) = (0, 0);
+    while family < ranges.len() {
+        count += ranges[family].len();
+        family += 1;
+    }
+    count
 }
 
 /// Further traits of types, by features of the crate.

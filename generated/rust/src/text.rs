@@ -38,11 +38,16 @@ impl<const N: usize> Text<N> {
     /// The text without the spaces and zeros at its end; an error if it is not ASCII or UTF-8.
     ///
     /// Spaces in front remain; some devices align serial numbers with them.
+    ///
+    /// # Errors
+    ///
+    /// A character is not ASCII or part of UTF-8.
     pub fn as_str(&self) -> Result<&str, str::Utf8Error> {
         str::from_utf8(trimmed(&self.0))
     }
 
     /// All characters, with the padding.
+    #[must_use]
     pub fn chars(&self) -> impl DoubleEndedIterator<Item = char> + '_ {
         self.0.iter().map(|b| char::from(*b))
     }
@@ -82,11 +87,16 @@ impl<const N: usize> VarText<N> {
     /// The text without the spaces and zeros at its end; an error if it is not ASCII or UTF-8.
     ///
     /// Spaces in front remain; some devices align serial numbers with them.
+    ///
+    /// # Errors
+    ///
+    /// A character is not ASCII or part of UTF-8.
     pub fn as_str(&self) -> Result<&str, str::Utf8Error> {
         str::from_utf8(trimmed(&self.0))
     }
 
     /// All characters, with the padding.
+    #[must_use]
     pub fn chars(&self) -> impl DoubleEndedIterator<Item = char> + '_ {
         self.0.iter().map(|b| char::from(*b))
     }

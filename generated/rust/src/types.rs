@@ -686,12 +686,20 @@ record! {
 }
 
 item! { EventTriggerGpio { pin mode } }
+view! {
+    EventTriggerGpio
+    pin: u8, at 0;
+    mode: EventTriggerGpioMode, at 1;
+}
+
 constructors! {
     EventTriggerGpio
 
     /// Creates it from its values.
     fn new(pin: u8, mode: EventTriggerGpioMode);
 }
+
+tuple! { EventTriggerGpio pin: u8, mode: EventTriggerGpioMode }
 
 record! {
     /// Two thresholds with a window between them.
@@ -713,12 +721,20 @@ record! {
 }
 
 item! { EventThresholdWindow { low_threshold high_threshold } }
+view! {
+    EventThresholdWindow
+    low_threshold: f64, at 0;
+    high_threshold: f64, at 8;
+}
+
 constructors! {
     EventThresholdWindow
 
     /// Creates it from its values.
     fn new(low_threshold: f64, high_threshold: f64);
 }
+
+tuple! { EventThresholdWindow low_threshold: f64, high_threshold: f64 }
 
 record! {
     /// A threshold inside a repeating interval.
@@ -741,12 +757,20 @@ record! {
 }
 
 item! { EventThresholdInterval { interval_threshold interval } }
+view! {
+    EventThresholdInterval
+    interval_threshold: f64, at 0;
+    interval: f64, at 8;
+}
+
 constructors! {
     EventThresholdInterval
 
     /// Creates it from its values.
     fn new(interval_threshold: f64, interval: f64);
 }
+
+tuple! { EventThresholdInterval interval_threshold: f64, interval: f64 }
 
 record! {
     /// A trigger on one value of a data field. The value is converted to double before it is
@@ -831,12 +855,20 @@ record! {
 }
 
 item! { EventTriggerCombination { logic_table input_triggers } }
+view! {
+    EventTriggerCombination
+    logic_table: u16, at 0;
+    input_triggers: [u8; 4], at 2;
+}
+
 constructors! {
     EventTriggerCombination
 
     /// Creates it from its values.
     fn new(logic_table: u16, input_triggers: [u8; 4]);
 }
+
+tuple! { EventTriggerCombination logic_table: u16, input_triggers: [u8; 4] }
 
 record! {
     /// An action on a GPIO pin, which needs the gpio feature and an output behavior.
@@ -854,12 +886,20 @@ record! {
 }
 
 item! { EventActionGpio { pin mode } }
+view! {
+    EventActionGpio
+    pin: u8, at 0;
+    mode: EventActionGpioMode, at 1;
+}
+
 constructors! {
     EventActionGpio
 
     /// Creates it from its values.
     fn new(pin: u8, mode: EventActionGpioMode);
 }
+
+tuple! { EventActionGpio pin: u8, mode: EventActionGpioMode }
 
 record! {
     /// An action that sends data packets.
@@ -900,6 +940,8 @@ constructors! {
         descriptors: impl Into<crate::List<u8, 249>>,
     );
 }
+
+tuple! { EventActionMessage descriptor_set: u8, decimation: u16, descriptors: crate::List<u8, 249> }
 
 open_enum! {
     /// Satellite constellation. QZSS has no value.
@@ -1258,6 +1300,14 @@ record! {
 }
 
 item! { NmeaMessage { message_id talker_id source_descriptor_set decimation } }
+view! {
+    NmeaMessage
+    message_id: NmeaMessageId, at 0;
+    talker_id: NmeaTalkerId, at 1;
+    source_descriptor_set: u8, at 2;
+    decimation: u16, at 3;
+}
+
 constructors! {
     NmeaMessage
 
@@ -1269,6 +1319,8 @@ constructors! {
         decimation: u16,
     );
 }
+
+tuple! { NmeaMessage message_id: NmeaMessageId, talker_id: NmeaTalkerId, source_descriptor_set: u8, decimation: u16 }
 
 open_enum! {
     /// A port of a device.
@@ -1504,12 +1556,20 @@ record! {
 }
 
 item! { DescriptorRate { descriptor decimation } }
+view! {
+    DescriptorRate
+    descriptor: u8, at 0;
+    decimation: u16, at 1;
+}
+
 constructors! {
     DescriptorRate
 
     /// Creates it from its values.
     fn new(descriptor: u8, decimation: u16);
 }
+
+tuple! { DescriptorRate descriptor: u8, decimation: u16 }
 
 bitfield! {
     /// State of the GPS time of sensor data.

@@ -6,11 +6,12 @@ use core::marker::PhantomData;
 
 use crate::codec::Writer;
 use crate::error::{DecodeError, EncodeError, EncodeErrorKind};
-use crate::field::{Command, RawField, Response, ResponseCheck};
+use crate::field::{Command, Field, RawField, Response, ResponseCheck};
 use crate::packet::{FieldLengthError, Fields, Packet, PacketBuilder, MAX_PAYLOAD};
 use crate::parser::Parser;
 use crate::protocol::{AckCode, Acknowledge};
 use crate::registry::AnyField;
+use crate::view::{View, Viewed};
 
 /// Tracks at most `N` commands that a device has not answered yet.
 ///
@@ -228,6 +229,10 @@ impl<R> Answer<R> {
     /// assert_eq!(answer.into_result(), Err(CommandError::TimedOut));
     /// assert_eq!(Answer::Acknowledged(Some(7)).into_result(), Ok(Some(7)));
     /// ```
+    ///
+    /// # Errors
+    ///
+    /// It was not acknowledged, or its response is not correct.
     pub fn into_result(self) -> Result<Option<R>, CommandError> {
         match self {
             Self::Acknowledged(response) => Ok(response),
@@ -240,6 +245,10 @@ impl<R> Answer<R> {
     }
 
     /// The response; an error if there is none.
+    ///
+    /// # Errors
+    ///
+    /// It was not acknowledged, or has no response.
     pub fn into_response(self) -> Result<R, CommandError> {
         self.into_result()?.ok_or(CommandError::MissingResponse)
     }
@@ -338,15 +347,29 @@ impl Event {
         (self.id == ticket.id).then(|| self.decoded())
     }
 
+    /// The same, with the values of the response where they are: nothing is copied.
+    #[must_use]
+    pub fn view<C: Command>(&self, ticket: &Ticket<C>) -> Option<Answer<View<'_, C::Response>>>
+    where
+        C::Response: Field + Viewed,
+    {
+        (self.id == ticket.id).then(|| self.answered(|field| field.view::<C::Response>()))
+    }
+
     fn decoded<R: Response>(&self) -> Answer<R> {
+        self.answered(|field| R::from_field(&field))
+    }
+
+    fn answered<'e, R>(
+        &'e self,
+        read: impl FnOnce(RawField<'e>) -> Option<Result<R, DecodeError>>,
+    ) -> Answer<R> {
         match self.outcome {
-            Outcome::Acknowledged | Outcome::Undecodable => {
-                match self.response().and_then(|field| R::from_field(&field)) {
-                    None => Answer::Acknowledged(None),
-                    Some(Ok(response)) => Answer::Acknowledged(Some(response)),
-                    Some(Err(error)) => Answer::Undecodable(error),
-                }
-            }
+            Outcome::Acknowledged | Outcome::Undecodable => match self.response().and_then(read) {
+                None => Answer::Acknowledged(None),
+                Some(Ok(response)) => Answer::Acknowledged(Some(response)),
+                Some(Err(error)) => Answer::Undecodable(error),
+            },
             Outcome::Refused(code) => Answer::Refused(code),
             Outcome::TimedOut => Answer::TimedOut,
             Outcome::MissingResponse => Answer::MissingResponse,
@@ -461,6 +484,10 @@ impl<const N: usize> Client<N> {
     }
 
     /// A packet with one command, ready to be sent.
+    ///
+    /// # Errors
+    ///
+    /// The command does not encode, or all slots are taken.
     pub fn send<C: Command>(
         &mut self,
         command: &C,
@@ -771,6 +798,10 @@ pub struct Request<'c> {
 
 impl<'c> Request<'c> {
     /// Appends a command. On an error the request is unchanged.
+    ///
+    /// # Errors
+    ///
+    /// The command does not encode, the packet is full or of another set, or all slots are taken.
     pub fn add<C: Command>(&mut self, command: &C) -> Result<Ticket<C>, RequestError> {
         let set = self.table.packet.set();
         if set != C::SET {
@@ -800,11 +831,15 @@ impl<'c> Request<'c> {
     ///     };
     ///     println!("{:?}", event.outcome);
     ///     if let Some(Ok(response)) = event.response().and_then(|f| AnyField::decode(&f)) {
-    ///         println!("{}: {:?}", response.name(), response.field);
+    ///         println!("{}: {response:?}", response.info().name);
     ///     }
     ///     Ok(())
     /// }
     /// ```
+    ///
+    /// # Errors
+    ///
+    /// The field is not a command, or those of [`Request::add`].
     #[inline]
     pub fn add_any(&mut self, field: &AnyField) -> Result<Ticket<()>, RequestError> {
         field.add_to(self).unwrap_or(Err(RequestError::NoCommand))

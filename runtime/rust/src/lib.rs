@@ -11,6 +11,7 @@
     clippy::arithmetic_side_effects,
     clippy::expect_used,
     clippy::indexing_slicing,
+    clippy::missing_errors_doc,
     clippy::panic,
     clippy::todo,
     clippy::unimplemented,
@@ -19,6 +20,24 @@
 )]
 // Deprecated fields still have to be read, and there is no heap to put a large variant on.
 #![allow(deprecated, clippy::large_enum_variant)]
+// Of clippy's pedantic lints, which are otherwise silent:
+#![allow(
+    // sums wrap, and bits and sizes are known to fit;
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    clippy::cast_precision_loss,
+    clippy::cast_sign_loss,
+    // texts and numbers are those of the specification;
+    clippy::doc_markdown,
+    clippy::unreadable_literal,
+    // macros and traits use the same signatures for all types;
+    clippy::default_trait_access,
+    clippy::ref_option,
+    clippy::trivially_copy_pass_by_ref,
+    clippy::unnecessary_wraps,
+    // what vanishes where it is inlined was measured.
+    clippy::inline_always
+)]
 
 #[cfg(feature = "alloc")]
 extern crate alloc;
@@ -43,6 +62,7 @@ mod slice;
 #[cfg(feature = "std")]
 mod stream;
 mod text;
+mod view;
 
 pub mod devices;
 #[cfg(feature = "dynamic")]
@@ -71,3 +91,4 @@ pub use slice::{packets, Packets};
 #[cfg(feature = "std")]
 pub use stream::PacketReader;
 pub use text::{Text, VarText};
+pub use view::{View, Viewed};

@@ -84,6 +84,10 @@ impl<T: Item, const N: usize> List<T, N> {
     }
 
     /// A list of these items.
+    ///
+    /// # Errors
+    ///
+    /// There are more than `N` items.
     pub fn from_slice(items: &[T]) -> Result<Self, CapacityError>
     where
         T: Clone,
@@ -104,6 +108,10 @@ impl<T: Item, const N: usize> List<T, N> {
 
 impl<T, const N: usize> List<T, N> {
     /// Appends an item. A list that has overflowed takes none until it is cleared.
+    ///
+    /// # Errors
+    ///
+    /// The list is full.
     #[inline]
     pub fn push(&mut self, item: T) -> Result<(), CapacityError> {
         match self.items.get_mut(self.given) {

@@ -1,11 +1,13 @@
 //! Packets: building them, and reading them without copying.
 
 use core::fmt;
+use core::ops::RangeInclusive;
 
 use crate::codec::Writer;
 use crate::error::{DecodeError, DecodeErrorKind, EncodeError, EncodeErrorKind};
 use crate::field::{Field, OneSet, RawField};
 use crate::protocol::SYNC;
+use crate::view::{self, View, Viewed};
 
 /// The maximum size of a payload.
 pub const MAX_PAYLOAD: usize = 255;
@@ -30,13 +32,18 @@ pub fn checksum(bytes: &[u8]) -> [u8; 2] {
             return sums;
         }
     }
-    sums(bytes)
+    small(bytes)
 }
 
 /// The same, byte by byte: small.
 #[inline(never)] // beside words, which most packets take, it would only be in the way
-fn sums(bytes: &[u8]) -> [u8; 2] {
-    let (mut a, mut b) = (0_u8, 0_u8);
+fn small(bytes: &[u8]) -> [u8; 2] {
+    sums([0, 0], bytes)
+}
+
+/// Continues a checksum.
+#[inline]
+fn sums([mut a, mut b]: [u8; 2], bytes: &[u8]) -> [u8; 2] {
     for byte in bytes {
         a = a.wrapping_add(*byte);
         b = b.wrapping_add(a);
@@ -122,6 +129,10 @@ pub struct Packet<'a> {
 
 impl<'a> Packet<'a> {
     /// Checks that bytes are exactly one packet.
+    ///
+    /// # Errors
+    ///
+    /// The sync bytes, the length or the checksum is wrong.
     pub fn new(bytes: &'a [u8]) -> Result<Self, PacketError> {
         if !bytes.starts_with(&SYNC) {
             return Err(PacketError::Sync);
@@ -178,21 +189,36 @@ impl<'a> Packet<'a> {
     ///
     /// A field of this type that runs past the payload is an error
     /// ([`Truncated`](crate::DecodeErrorKind::Truncated)), even if the part in the packet could be decoded.
+    #[inline]
     #[must_use]
     pub fn find<T: Field>(&self) -> Option<Result<T, DecodeError>> {
+        self.search::<T>().map(|found| found.and_then(|field| T::decode(field.data)))
+    }
+
+    /// The first field of this type, to read its values where they are; otherwise like
+    /// [`Packet::find`].
+    #[inline]
+    #[must_use]
+    pub fn view<T: Field + Viewed>(&self) -> Option<Result<View<'a, T>, DecodeError>> {
+        self.search::<T>().map(|found| found.and_then(|field| view::open(field.data)))
+    }
+
+    /// The first field of this type, not yet decoded.
+    #[inline]
+    fn search<T: Field>(&self) -> Option<Result<RawField<'a>, DecodeError>> {
         let mut fields = self.fields();
+        if !T::occurs_in(fields.set) {
+            return None;
+        }
         while let Some(field) = fields.sound() {
-            if let Some(found) = field.get() {
-                return Some(found);
+            if field.descriptor == T::DESCRIPTOR && field.has_layout_of::<T>() {
+                return Some(Ok(field));
             }
         }
-        let (field, need) = fields.cut()?;
-        let is_it = T::occurs_in(field.set)
-            && field.descriptor == T::DESCRIPTOR
-            && T::SIZES.contains(&need)
-            && field.has_constants(T::CONSTANTS);
-        let error = DecodeError::new(DecodeErrorKind::Truncated, T::NAME, need, field.data.len());
-        is_it.then_some(Err(error))
+        if fields.payload.is_empty() {
+            return None;
+        }
+        fields.cut(T::DESCRIPTOR, &T::SIZES, T::CONSTANTS, T::NAME).map(Err)
     }
 }
 
@@ -246,13 +272,22 @@ impl<'a> Fields<'a> {
         Some(RawField { set: self.set, descriptor, data })
     }
 
-    /// After the last sound field: the one that runs past the payload, as far as it is there, and
-    /// the number of bytes that its data should have.
+    /// After the last sound field: the error of the field that runs past the payload, if it is the
+    /// one that is searched, as far as it is there.
     #[cold]
-    fn cut(&self) -> Option<(RawField<'a>, usize)> {
+    fn cut(
+        &self,
+        wanted: u8,
+        sizes: &RangeInclusive<usize>,
+        constants: &[(usize, &[u8])],
+        name: &'static str,
+    ) -> Option<DecodeError> {
         let [length @ 2..=255, descriptor, data @ ..] = self.payload else { return None };
         let need = usize::from(*length).saturating_sub(FIELD_HEADER);
-        Some((RawField { set: self.set, descriptor: *descriptor, data }, need))
+        let field = RawField { set: self.set, descriptor: *descriptor, data };
+        let is_it =
+            *descriptor == wanted && sizes.contains(&need) && field.has_constants(constants);
+        is_it.then(|| DecodeError::new(DecodeErrorKind::Truncated, name, need, data.len()))
     }
 }
 
@@ -314,6 +349,10 @@ impl PacketBuilder {
     ///
     /// A field of several sets does not tell which one is meant: begin its packet with
     /// [`PacketBuilder::new`], and [push](PacketBuilder::push) it.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`PacketBuilder::push`].
     pub fn with<T: OneSet>(field: &T) -> Result<Self, EncodeError> {
         let mut builder = Self::new(T::SET);
         builder.push(field)?;
@@ -328,13 +367,19 @@ impl PacketBuilder {
     }
 
     /// Appends a field, which must occur in the set of the packet.
+    ///
+    /// # Errors
+    ///
+    /// The field does not occur in the set, does not encode, or does not fit.
+    #[inline]
     pub fn push<T: Field>(&mut self, field: &T) -> Result<(), EncodeError> {
         let set = T::SETS.first().copied().unwrap_or_default();
         if !T::occurs_in(self.set()) {
             return Err(EncodeError::set(T::NAME, set, self.set()));
         }
         let length = field.encode(self.free(T::NAME, set)?)?;
-        self.close(T::DESCRIPTOR, length);
+        // A constant, where it is one: then so is the number of bytes to sum.
+        self.close(T::DESCRIPTOR, if T::FIXED { T::SIZE } else { length });
         Ok(())
     }
 
@@ -354,6 +399,10 @@ impl PacketBuilder {
     }
 
     /// Appends a field from its bytes.
+    ///
+    /// # Errors
+    ///
+    /// The bytes do not fit, or no packet has the set.
     pub fn push_raw(&mut self, descriptor: u8, data: &[u8]) -> Result<(), EncodeError> {
         let free = self.free("", self.set())?;
         if data.len() > free.len() {
@@ -384,6 +433,7 @@ impl PacketBuilder {
     }
 
     /// Where the checksum begins.
+    #[inline]
     fn end(&self) -> usize {
         let [_, _, _, payload, ..] = self.bytes;
         HEADER.saturating_add(payload.into())
@@ -391,6 +441,7 @@ impl PacketBuilder {
 
     /// The place for the data of a further field. Its header will be where the checksum is; until
     /// it is closed, the packet is unchanged.
+    #[inline]
     fn free(&mut self, field: &'static str, set: u8) -> Result<&mut [u8], EncodeError> {
         if matches!(self.set(), 0 | 0xFF) {
             return Err(EncodeError::set(field, set, self.set()));
@@ -403,15 +454,28 @@ impl PacketBuilder {
     }
 
     /// Adds a field whose data is already in place.
+    ///
+    /// The checksum continues from the last one. In the second sum, a byte counts as often as bytes
+    /// follow it, and once more: the payload length, which grows, and all bytes before the field.
+    #[inline]
     fn close(&mut self, descriptor: u8, length: usize) {
-        let end = self.end();
-        let whole = length.saturating_add(FIELD_HEADER) as u8;
-        if let Some([length, number, ..]) = self.bytes.get_mut(end..) {
-            (*length, *number) = (whole, descriptor);
+        let end = self.end().min(MAX_PACKET);
+        let size = length.saturating_add(FIELD_HEADER);
+        let grown = size as u8;
+        let (head, tail) = self.bytes.split_at_mut(end);
+        let ([_, _, _, payload, ..], [a, b, ..]) = (head, &mut *tail) else { return };
+        *payload = payload.wrapping_add(grown);
+        let since_length = (end as u8).wrapping_sub(3);
+        let first = a.wrapping_add(grown);
+        let second = b.wrapping_add(grown.wrapping_mul(since_length));
+        (*a, *b) = (grown, descriptor);
+        if size > tail.len() {
+            return;
         }
-        let [_, _, _, payload, ..] = &mut self.bytes;
-        *payload = payload.saturating_add(whole);
-        self.seal();
+        let (field, behind) = tail.split_at_mut(size);
+        if let [a, b, ..] = behind {
+            [*a, *b] = sums([first, second], field);
+        }
     }
 
     /// Sets the checksum.

@@ -108,12 +108,72 @@ impl Parser {
         self.length.saturating_sub(self.done) as usize
     }
 
-    /// Takes a chunk, and returns a [`Feed`] that lends its packets one after another.
-    ///
-    /// Feed each chunk once: `while let Some(packet) = parser.feed(chunk).next()` feeds it again for
-    /// each packet, and never ends. [`Feed::for_each`] cannot be mistaken.
+    /// Takes a chunk, for a function that is called with each packet: see [`Feed`].
+    #[inline]
     pub fn feed<'p, 'i>(&'p mut self, chunk: &'i [u8]) -> Feed<'p, 'i> {
-        Feed { parser: self, rest: chunk }
+        Feed { parser: self, chunk }
+    }
+
+    /// The next packet of a chunk, or `None` at its end.
+    ///
+    /// It removes from the front of the chunk what it has searched, so that a loop needs a variable:
+    ///
+    /// ```
+    /// # use mip_protocol::Parser;
+    /// # let mut parser = Parser::new();
+    /// # let received = b"\x75\x65\x01\x02\x02\x01\xE0\xC6";
+    /// let mut chunk = &received[..];
+    /// while let Some(packet) = parser.next(&mut chunk) {
+    ///     println!("{packet:?}");
+    /// }
+    /// ```
+    ///
+    /// Call it until it returns `None`. If you stop earlier, the variable has the part that was not
+    /// reached, to be passed later.
+    ///
+    /// A packet may be in the parser's buffer, which is needed for the next one: it cannot be kept
+    /// while the next is requested. To keep it, copy it, for example into a
+    /// [`PacketBuilder`](crate::PacketBuilder) or a `PacketBuf`.
+    ///
+    /// ```compile_fail
+    /// # use mip_protocol::Parser;
+    /// # let mut parser = Parser::new();
+    /// # let mut chunk = &b"\x75\x65\x01\x02\x02\x01\xE0\xC6"[..];
+    /// let first = parser.next(&mut chunk);
+    /// let second = parser.next(&mut chunk);
+    /// println!("{first:?} {second:?}");
+    /// ```
+    #[inline]
+    pub fn next<'p, 'i: 'p>(&'p mut self, chunk: &mut &'i [u8]) -> Option<Packet<'p>> {
+        let input = *chunk;
+        // The usual cases first: nothing is held back, and a packet is next, or its first part.
+        if HOST && self.is_empty() {
+            match judge(input) {
+                Candidate::Whole(size) => {
+                    let (packet, rest) = input.split_at(size.min(input.len()));
+                    *chunk = rest;
+                    return Some(Packet::trusted(packet));
+                }
+                Candidate::Open(size) => {
+                    self.hold(input, size);
+                    *chunk = &[];
+                    return None;
+                }
+                Candidate::Bad => {}
+            }
+        } else if HOST && input.len() == 1 && self.missing > 1 {
+            // Byte by byte.
+            *chunk = self.fill(input);
+            return None;
+        }
+        let (size, left) = self.step(input);
+        let (searched, rest) = input.split_at(input.len().saturating_sub(left));
+        *chunk = rest;
+        match size {
+            0 => None,
+            _ if self.is_done() => Some(self.packet()),
+            _ => Some(Packet::trusted(behind(searched, searched.len().wrapping_sub(size)))),
+        }
     }
 
     /// Discards the pending candidate only if a whole packet follows its first bytes, and returns
@@ -300,98 +360,47 @@ const fn short(count: usize) -> u16 {
     count as u16
 }
 
-/// A chunk that a parser works through; from [`Parser::feed`].
+/// A chunk and the parser that searches it; from [`Parser::feed`].
 ///
-/// ```
-/// # use mip_protocol::Parser;
-/// # let mut parser = Parser::new();
-/// # let chunk = b"\x75\x65\x01\x02\x02\x01\xE0\xC6";
-/// parser.feed(chunk).for_each(|packet| println!("{packet:?}"));
-/// ```
-///
-/// A loop, to end it early or with `?`, takes the packets from a variable:
-///
-/// ```
-/// # use mip_protocol::Parser;
-/// # let mut parser = Parser::new();
-/// # let chunk = b"\x75\x65\x01\x02\x02\x01\xE0\xC6";
-/// let mut packets = parser.feed(chunk);
-/// while let Some(packet) = packets.next() {
-///     println!("{packet:?}");
-/// }
-/// ```
-///
-/// A packet may be in the parser's buffer, which is needed for the next one: this is not an
-/// `Iterator`, and a packet cannot be kept while the next is requested. To keep it, copy it, for
-/// example into a [`PacketBuilder`](crate::PacketBuilder) or a `PacketBuf`.
+/// It has no method that returns one packet: that would feed the chunk again for each packet.
 ///
 /// ```compile_fail
-/// # use mip_protocol::Parser;
-/// # let mut parser = Parser::new();
+/// # let mut parser = mip_protocol::Parser::new();
 /// # let chunk = b"\x75\x65\x01\x02\x02\x01\xE0\xC6";
-/// let mut packets = parser.feed(chunk);
-/// let first = packets.next();
-/// let second = packets.next();
-/// println!("{first:?} {second:?}");
+/// while let Some(packet) = parser.feed(chunk).next() {}
 /// ```
-///
-/// Call it until it returns `None`. If you stop earlier, the part of the chunk that was not reached
-/// is not in the parser: it is [`Feed::rest`], to be fed later.
 #[derive(Debug)]
-#[must_use = "it lends the packets of the chunk"]
+#[must_use = "it searches the chunk only if it is told what to do with the packets"]
 pub struct Feed<'p, 'i> {
     parser: &'p mut Parser,
-    rest: &'i [u8],
+    chunk: &'i [u8],
 }
 
-impl<'i> Feed<'_, 'i> {
+impl Feed<'_, '_> {
     /// Calls a function with each packet of the chunk.
+    #[inline]
     pub fn for_each(mut self, mut call: impl FnMut(Packet<'_>)) {
-        while let Some(packet) = self.next() {
+        while let Some(packet) = self.parser.next(&mut self.chunk) {
             call(packet);
         }
     }
 
-    /// The next packet, or `None` at the end of the chunk.
+    /// Calls a function with each packet of the chunk, until the first error.
     ///
-    /// Of a feed in a variable: `while let Some(packet) = parser.feed(chunk).next()` never ends,
-    /// because it feeds the chunk again for each packet.
-    #[allow(clippy::should_implement_trait)] // an iterator cannot lend
+    /// After an error, what follows in the chunk is not searched. [`Parser::next`] leaves it to the
+    /// caller.
+    ///
+    /// # Errors
+    ///
+    /// Those of the function.
     #[inline]
-    pub fn next(&mut self) -> Option<Packet<'_>> {
-        // The usual cases first: nothing is held back, and a packet is next, or its first part.
-        if HOST && self.parser.is_empty() {
-            match judge(self.rest) {
-                Candidate::Whole(size) => {
-                    let (packet, rest) = self.rest.split_at(size.min(self.rest.len()));
-                    self.rest = rest;
-                    return Some(Packet::trusted(packet));
-                }
-                Candidate::Open(size) => {
-                    self.parser.hold(self.rest, size);
-                    self.rest = &[];
-                    return None;
-                }
-                _ => {}
-            }
-        } else if HOST && self.rest.len() == 1 && self.parser.missing > 1 {
-            // Byte by byte.
-            self.rest = self.parser.fill(self.rest);
-            return None;
+    pub fn try_for_each<E>(
+        mut self,
+        mut call: impl FnMut(Packet<'_>) -> Result<(), E>,
+    ) -> Result<(), E> {
+        while let Some(packet) = self.parser.next(&mut self.chunk) {
+            call(packet)?;
         }
-        let (size, left) = self.parser.step(self.rest);
-        let (searched, rest) = self.rest.split_at(self.rest.len().saturating_sub(left));
-        self.rest = rest;
-        match size {
-            0 => None,
-            _ if self.parser.is_done() => Some(self.parser.packet()),
-            _ => Some(Packet::trusted(behind(searched, searched.len().wrapping_sub(size)))),
-        }
-    }
-
-    /// The part of the chunk that has not been reached yet.
-    #[must_use]
-    pub const fn rest(&self) -> &'i [u8] {
-        self.rest
+        Ok(())
     }
 }

@@ -13,7 +13,7 @@ struct Reply(PacketBuilder);
 
 impl Reply {
     fn new() -> Self {
-        Self(PacketBuilder::new(tools::SET))
+        Self(PacketBuilder::new(tools::TOOLS_SET))
     }
 
     fn ack(self, command: u8, code: AckCode) -> Self {
@@ -101,7 +101,7 @@ fn timed_out() {
 #[test]
 fn several_commands_in_one_packet() {
     let mut client: Client = Client::new();
-    let mut request = client.request(tools::SET);
+    let mut request = client.request(tools::TOOLS_SET);
     let ping = request.add(&tools::Ping).unwrap();
     let bias = request.add(&tools::Bias::read()).unwrap();
     let save = request.add(&tools::Bias::save()).unwrap();
@@ -130,7 +130,7 @@ fn several_commands_in_one_packet() {
 #[test]
 fn events_come_in_the_order_of_the_answers_and_without_their_fields() {
     let mut client: Client = Client::new();
-    let mut request = client.request(tools::SET);
+    let mut request = client.request(tools::TOOLS_SET);
     let ping = request.add(&tools::Ping).unwrap();
     let bias = request.add(&tools::Bias::read()).unwrap();
     let _ = request.send(0);
@@ -148,11 +148,11 @@ fn events_come_in_the_order_of_the_answers_and_without_their_fields() {
 #[test]
 fn replies_may_come_in_several_packets_with_data_between() {
     let mut client: Client = Client::new();
-    let mut request = client.request(tools::SET);
+    let mut request = client.request(tools::TOOLS_SET);
     let first = request.add(&tools::Ping).unwrap();
     let second = request.add(&tools::Inventory).unwrap();
     let _ = request.send(0);
-    let mut data = PacketBuilder::new(measurements::MEASUREMENTS);
+    let mut data = PacketBuilder::new(measurements::MEASUREMENTS_SET);
     data.push(&measurements::Accel::default()).unwrap();
     assert_eq!(client.receive(&data.packet()).count(), 0);
     let reply = Reply::new().ack(1, AckCode::OK);
@@ -183,7 +183,7 @@ fn commands_that_nobody_answers_are_not_waited_for() {
     assert_eq!(client.take(&apply), Some(Answer::Silent));
     assert_eq!(client.take(&quiet).map(Answer::into_result), Some(Ok(None)));
     // Next to others too, and even if the client is full.
-    let mut request = client.request(tools::SET);
+    let mut request = client.request(tools::TOOLS_SET);
     let loud = request.add(&tools::Ping).unwrap();
     let silent = request.add(&tools::Formats::new(true, 0, [])).unwrap();
     assert_eq!(request.send(0).fields().count(), 2);
@@ -247,7 +247,7 @@ fn a_read_that_is_acknowledged_without_data() {
 #[test]
 fn events_that_are_not_taken_stay() {
     let mut client: Client<4> = Client::new();
-    let mut request = client.request(tools::SET);
+    let mut request = client.request(tools::TOOLS_SET);
     let first = request.add(&tools::Ping).unwrap();
     let second = request.add(&tools::Bias::read()).unwrap();
     let third = request.add(&tools::Ping).unwrap();
@@ -341,14 +341,14 @@ fn answers_as_results() {
 fn a_client_in_static_memory() {
     static CLIENT: std::sync::Mutex<Client<2>> = std::sync::Mutex::new(Client::with_timeout(7));
     static PARSER: std::sync::Mutex<Parser> = std::sync::Mutex::new(Parser::new());
-    const BUILDER: PacketBuilder = PacketBuilder::new(tools::SET);
+    const BUILDER: PacketBuilder = PacketBuilder::new(tools::TOOLS_SET);
     let mut client = CLIENT.lock().unwrap();
     let ticket = sent_in(&mut client, 0);
     let mut reply = BUILDER;
     reply.push(&Acknowledge { command: 1, code: AckCode::OK }).unwrap();
     let mut parser = PARSER.lock().unwrap();
-    let mut packets = parser.feed(reply.bytes());
-    while let Some(packet) = packets.next() {
+    let mut received = reply.bytes();
+    while let Some(packet) = parser.next(&mut received) {
         assert_eq!(client.receive(&packet).count(), 1);
     }
     assert!(!client.is_pending(&ticket));
@@ -358,7 +358,7 @@ fn a_client_in_static_memory() {
 fn later_commands_are_answered_later_in_whatever_slots() {
     let mut client: Client<3> = Client::new();
     for _ in 0..100 {
-        let mut request = client.request(tools::SET);
+        let mut request = client.request(tools::TOOLS_SET);
         let tickets = [0; 3].map(|_| request.add(&tools::Ping).unwrap());
         assert_eq!(request.add(&tools::Ping).unwrap_err(), RequestError::Busy);
         let _ = request.send(0);
@@ -408,18 +408,18 @@ fn an_answer_behind_noise() {
     let mut client: Client = Client::new();
     let mut parser = Parser::new();
     let ticket = sent(&mut client, &tools::Ping, 0);
-    let mut data = PacketBuilder::new(measurements::MEASUREMENTS);
+    let mut data = PacketBuilder::new(measurements::MEASUREMENTS_SET);
     data.push(&measurements::Accel::default()).unwrap();
     let reply = Reply::new().ack(1, AckCode::OK);
     let stream = [b"ue\x80\xFF", reply.0.bytes(), data.bytes()].concat();
     // The last packet is not complete yet; it is not given up.
-    let (input, rest) = stream.split_at(stream.len() - 3);
-    assert!(parser.feed(input).next().is_none());
+    let (mut input, mut rest) = stream.split_at(stream.len() - 3);
+    assert!(parser.next(&mut input).is_none());
     assert!(client.poll(&mut parser, 999).is_none() && client.is_pending(&ticket));
     let packet = client.poll(&mut parser, 1000).unwrap();
     assert_eq!(client.receive(&packet).count(), 1);
     assert!(client.poll(&mut parser, 1000).is_none());
-    assert_eq!(parser.feed(rest).next().unwrap().bytes(), data.bytes());
+    assert_eq!(parser.next(&mut rest).unwrap().bytes(), data.bytes());
     assert_eq!(parser.skipped(), 4);
 }
 
@@ -433,7 +433,7 @@ fn refused<C>(added: Result<Ticket<C>, RequestError>) -> EncodeErrorKind {
 #[test]
 fn commands_whose_type_is_known_only_when_the_program_runs() {
     let mut client: Client = Client::new();
-    let mut request = client.request(tools::SET);
+    let mut request = client.request(tools::TOOLS_SET);
     let read = request.add_any(&AnyField::ToolsBias(tools::Bias::read())).unwrap();
     let quiet = AnyField::ToolsFormats(tools::Formats::new(true, 0, []));
     assert!(request.add_any(&quiet).unwrap().is_silent());
@@ -445,9 +445,23 @@ fn commands_whose_type_is_known_only_when_the_program_runs() {
     let reply = Reply::new().ack(5, AckCode::OK).field(&tools::BiasVector::default());
     let event = only(&mut client, &reply);
     assert_eq!((event.id, event.outcome), (read.id(), Outcome::Acknowledged));
-    let found = AnyField::decode(&event.response().unwrap()).unwrap().unwrap();
-    assert_eq!((found.set, &found.field, found.left_over), (tools::SET, &response, 0));
+    let found = AnyField::decode_with_trailing(&event.response().unwrap()).unwrap().unwrap();
+    assert_eq!((found.set, &found.field, found.left_over), (tools::TOOLS_SET, &response, 0));
     assert_eq!(format!("{read:?}"), format!("Ticket({})", read.id()));
+}
+
+#[test]
+fn a_response_is_lent_from_its_slot() {
+    let mut client: Client = Client::new();
+    let ticket = sent(&mut client, &tools::Bias::read(), 0);
+    let other = sent(&mut client, &tools::Bias::read(), 0);
+    let response = tools::BiasVector { bias: [1.0, 2.0, 3.0].into() };
+    let event = only(&mut client, &Reply::new().ack(5, AckCode::OK).field(&response));
+    let Some(Answer::Acknowledged(Some(view))) = event.view(&ticket) else { panic!("{event:?}") };
+    assert_eq!(view.bias(), response.bias);
+    assert!(event.view(&other).is_none());
+    let event = only(&mut client, &Reply::new().ack(5, AckCode(3)));
+    assert!(matches!(event.view(&other), Some(Answer::Refused(AckCode(3)))));
 }
 
 #[test]
@@ -469,7 +483,7 @@ fn the_same_command_twice_is_answered_in_order() {
 fn a_full_client_or_packet_refuses() {
     let mut client: Client<2> = Client::new();
     client.send(&tools::Ping, 0).unwrap();
-    let mut request = client.request(tools::SET);
+    let mut request = client.request(tools::TOOLS_SET);
     request.add(&tools::Ping).unwrap();
     assert_eq!(request.add(&tools::Ping).unwrap_err(), RequestError::Busy);
     let packet = request.send(0);
@@ -477,7 +491,7 @@ fn a_full_client_or_packet_refuses() {
     assert_eq!(client.send(&tools::Ping, 0).unwrap_err(), RequestError::Busy);
 
     let mut client: Client<8> = Client::new();
-    let mut request = client.request(tools::SET);
+    let mut request = client.request(tools::TOOLS_SET);
     let long = tools::List::write([0; 100]);
     request.add(&long).unwrap();
     assert_eq!(refused(request.add(&long)), EncodeErrorKind::Length);
@@ -486,7 +500,7 @@ fn a_full_client_or_packet_refuses() {
     let mut request = client.request(0x0C);
     assert_eq!(refused(request.add(&tools::Ping)), EncodeErrorKind::Set);
     // What is not sent is forgotten.
-    let mut request = client.request(tools::SET);
+    let mut request = client.request(tools::TOOLS_SET);
     request.add(&tools::Ping).unwrap();
     drop(request);
     assert_eq!(client.pending(), 1);
@@ -503,7 +517,7 @@ fn a_client_may_be_shared_by_a_mutex() {
 #[test]
 fn the_event_of_any_ticket() {
     let mut client: Client = Client::new();
-    let mut request = client.request(tools::SET);
+    let mut request = client.request(tools::TOOLS_SET);
     let any = request.add_any(&AnyField::from(tools::Ping)).unwrap();
     let bias = request.add(&tools::Bias::read()).unwrap();
     let _ = request.send(0);

@@ -80,7 +80,7 @@ fn packet<T: Field>(field: &T) -> Vec<u8> {
 }
 
 fn answered<T: Field>(command: u8, response: &T) -> Vec<u8> {
-    let mut builder = PacketBuilder::new(tools::SET);
+    let mut builder = PacketBuilder::new(tools::TOOLS_SET);
     builder.push(&Acknowledge { command, code: AckCode::OK }).unwrap();
     builder.push(response).unwrap();
     builder.bytes().to_vec()
@@ -183,7 +183,7 @@ fn a_command_that_is_not_answered_is_not_waited_for() {
 fn several_commands_in_one_packet_and_their_answers_in_several() {
     let reply = vec![data(1.0), ack(1, AckCode::OK), data(2.0), answered(5, &BIAS)];
     let mut device = device([reply, vec![ack(1, AckCode::OK)], vec![ack(1, AckCode::OK)]]);
-    let tickets = device.send_all(tools::SET, |request| {
+    let tickets = device.send_all(tools::TOOLS_SET, |request| {
         Ok((
             request.add(&tools::Ping)?,
             request.add(&tools::Bias::read())?,
@@ -203,7 +203,7 @@ fn several_commands_in_one_packet_and_their_answers_in_several() {
     assert_eq!(next(&mut device), Some(data(2.0)));
     // Nothing is sent if one of them cannot be added.
     let mut small: Device<_, 1> = Device::with_client(Played::default(), Client::with_timeout(50));
-    let busy = small.send_all(tools::SET, |request| {
+    let busy = small.send_all(tools::TOOLS_SET, |request| {
         Ok((request.add(&tools::Ping)?, request.add(&tools::Ping)?))
     });
     assert_eq!(busy.unwrap_err(), DeviceError::Request(RequestError::Busy));
@@ -314,7 +314,7 @@ fn bytes_that_keep_coming_hold_nothing_up() {
     // Each deadline has such a time of its own: an answer between two is not lost.
     let mut device = talking(100);
     device.port_mut().coming.insert(25, answered(4, &tools::StatusShort::default()));
-    let tickets = device.send_all(tools::SET, |request| {
+    let tickets = device.send_all(tools::TOOLS_SET, |request| {
         Ok((request.add(&tools::Ping)?, request.add(&tools::Status::new(1))?))
     });
     let (ping, status) = tickets.unwrap();
@@ -405,7 +405,7 @@ fn an_answer_that_comes_after_a_failure_is_data() {
 #[test]
 fn an_answer_is_known_until_the_next_command() {
     let mut device = device([vec![ack(1, AckCode::OK)], vec![ack(1, AckCode::OK)]]);
-    let ping = device.send_all(tools::SET, |request| request.add(&tools::Ping)).unwrap();
+    let ping = device.send_all(tools::TOOLS_SET, |request| request.add(&tools::Ping)).unwrap();
     for _ in 0..2 {
         assert_eq!(device.answer(&ping), Answer::Acknowledged(None));
     }
@@ -417,7 +417,7 @@ fn an_answer_is_known_until_the_next_command() {
 
 #[test]
 fn a_packet_longer_than_the_queue_leaves_the_others_in_it() {
-    let mut large = PacketBuilder::new(measurements::MEASUREMENTS);
+    let mut large = PacketBuilder::new(measurements::MEASUREMENTS_SET);
     large.push_raw(0x70, &[0; 200]).unwrap();
     let replies = vec![data(1.0), data(2.0), large.bytes().to_vec(), ack(1, AckCode::OK)];
     let port = Played { replies: [replies].into(), ..Default::default() };
@@ -480,7 +480,7 @@ fn only_after_a_missing_answer_is_something_read_before_a_command() {
 #[test]
 fn without_commands_nothing_is_sent() {
     let mut device = device([]);
-    for set in [0, tools::SET, 0xFF] {
+    for set in [0, tools::TOOLS_SET, 0xFF] {
         assert_eq!(device.send_all(set, |_| Ok(())), Ok(()));
     }
     assert!(device.port().sent.is_empty());
@@ -505,7 +505,7 @@ fn a_command_whose_type_is_known_at_run_time() {
     let (first, bias) = send(tools::Bias::read().into());
     let bias = bias.unwrap();
     assert_eq!((bias.id, bias.outcome), (first.id(), Outcome::Acknowledged));
-    let response = AnyField::decode(&bias.response().unwrap()).unwrap().unwrap();
+    let response = AnyField::decode_with_trailing(&bias.response().unwrap()).unwrap().unwrap();
     assert_eq!(response.field, AnyField::from(BIAS));
     let refused = send(tools::Ping.into()).1.unwrap();
     assert_eq!(refused.outcome, Outcome::Refused(AckCode::INVALID_PARAMETER));

@@ -4,9 +4,9 @@
 
 use mip_protocol::types::{FunctionSelector, Mode, Point, Quatf, StateFlags, Vector3f};
 use mip_protocol::{
-    devices, measurements, mip_3d, protocol, registry, shared, tools, AnyField, Bool, Command,
-    DecodeErrorKind, EncodeErrorKind, Field, List, OneSet, PacketBuilder, RawField, Reader,
-    Response, ResponseOf, Role, Text,
+    devices, dispatch, measurements, mip_3d, protocol, registry, shared, tools, AnyField, Bool,
+    Command, DecodeErrorKind, EncodeErrorKind, Field, List, OneSet, PacketBuilder, RawField,
+    Reader, Response, ResponseOf, Role, Text,
 };
 
 fn bytes<T: Field>(field: &T) -> Vec<u8> {
@@ -272,10 +272,10 @@ fn constants_are_sent_and_demanded() {
     assert_eq!(raw.get::<tools::StatusLong>(), None);
     let found = tools::StatusResponses::from_field(&raw);
     assert_eq!(found, Some(Ok(tools::StatusResponses::Short(short))));
-    let found = AnyField::decode(&raw).unwrap().unwrap();
+    let found = AnyField::decode_with_trailing(&raw).unwrap().unwrap();
     assert_eq!(found.field, AnyField::ToolsStatusShort(short));
     let neither = RawField { data: &[0x12, 0x67, 3, 0, 0, 0, 0], ..raw };
-    assert!(AnyField::decode(&neither).is_none());
+    assert!(AnyField::decode_with_trailing(&neither).is_none());
     assert_eq!(tools::StatusResponses::from_field(&neither), None);
 }
 
@@ -287,6 +287,63 @@ fn reserved_parameters_default_to_what_is_to_be_sent() {
     assert_eq!(bytes(&settings).last(), Some(&3));
     assert_eq!(tools::SettingsResponse::default().reserved, 1);
     assert_eq!(measurements::Arrays::default().offsets, [0; 4]);
+}
+
+#[test]
+fn tuples_convert_to_structures() {
+    assert_eq!(Point::from((1, -2)), Point::new(1, -2));
+    let stripes: tools::Stripes = (0.5, 2.0).into();
+    assert_eq!((stripes.width, stripes.angle), (0.5, 2.0));
+}
+
+#[test]
+fn a_bitfield_in_a_loop_is_its_bits() {
+    let flags = StateFlags::READY | StateFlags::HOT;
+    let mut found = Vec::new();
+    for bit in &flags {
+        found.push(bit);
+    }
+    assert_eq!(found, flags.iter().collect::<Vec<_>>());
+    assert!(found.len() > 1 && found.into_iter().collect::<StateFlags>() == flags);
+}
+
+/// What a program does with some fields, written with its own arms.
+fn first_number(field: &RawField<'_>) -> Result<f64, DecodeErrorKind> {
+    let number = dispatch!(field, {
+        measurements::Accel(accel) => { accel.scaled_accel.x.into() }
+        shared::Timestamp(time) => time.tow,
+        tools::StatusLong(status) => status.uptime as f64,
+        tools::StatusShort(_) => { -1.0 },
+        _ => f64::NAN,
+    });
+    number.map_err(|error| error.kind)
+}
+
+#[test]
+fn each_field_gets_the_arm_of_its_type() {
+    let accel = measurements::Accel { scaled_accel: [2.5, 0.0, 0.0].into(), ..Default::default() };
+    let data = bytes(&accel);
+    let field = RawField { set: 0x80, descriptor: measurements::Accel::DESCRIPTOR, data: &data };
+    assert_eq!(first_number(&field), Ok(2.5));
+    assert_eq!(
+        dispatch!(field, { measurements::Accel(found) => assert_eq!(found, accel) }),
+        Ok(())
+    );
+    let mut other = false;
+    assert_eq!(dispatch!(field, { tools::StatusShort(_) => other = true }), Ok(()));
+    assert!(!other);
+    let short = RawField { data: &data[..5], ..field };
+    assert_eq!(first_number(&short), Err(DecodeErrorKind::Truncated));
+    assert!(first_number(&RawField { set: 1, ..field }).unwrap().is_nan());
+    let time = bytes(&shared::Timestamp { tow: 7.0, ..Default::default() });
+    let descriptor = shared::Timestamp::DESCRIPTOR;
+    assert_eq!(first_number(&RawField { set: 0x80, descriptor, data: &time }), Ok(7.0));
+    // Several layouts of one descriptor.
+    let descriptor = tools::StatusShort::DESCRIPTOR;
+    let long = bytes(&tools::StatusLong { flags: 1, uptime: 2 });
+    assert_eq!(first_number(&RawField { set: 1, descriptor, data: &long }), Ok(2.0));
+    let status = bytes(&tools::StatusShort { flags: 1 });
+    assert_eq!(first_number(&RawField { set: 1, descriptor, data: &status }), Ok(-1.0));
 }
 
 #[test]
@@ -368,20 +425,20 @@ fn commands_tell_what_to_expect() {
 
 #[test]
 fn a_layout_is_one_type_in_all_its_sets() {
-    use measurements::{Accel, Own, Radio, Strings, COPY, MEASUREMENTS, MORE};
-    assert_eq!((MEASUREMENTS, MORE, COPY), (0x80, 0x81, 0x92));
-    assert_eq!(Accel::SETS, [MEASUREMENTS, MORE, COPY]);
+    use measurements::{Accel, Own, Radio, Strings, COPY_SET, MEASUREMENTS_SET, MORE_SET};
+    assert_eq!((MEASUREMENTS_SET, MORE_SET, COPY_SET), (0x80, 0x81, 0x92));
+    assert_eq!(Accel::SETS, [MEASUREMENTS_SET, MORE_SET, COPY_SET]);
     assert_eq!((Strings::SETS, Radio::SETS), (&[0x80, 0x81, 0x92][..], &[0x80, 0x92][..]));
     let accel = Accel::default();
     let data = bytes(&accel);
     for (set, name, title) in [
-        (MEASUREMENTS, "measurements.accel", "Acceleration"),
-        (MORE, "more.accel", "Second acceleration"),
-        (COPY, "copy.accel", "Third acceleration"),
+        (MEASUREMENTS_SET, "measurements.accel", "Acceleration"),
+        (MORE_SET, "more.accel", "Second acceleration"),
+        (COPY_SET, "copy.accel", "Third acceleration"),
     ] {
         let raw = RawField { set, descriptor: Accel::DESCRIPTOR, data: &data };
         assert_eq!(raw.get(), Some(Ok(accel)));
-        let found = AnyField::decode(&raw).unwrap().unwrap();
+        let found = AnyField::decode_with_trailing(&raw).unwrap().unwrap();
         assert_eq!((found.set, &found.field), (set, &AnyField::MeasurementsAccel(accel)));
         assert_eq!((found.name(), found.title()), (name, title));
         let info = registry::FieldInfo::by_name(name).unwrap();
@@ -394,19 +451,22 @@ fn a_layout_is_one_type_in_all_its_sets() {
     }
     let other = RawField { set: 0x82, descriptor: Accel::DESCRIPTOR, data: &data };
     assert!(!other.is::<Accel>() && other.get::<Accel>().is_none());
-    assert!(AnyField::decode(&other).is_none());
+    assert!(AnyField::decode_with_trailing(&other).is_none());
     // One descriptor, another layout in one of the sets.
-    assert_eq!((Own::DESCRIPTOR, Own::SET, Own::SETS), (Radio::DESCRIPTOR, MORE, &[MORE][..]));
-    let raw = RawField { set: MORE, descriptor: 7, data: &[2; 40] };
+    assert_eq!(
+        (Own::DESCRIPTOR, Own::SET, Own::SETS),
+        (Radio::DESCRIPTOR, MORE_SET, &[MORE_SET][..])
+    );
+    let raw = RawField { set: MORE_SET, descriptor: 7, data: &[2; 40] };
     assert!(raw.is::<Own>() && !raw.is::<Radio>());
-    let found = AnyField::decode(&raw).unwrap().unwrap();
+    let found = AnyField::decode_with_trailing(&raw).unwrap().unwrap();
     assert_eq!((found.name(), found.left_over), ("more.own", 39));
-    assert_eq!(found.field.info().set(), Some(MORE));
-    for set in [MEASUREMENTS, COPY] {
+    assert_eq!(found.field.info().set(), Some(MORE_SET));
+    for set in [MEASUREMENTS_SET, COPY_SET] {
         let raw = RawField { set, ..raw };
         assert!(raw.is::<Radio>() && !raw.is::<Own>());
         assert!(matches!(
-            AnyField::decode(&raw).unwrap().unwrap().field,
+            AnyField::decode_with_trailing(&raw).unwrap().unwrap().field,
             AnyField::MeasurementsRadio(_)
         ));
     }
@@ -421,7 +481,7 @@ fn the_registry_finds_every_field() {
     assert_eq!(registry::FieldInfo::of(&raw).unwrap().name, "shared.timestamp");
     assert_eq!(raw.get::<shared::Timestamp>(), Some(Ok(shared::Timestamp::default())));
     let raw = RawField { set: 0x7F, descriptor: 0xF1, data: &[1, 3] };
-    let any = AnyField::decode(&raw).unwrap().unwrap().field;
+    let any = AnyField::decode_with_trailing(&raw).unwrap().unwrap().field;
     let ack = protocol::Acknowledge { command: 1, code: protocol::AckCode::INVALID_PARAMETER };
     assert_eq!(any, AnyField::ProtocolAcknowledge(ack));
     let mut buffer = [0; 2];

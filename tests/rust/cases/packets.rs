@@ -20,7 +20,7 @@ fn a_packet_is_built_and_looked_into() {
     assert_eq!(packet.bytes(), PING);
     assert_eq!(packet.as_ref(), PING);
     let packet = Packet::new(packet.bytes()).unwrap();
-    assert_eq!((packet.set(), packet.payload()), (tools::SET, &PING[4..6]));
+    assert_eq!((packet.set(), packet.payload()), (tools::TOOLS_SET, &PING[4..6]));
     let fields: Vec<_> = packet.fields().collect();
     assert_eq!(fields, [Ok(RawField { set: 1, descriptor: 1, data: &[] })]);
     assert_eq!(packet.find::<tools::Ping>(), Some(Ok(tools::Ping)));
@@ -72,6 +72,21 @@ fn the_checksum_of_any_number_of_any_bytes_is_that_of_the_protocol() {
         for length in (0..600).chain([2047, 2048, 2049, 4096, 5000]) {
             assert_eq!(checksum(&bytes[..length]), fletcher(&bytes[..length]), "{length}");
             assert_eq!(checksum(&bytes[5000 - length..]), fletcher(&bytes[5000 - length..]));
+        }
+    }
+}
+
+#[test]
+fn the_checksum_is_right_after_each_field() {
+    for (size, byte) in (0..=253).flat_map(|size| [(size, 0xFF), (size, 0x9E)]) {
+        for set in [1, 0x7F, 0x80, 0xFE] {
+            let mut packet = PacketBuilder::new(set);
+            let data: Vec<u8> = (0..size).map(|i| byte ^ i as u8).collect();
+            while packet.push_raw(size as u8, &data).is_ok() {
+                let (head, sums) = packet.bytes().split_at(packet.bytes().len() - 2);
+                assert_eq!(sums, fletcher(head), "{size}");
+                assert_eq!(usize::from(head[3]), head.len() - 4);
+            }
         }
     }
 }
@@ -129,7 +144,7 @@ fn a_malformed_field_ends_the_walk_and_keeps_what_was_before() {
 
 #[test]
 fn a_builder_refuses_what_does_not_fit_and_stays_valid() {
-    let mut packet = PacketBuilder::new(tools::SET);
+    let mut packet = PacketBuilder::new(tools::TOOLS_SET);
     packet.push_raw(0x70, &[0xAA; 200]).unwrap();
     let before = packet.bytes().to_vec();
     for (data, error) in [
@@ -156,7 +171,7 @@ fn a_builder_refuses_what_does_not_fit_and_stays_valid() {
     assert_eq!(packet.push(&tools::Ping).map_err(kind), Err(EncodeErrorKind::Length));
     assert_eq!(packet.packet().fields().count(), 2);
     packet.clear();
-    assert_eq!((packet.set(), packet.bytes().len()), (tools::SET, 6));
+    assert_eq!((packet.set(), packet.bytes().len()), (tools::TOOLS_SET, 6));
     packet.push_raw(0x72, &[1; MAX_FIELD_DATA]).unwrap();
     assert!(Packet::new(packet.bytes()).is_ok());
 }
@@ -180,7 +195,7 @@ fn sets_take_their_own_and_the_shared_fields() {
     }
     assert_eq!(PacketBuilder::new(0x7F).push(&stamp).map_err(kind), Err(EncodeErrorKind::Set));
     let accel = measurements::Accel::default();
-    for set in [measurements::MEASUREMENTS, measurements::MORE, measurements::COPY] {
+    for set in [measurements::MEASUREMENTS_SET, measurements::MORE_SET, measurements::COPY_SET] {
         assert!(PacketBuilder::new(set).push(&accel).is_ok());
     }
     assert_eq!(PacketBuilder::new(0x82).push(&accel).map_err(kind), Err(EncodeErrorKind::Set));
@@ -202,11 +217,11 @@ fn parse(stream: &[u8], cuts: &[usize]) -> (Vec<Vec<u8>>, u64) {
     let mut packets = Vec::new();
     let mut start = 0;
     for end in cuts.iter().copied().chain([stream.len()]) {
-        let mut found = parser.feed(&stream[start..end]);
-        while let Some(packet) = found.next() {
+        let mut chunk = &stream[start..end];
+        while let Some(packet) = parser.next(&mut chunk) {
             packets.push(packet.bytes().to_vec());
         }
-        assert!(found.rest().is_empty());
+        assert!(chunk.is_empty());
         start = end;
     }
     while let Some(packet) = parser.flush() {
@@ -223,7 +238,7 @@ fn parse(stream: &[u8], cuts: &[usize]) -> (Vec<Vec<u8>>, u64) {
 
 #[test]
 fn every_chunking_gives_the_same_packets() {
-    let mut accel = PacketBuilder::new(measurements::MEASUREMENTS);
+    let mut accel = PacketBuilder::new(measurements::MEASUREMENTS_SET);
     accel.push(&measurements::Accel::default()).unwrap();
     let mut broken = PING;
     broken[7] ^= 1;
@@ -258,14 +273,14 @@ fn every_chunking_gives_the_same_packets() {
 fn flush_loses_no_packet_inside_of_what_it_gives_up() {
     let mut parser = Parser::new();
     let stream = [&[0x75, 0x65, 0x80, 0xFF][..], &PING, &PING, b"ue"].concat();
-    assert!(parser.feed(&stream).next().is_none());
+    assert!(parser.next(&mut &stream[..]).is_none());
     assert_eq!((parser.pending(), parser.skipped()), (stream.len(), 0));
     assert_eq!(parser.flush().unwrap().bytes(), PING);
     assert_eq!(parser.flush().unwrap().bytes(), PING);
     assert!(parser.flush().is_none());
     assert_eq!((parser.pending(), parser.skipped()), (0, 6));
     // It goes on as if nothing had been.
-    assert_eq!(parser.feed(&PING).next().unwrap().bytes(), PING);
+    assert_eq!(parser.next(&mut &PING[..]).unwrap().bytes(), PING);
     assert!(parser.flush().is_none());
     assert_eq!(parser.skipped(), 6);
 }
@@ -273,8 +288,8 @@ fn flush_loses_no_packet_inside_of_what_it_gives_up() {
 #[test]
 fn a_packet_that_was_given_is_not_given_again_by_flush() {
     let mut parser = Parser::new();
-    assert!(parser.feed(&PING[..3]).next().is_none());
-    assert_eq!(parser.feed(&PING[3..]).next().unwrap().bytes(), PING);
+    assert!(parser.next(&mut &PING[..3]).is_none());
+    assert_eq!(parser.next(&mut &PING[3..]).unwrap().bytes(), PING);
     assert_eq!(parser.pending(), 0);
     assert!(parser.flush().is_none());
     assert_eq!(parser.skipped(), 0);
@@ -297,15 +312,14 @@ fn long_garbage_full_of_false_syncs_passes() {
 fn what_is_not_asked_for_stays_in_the_chunk() {
     let mut parser = Parser::new();
     let stream = [&PING[..], &PING, b"no", &PING[..5]].concat();
-    let mut packets = parser.feed(&stream);
-    assert_eq!(packets.next().unwrap().bytes(), PING);
-    let rest = packets.rest();
-    assert_eq!(rest, &stream[8..]);
+    let mut chunk = &stream[..];
+    assert_eq!(parser.next(&mut chunk).unwrap().bytes(), PING);
+    assert_eq!(chunk, &stream[8..]);
     assert_eq!((parser.pending(), parser.skipped()), (0, 0));
-    let mut packets = parser.feed(rest);
-    assert_eq!(packets.next().unwrap().bytes(), PING);
-    assert!(packets.next().is_none() && packets.next().is_none() && packets.rest().is_empty());
-    assert_eq!(parser.feed(&PING[5..]).next().unwrap().bytes(), PING);
+    assert_eq!(parser.next(&mut chunk).unwrap().bytes(), PING);
+    assert!(parser.next(&mut chunk).is_none() && parser.next(&mut chunk).is_none());
+    assert!(chunk.is_empty());
+    assert_eq!(parser.next(&mut &PING[5..]).unwrap().bytes(), PING);
     assert_eq!((parser.pending(), parser.skipped()), (0, 2));
 }
 
@@ -321,6 +335,28 @@ fn each_packet_of_a_chunk_is_given_once() {
 }
 
 #[test]
+fn an_error_ends_the_search_of_a_chunk() {
+    let mut parser = Parser::new();
+    let stream = PING.repeat(3);
+    let mut count = 0;
+    let result = parser.feed(&stream).try_for_each(|_| {
+        count += 1;
+        if count < 2 {
+            Ok(())
+        } else {
+            Err(count)
+        }
+    });
+    assert_eq!((result, count), (Err(2), 2));
+    let mut all = 0;
+    let result: Result<(), ()> = parser.feed(&stream).try_for_each(|_| {
+        all += 1;
+        Ok(())
+    });
+    assert_eq!((result, all, parser.pending()), (Ok(()), 3, 0));
+}
+
+#[test]
 fn stopping_anywhere_loses_nothing() {
     let broken = [&[0x75, 0x65, 0x80, 30][..], &PING, &PING, b"ueu"].concat();
     let stream = [b"u", &broken[..], &PING, &broken, NMEA, &PING, b"ue"].concat();
@@ -329,9 +365,7 @@ fn stopping_anywhere_loses_nothing() {
         let (mut parser, mut found) = (Parser::new(), Vec::new());
         for mut chunk in stream.chunks(size) {
             while !chunk.is_empty() {
-                let mut packets = parser.feed(chunk);
-                found.extend(packets.next().map(|packet| packet.bytes().to_vec()));
-                chunk = packets.rest();
+                found.extend(parser.next(&mut chunk).map(|packet| packet.bytes().to_vec()));
             }
         }
         while let Some(packet) = parser.flush() {

@@ -274,7 +274,7 @@ impl DefaultWrite for tools::Settings {
 
 #[test]
 fn an_absent_field_is_no_broken_one() {
-    let mut builder = PacketBuilder::new(measurements::MEASUREMENTS);
+    let mut builder = PacketBuilder::new(measurements::MEASUREMENTS_SET);
     builder.push_raw(measurements::Numbers::DESCRIPTOR, &[0; 3]).unwrap();
     let packet: Packet<'_> = builder.packet();
     let broken = packet.find::<measurements::Numbers>().unwrap().unwrap_err();
@@ -287,7 +287,7 @@ fn a_field_that_the_packet_cuts_is_no_absent_one() {
     let payload = [&[2, 7, 0x10, measurements::Accel::DESCRIPTOR][..], &[0; 14]].concat();
     for have in 0..=14 {
         // It has all values that it needs, and yet not the bytes that its length announces.
-        let bytes = sealed(measurements::MEASUREMENTS, &payload[..have + 4]);
+        let bytes = sealed(measurements::MEASUREMENTS_SET, &payload[..have + 4]);
         let packet = Packet::new(&bytes).unwrap();
         let expected = (measurements::Accel::NAME, DecodeErrorKind::Truncated, 14, have);
         let Some(found) = packet.find::<measurements::Accel>() else { panic!("{have}: absent") };
@@ -304,14 +304,15 @@ fn a_field_that_the_packet_cuts_is_no_absent_one() {
     let error = Packet::new(&bytes).unwrap().find::<shared::Timestamp>().unwrap().unwrap_err();
     assert_eq!((error.need, error.got), (12, 10));
     // Constants and sizes tell layouts apart, as far as the data reach.
-    let bytes = sealed(tools::SET, &[6, tools::Status::DESCRIPTOR, 0x12]);
+    let bytes = sealed(tools::TOOLS_SET, &[6, tools::Status::DESCRIPTOR, 0x12]);
     let packet = Packet::new(&bytes).unwrap();
     assert!(matches!(packet.find::<tools::Status>(), Some(Err(e)) if e.got == 1));
-    let bytes = sealed(tools::SET, &[6, tools::Status::DESCRIPTOR, 0x13]);
+    let bytes = sealed(tools::TOOLS_SET, &[6, tools::Status::DESCRIPTOR, 0x13]);
     assert_eq!(Packet::new(&bytes).unwrap().find::<tools::Status>(), None);
     // Nobody can tell what a field without a descriptor is.
     for length in 0..2 {
-        let bytes = sealed(measurements::MEASUREMENTS, &[length, measurements::Accel::DESCRIPTOR]);
+        let bytes =
+            sealed(measurements::MEASUREMENTS_SET, &[length, measurements::Accel::DESCRIPTOR]);
         assert_eq!(Packet::new(&bytes).unwrap().find::<measurements::Accel>(), None);
     }
 }

@@ -137,7 +137,7 @@ fn sleep(line: &Uart, milliseconds: u32) -> impl Future<Output = ()> {
 }
 
 fn ack(command: u8, code: AckCode) -> PacketBuilder {
-    let mut builder = PacketBuilder::new(tools::SET);
+    let mut builder = PacketBuilder::new(tools::TOOLS_SET);
     builder.push(&Acknowledge { command, code }).unwrap();
     builder
 }
@@ -146,7 +146,7 @@ fn replies() -> Vec<Vec<u8>> {
     let bias = tools::BiasVector { bias: Vector3f::from([1.0, 2.0, 3.0]) };
     let mut answer = ack(5, AckCode::OK);
     answer.push(&bias).unwrap();
-    let mut data = PacketBuilder::new(measurements::MEASUREMENTS);
+    let mut data = PacketBuilder::new(measurements::MEASUREMENTS_SET);
     data.push(&measurements::Accel::default()).unwrap();
     let refusal = ack(5, AckCode::INVALID_PARAMETER);
     let noise = b"ue\x80\xFF";
@@ -170,7 +170,7 @@ fn a_device_at_a_port_of_embedded_io() {
     assert_eq!(device.request(&tools::Bias::read()), Ok(BIAS));
     for _ in 0..2 {
         let packet = device.next_packet(50).unwrap().unwrap();
-        assert_eq!(packet.set(), measurements::MEASUREMENTS);
+        assert_eq!(packet.set(), measurements::MEASUREMENTS_SET);
     }
     assert!(device.next_packet(50).unwrap().is_none());
     assert_eq!(device.request(&tools::Bias::read()), Err(DeviceError::Command(REFUSED)));
@@ -191,7 +191,7 @@ fn a_device_that_is_awaited() {
         assert_eq!(device.request(&read).await, Ok(BIAS));
         for _ in 0..2 {
             let packet = device.next_packet(50).await.unwrap().unwrap();
-            assert_eq!(packet.set(), measurements::MEASUREMENTS);
+            assert_eq!(packet.set(), measurements::MEASUREMENTS_SET);
         }
         let before = uart.now();
         assert!(device.next_packet(50).await.unwrap().is_none());
@@ -206,7 +206,7 @@ fn a_device_that_is_awaited() {
         // Not sent, and not waited for.
         let nothing = device.request(&tools::Bias::save()).await;
         assert_eq!(nothing, Err(DeviceError::NoResponse));
-        let answers = device.send_all(tools::SET, |request| {
+        let answers = device.send_all(tools::TOOLS_SET, |request| {
             Ok((request.add(&tools::Ping)?, request.add(&read)?, request.add(&read)?))
         });
         let before = uart.now();
@@ -224,7 +224,9 @@ fn a_device_that_is_awaited() {
         // Commands that may take different times.
         let slow = tools::Status::new(1);
         let (ping, _) = device
-            .send_all(tools::SET, |request| Ok((request.add(&tools::Ping)?, request.add(&slow)?)))
+            .send_all(tools::TOOLS_SET, |request| {
+                Ok((request.add(&tools::Ping)?, request.add(&slow)?))
+            })
             .await
             .unwrap();
         assert_eq!((uart.now() - before, device.answer(&ping)), (2500, Answer::TimedOut));
@@ -254,7 +256,7 @@ fn a_future_that_is_dropped() {
     uart.0.borrow_mut().coming.extend(answer.bytes());
     let packet = block_on(&uart, device.next_packet(50)).unwrap().map(|p| p.bytes().to_vec());
     assert_eq!(packet.as_deref(), Some(answer.bytes()));
-    assert_eq!(tools::BiasVector::SET, tools::SET);
+    assert_eq!(tools::BiasVector::SET, tools::TOOLS_SET);
 }
 
 #[test]
@@ -308,7 +310,7 @@ fn a_late_answer_is_not_that_of_the_next_command() {
 fn a_program_that_was_stopped_finds_what_came_in_time() {
     let mut answer = ack(5, AckCode::OK);
     answer.push(&BIAS).unwrap();
-    let mut data = PacketBuilder::new(measurements::MEASUREMENTS);
+    let mut data = PacketBuilder::new(measurements::MEASUREMENTS_SET);
     data.push(&measurements::Accel::default()).unwrap();
     let uart = Uart::answering(&[answer.bytes().to_vec(), vec![]]);
     let clock = uart.clone();
@@ -338,7 +340,7 @@ fn time_goes_on_while_noise_comes_without_end() {
 
 #[test]
 fn packets_behind_noise_are_found_before_a_port_is_closed() {
-    let mut data = PacketBuilder::new(measurements::MEASUREMENTS);
+    let mut data = PacketBuilder::new(measurements::MEASUREMENTS_SET);
     data.push(&measurements::Accel::default()).unwrap();
     let noise = b"ue\x80\xFF";
     let uart = Uart::answering(&[[noise, ack(1, AckCode::OK).bytes()].concat()]);
@@ -535,6 +537,6 @@ fn commands_whose_type_is_known_at_run_time_and_no_commands() {
     block_on(&uart, device.send_all(0, |_| Ok(()))).unwrap();
     assert_eq!(uart.0.borrow().replies.len(), 1); // nothing was written
     let ping = AnyField::from(tools::Ping);
-    let ticket = block_on(&uart, device.send_all(tools::SET, |r| r.add_any(&ping))).unwrap();
+    let ticket = block_on(&uart, device.send_all(tools::TOOLS_SET, |r| r.add_any(&ping))).unwrap();
     assert_eq!(device.event(&ticket).map(|event| event.outcome), Some(Outcome::Acknowledged));
 }

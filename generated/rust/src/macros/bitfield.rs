@@ -297,6 +297,17 @@ macro_rules! bit_sets {
             type Item = Self;
             type IntoIter = $crate::bits::Iter<Self>;
 
+            #[inline]
+            fn into_iter(self) -> Self::IntoIter {
+                self.iter()
+            }
+        }
+
+        impl ::core::iter::IntoIterator for &$name {
+            type Item = $name;
+            type IntoIter = $crate::bits::Iter<$name>;
+
+            #[inline]
             fn into_iter(self) -> Self::IntoIter {
                 self.iter()
             }

@@ -207,6 +207,18 @@ macro_rules! constructor {
     };
 }
 
+/// A tuple of all values converts to a structure.
+macro_rules! tuple {
+    ($name:ident $($member:ident: $type:ty),+) => {
+        impl ::core::convert::From<($($type,)+)> for $name {
+            #[inline]
+            fn from(($($member,)+): ($($type,)+)) -> Self {
+                Self { $($member),+ }
+            }
+        }
+    };
+}
+
 /// Methods that add an optional value to a command.
 macro_rules! setters {
     ($name:ident $(fn $with:ident($member:ident: $type:ty);)*) => {
@@ -306,6 +318,37 @@ macro_rules! union {
 
         #[cfg(feature = "dynamic")]
         union_tree!($name $tag; $($value $variant $($text)?;)*);
+    };
+}
+
+/// The values of a record that are always at the same places: their types, and where they begin.
+macro_rules! view {
+    ($name:ident $($member:ident $(: $type:ty)? $(as $part:ty)?, at $at:literal;)*) => {
+        impl $crate::Viewed for $name {}
+
+        impl<'a> $crate::View<'a, $name> {
+            $(viewed!($name $member $(: $type)? $(as $part)?, $at);)*
+        }
+    };
+}
+
+/// The method for one of them; that for a structure lends it.
+macro_rules! viewed {
+    ($name:ident $member:ident: $type:ty, $at:literal) => {
+        #[doc = concat!("See [`", stringify!($name), "::", stringify!($member), "`].")]
+        #[inline]
+        #[must_use]
+        pub fn $member(&self) -> $type {
+            $crate::view::value(self, $at)
+        }
+    };
+    ($name:ident $member:ident as $part:ty, $at:literal) => {
+        #[doc = concat!("See [`", stringify!($name), "::", stringify!($member), "`].")]
+        #[inline]
+        #[must_use]
+        pub fn $member(&self) -> $crate::View<'a, $part> {
+            $crate::view::part(self, $at)
+        }
     };
 }
 

@@ -3,11 +3,16 @@
 //!
 //! Source: 3dm-cv7-gnss-ins: Aiding (0x13); 3dm-cv7-gnss-ins: Filter Aiding Measurements.
 
+// What the macros make, which `cargo doc` shows and `src/macros` defines:
+// `open_enum!` and `bitfield!` types of values; `record!` a structure with its codec; `union!` its
+// alternatives; `view!` methods that read single values; `constructors!` and `setters!` what makes
+// it; `field!` its sets and descriptor; `command!` and `responses!` how it is answered.
+
 #[allow(unused_imports)] // some families name a type in comments only, or none
 use crate::types;
 
 /// The number of the descriptor set.
-pub const SET: u8 = 0x13;
+pub const AIDING_SET: u8 = 0x13;
 
 open_enum! {
     /// How the rotation of an aiding frame is given.
@@ -72,6 +77,13 @@ impl core::default::Default for MeasurementTime {
             nanoseconds: core::default::Default::default(),
         }
     }
+}
+
+view! {
+    MeasurementTime
+    timebase: Timebase, at 0;
+    reserved: u8, at 1;
+    nanoseconds: u64, at 2;
 }
 
 constructors! {
@@ -919,6 +931,18 @@ record! {
     }
 }
 
+constructors! {
+    FrameConfigResponse
+
+    /// Creates it from its values.
+    fn new(
+        frame_id: u8,
+        tracking_enabled: bool,
+        translation: impl Into<types::Vector3f>,
+        rotation: FrameConfigRotation,
+    ), format: rotation.tag();
+}
+
 field! {
     FrameConfigResponse: 0x81, "aiding.frame_config_response";
     in [0x13];
@@ -943,6 +967,18 @@ record! {
         /// How the measurements are answered.
         pub mode: AidingEchoMode,
     }
+}
+
+view! {
+    EchoControlResponse
+    mode: AidingEchoMode, at 0;
+}
+
+constructors! {
+    EchoControlResponse
+
+    /// Creates it from its values.
+    fn new(mode: AidingEchoMode);
 }
 
 field! {

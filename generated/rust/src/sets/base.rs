@@ -3,11 +3,16 @@
 //!
 //! Source: 3dm-gx5-15: 4.1 Base Commands; 3dm-cv7-gnss-ins: Base (0x01).
 
+// What the macros make, which `cargo doc` shows and `src/macros` defines:
+// `open_enum!` and `bitfield!` types of values; `record!` a structure with its codec; `union!` its
+// alternatives; `view!` methods that read single values; `constructors!` and `setters!` what makes
+// it; `field!` its sets and descriptor; `command!` and `responses!` how it is answered.
+
 #[allow(unused_imports)] // some families name a type in comments only, or none
 use crate::types;
 
 /// The number of the descriptor set.
-pub const SET: u8 = 0x01;
+pub const BASE_SET: u8 = 0x01;
 
 record! {
     /// Identity of a device. The strings are padded with spaces.
@@ -32,6 +37,16 @@ record! {
 }
 
 item! { BaseDeviceInfo { firmware_version model_name model_number serial_number lot_number device_options } }
+view! {
+    BaseDeviceInfo
+    firmware_version: u16, at 0;
+    model_name: crate::Text<16>, at 2;
+    model_number: crate::Text<16>, at 18;
+    serial_number: crate::Text<16>, at 34;
+    lot_number: crate::Text<16>, at 50;
+    device_options: crate::Text<16>, at 66;
+}
+
 constructors! {
     BaseDeviceInfo
 
@@ -755,6 +770,18 @@ record! {
     }
 }
 
+view! {
+    GetDeviceInfoResponse
+    device_info as BaseDeviceInfo, at 0;
+}
+
+constructors! {
+    GetDeviceInfoResponse
+
+    /// Creates it from its values.
+    fn new(device_info: BaseDeviceInfo);
+}
+
 field! {
     GetDeviceInfoResponse: 0x81, "base.get_device_info_response";
     in [0x01];
@@ -795,6 +822,13 @@ record! {
         /// low byte.
         pub descriptors: crate::List<u16, 126>,
     }
+}
+
+constructors! {
+    GetDeviceDescriptorsResponse
+
+    /// Creates it from its values.
+    fn new(descriptors: impl Into<crate::List<u16, 126>>);
 }
 
 field! {
@@ -860,6 +894,18 @@ record! {
         /// [`types::Gx5BuiltInTest`].
         pub result: u32,
     }
+}
+
+view! {
+    BuiltInTestResponse
+    result: u32, at 0;
+}
+
+constructors! {
+    BuiltInTestResponse
+
+    /// Creates it from its values.
+    fn new(result: u32);
 }
 
 #[rustfmt::skip]
@@ -936,6 +982,18 @@ record! {
     }
 }
 
+view! {
+    GpsTimeUpdateWeekNumberResponse
+    week_number: u32, at 0;
+}
+
+constructors! {
+    GpsTimeUpdateWeekNumberResponse
+
+    /// Creates it from its values.
+    fn new(week_number: u32);
+}
+
 field! {
     GpsTimeUpdateWeekNumberResponse: 0x84, "base.gps_time_update_week_number_response";
     in [0x01];
@@ -975,6 +1033,18 @@ record! {
     }
 }
 
+view! {
+    GpsTimeUpdateTowResponse
+    tow: u32, at 0;
+}
+
+constructors! {
+    GpsTimeUpdateTowResponse
+
+    /// Creates it from its values.
+    fn new(tow: u32);
+}
+
 field! {
     GpsTimeUpdateTowResponse: 0x85, "base.gps_time_update_tow_response";
     in [0x01];
@@ -1010,6 +1080,13 @@ record! {
     }
 }
 
+constructors! {
+    GetExtendedDescriptorsResponse
+
+    /// Creates it from its values.
+    fn new(descriptors: impl Into<crate::List<u16, 126>>);
+}
+
 field! {
     GetExtendedDescriptorsResponse: 0x86, "base.get_extended_descriptors_response";
     in [0x01];
@@ -1043,6 +1120,18 @@ record! {
         /// [`types::Cv7ContinuousBuiltInTest`].
         pub result: [u8; 16],
     }
+}
+
+view! {
+    ContinuousBuiltInTestResponse
+    result: [u8; 16], at 0;
+}
+
+constructors! {
+    ContinuousBuiltInTestResponse
+
+    /// Creates it from its values.
+    fn new(result: [u8; 16]);
 }
 
 #[rustfmt::skip]
@@ -1115,6 +1204,19 @@ record! {
         /// Unit: Bd.
         pub baud: u32,
     }
+}
+
+view! {
+    CommSpeedResponse
+    port: u8, at 0;
+    baud: u32, at 1;
+}
+
+constructors! {
+    CommSpeedResponse
+
+    /// Creates it from its values.
+    fn new(port: u8, baud: u32);
 }
 
 #[rustfmt::skip]

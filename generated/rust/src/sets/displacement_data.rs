@@ -3,11 +3,16 @@
 //!
 //! Source: mscl: Displacement Data (0x90).
 
+// What the macros make, which `cargo doc` shows and `src/macros` defines:
+// `open_enum!` and `bitfield!` types of values; `record!` a structure with its codec; `union!` its
+// alternatives; `view!` methods that read single values; `constructors!` and `setters!` what makes
+// it; `field!` its sets and descriptor; `command!` and `responses!` how it is answered.
+
 #[allow(unused_imports)] // some families name a type in comments only, or none
 use crate::types;
 
 /// The number of the descriptor set.
-pub const SET: u8 = 0x90;
+pub const DISPLACEMENT_DATA_SET: u8 = 0x90;
 
 record! {
     /// Raw displacement (0x90,0x01).
@@ -24,6 +29,18 @@ record! {
         /// Unit: 1.
         pub counts: u32,
     }
+}
+
+view! {
+    DisplacementRaw
+    counts: u32, at 0;
+}
+
+constructors! {
+    DisplacementRaw
+
+    /// Creates it from its values.
+    fn new(counts: u32);
 }
 
 field! {
@@ -46,6 +63,18 @@ record! {
         /// Unit: mm.
         pub displacement: f32,
     }
+}
+
+view! {
+    Displacement
+    displacement: f32, at 0;
+}
+
+constructors! {
+    Displacement
+
+    /// Creates it from its values.
+    fn new(displacement: f32);
 }
 
 field! {

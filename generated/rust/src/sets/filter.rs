@@ -2,11 +2,16 @@
 //!
 //! Source: 3dm-gx5-15: 4.3 Estimation Filter Commands; 3dm-cv7-gnss-ins: Filter (0x0D).
 
+// What the macros make, which `cargo doc` shows and `src/macros` defines:
+// `open_enum!` and `bitfield!` types of values; `record!` a structure with its codec; `union!` its
+// alternatives; `view!` methods that read single values; `constructors!` and `setters!` what makes
+// it; `field!` its sets and descriptor; `command!` and `responses!` how it is answered.
+
 #[allow(unused_imports)] // some families name a type in comments only, or none
 use crate::types;
 
 /// The number of the descriptor set.
-pub const SET: u8 = 0x0D;
+pub const FILTER_SET: u8 = 0x0D;
 
 open_enum! {
     /// Motion that the filter expects, by the way in which the device travels.
@@ -4357,6 +4362,18 @@ record! {
     }
 }
 
+view! {
+    VehicleDynamicsModeResponse
+    mode: DynamicsMode, at 0;
+}
+
+constructors! {
+    VehicleDynamicsModeResponse
+
+    /// Creates it from its values.
+    fn new(mode: DynamicsMode);
+}
+
 field! {
     VehicleDynamicsModeResponse: 0x80, "filter.vehicle_dynamics_mode_response";
     in [0x0D];
@@ -4395,6 +4412,24 @@ record! {
     }
 }
 
+view! {
+    SensorToVehicleRotationEulerResponse
+    roll: f32, at 0;
+    pitch: f32, at 4;
+    yaw: f32, at 8;
+}
+
+constructors! {
+    SensorToVehicleRotationEulerResponse
+
+    /// Creates it from its values.
+    fn new(
+        roll: f32,
+        pitch: f32,
+        yaw: f32,
+    );
+}
+
 field! {
     SensorToVehicleRotationEulerResponse: 0x81, "filter.sensor_to_vehicle_rotation_euler_response";
     in [0x0D];
@@ -4419,6 +4454,18 @@ record! {
         /// Elements: x, y, z. Unit: m. Frame: sensor. Range: magnitude at most 10.
         pub offset: types::Vector3f,
     }
+}
+
+view! {
+    SensorToVehicleOffsetResponse
+    offset: types::Vector3f, at 0;
+}
+
+constructors! {
+    SensorToVehicleOffsetResponse
+
+    /// Creates it from its values.
+    fn new(offset: impl Into<types::Vector3f>);
 }
 
 field! {
@@ -4449,6 +4496,18 @@ record! {
     }
 }
 
+view! {
+    AntennaOffsetResponse
+    offset: types::Vector3f, at 0;
+}
+
+constructors! {
+    AntennaOffsetResponse
+
+    /// Creates it from its values.
+    fn new(offset: impl Into<types::Vector3f>);
+}
+
 field! {
     AntennaOffsetResponse: 0x83, "filter.antenna_offset_response";
     in [0x0D];
@@ -4477,6 +4536,18 @@ record! {
     }
 }
 
+view! {
+    EstimationControlResponse
+    flags: EstimatedStates, at 0;
+}
+
+constructors! {
+    EstimationControlResponse
+
+    /// Creates it from its values.
+    fn new(flags: EstimatedStates);
+}
+
 field! {
     EstimationControlResponse: 0x84, "filter.estimation_control_response";
     in [0x0D];
@@ -4500,6 +4571,18 @@ record! {
         /// Source of the GNSS data.
         pub source: GnssAidingSource,
     }
+}
+
+view! {
+    GnssSourceResponse
+    source: GnssAidingSource, at 0;
+}
+
+constructors! {
+    GnssSourceResponse
+
+    /// Creates it from its values.
+    fn new(source: GnssAidingSource);
 }
 
 field! {
@@ -4530,6 +4613,18 @@ record! {
     }
 }
 
+view! {
+    HeadingSourceResponse
+    source: HeadingUpdateSource, at 0;
+}
+
+constructors! {
+    HeadingSourceResponse
+
+    /// Creates it from its values.
+    fn new(source: HeadingUpdateSource);
+}
+
 field! {
     HeadingSourceResponse: 0x87, "filter.heading_source_response";
     in [0x0D];
@@ -4558,6 +4653,18 @@ record! {
         /// Range: 0 to 1.
         pub enable: u8,
     }
+}
+
+view! {
+    AutoInitializationControlResponse
+    enable: u8, at 0;
+}
+
+constructors! {
+    AutoInitializationControlResponse
+
+    /// Creates it from its values.
+    fn new(enable: u8);
 }
 
 field! {
@@ -4596,6 +4703,18 @@ record! {
     }
 }
 
+view! {
+    AccelNoiseResponse
+    noise: types::Vector3f, at 0;
+}
+
+constructors! {
+    AccelNoiseResponse
+
+    /// Creates it from its values.
+    fn new(noise: impl Into<types::Vector3f>);
+}
+
 field! {
     AccelNoiseResponse: 0x89, "filter.accel_noise_response";
     in [0x0D];
@@ -4632,6 +4751,18 @@ record! {
     }
 }
 
+view! {
+    GyroNoiseResponse
+    noise: types::Vector3f, at 0;
+}
+
+constructors! {
+    GyroNoiseResponse
+
+    /// Creates it from its values.
+    fn new(noise: impl Into<types::Vector3f>);
+}
+
 field! {
     GyroNoiseResponse: 0x8A, "filter.gyro_noise_response";
     in [0x0D];
@@ -4661,6 +4792,19 @@ record! {
         /// Elements: x, y, z. Unit: m/s^2. Range: greater than 0.
         pub noise: types::Vector3f,
     }
+}
+
+view! {
+    AccelBiasModelResponse
+    beta: types::Vector3f, at 0;
+    noise: types::Vector3f, at 12;
+}
+
+constructors! {
+    AccelBiasModelResponse
+
+    /// Creates it from its values.
+    fn new(beta: impl Into<types::Vector3f>, noise: impl Into<types::Vector3f>);
 }
 
 field! {
@@ -4703,6 +4847,19 @@ record! {
     }
 }
 
+view! {
+    GyroBiasModelResponse
+    beta: types::Vector3f, at 0;
+    noise: types::Vector3f, at 12;
+}
+
+constructors! {
+    GyroBiasModelResponse
+
+    /// Creates it from its values.
+    fn new(beta: impl Into<types::Vector3f>, noise: impl Into<types::Vector3f>);
+}
+
 field! {
     GyroBiasModelResponse: 0x8C, "filter.gyro_bias_model_response";
     in [0x0D];
@@ -4731,6 +4888,19 @@ record! {
         /// Unit: m/s. Range: at least 0.
         pub threshold: f32,
     }
+}
+
+view! {
+    AutoZuptResponse
+    enable: u8, at 0;
+    threshold: f32, at 1;
+}
+
+constructors! {
+    AutoZuptResponse
+
+    /// Creates it from its values.
+    fn new(enable: u8, threshold: f32);
 }
 
 field! {
@@ -4773,6 +4943,19 @@ record! {
     }
 }
 
+view! {
+    AutoAngularZuptResponse
+    enable: u8, at 0;
+    threshold: f32, at 1;
+}
+
+constructors! {
+    AutoAngularZuptResponse
+
+    /// Creates it from its values.
+    fn new(enable: u8, threshold: f32);
+}
+
 field! {
     AutoAngularZuptResponse: 0x8E, "filter.auto_angular_zupt_response";
     in [0x0D];
@@ -4812,6 +4995,26 @@ record! {
     }
 }
 
+view! {
+    ReferencePositionResponse
+    enable: u8, at 0;
+    latitude: f64, at 1;
+    longitude: f64, at 9;
+    altitude: f64, at 17;
+}
+
+constructors! {
+    ReferencePositionResponse
+
+    /// Creates it from its values.
+    fn new(
+        enable: u8,
+        latitude: f64,
+        longitude: f64,
+        altitude: f64,
+    );
+}
+
 field! {
     ReferencePositionResponse: 0x90, "filter.reference_position_response";
     in [0x0D];
@@ -4845,6 +5048,18 @@ record! {
     }
 }
 
+view! {
+    GravityNoiseResponse
+    noise: types::Vector3f, at 0;
+}
+
+constructors! {
+    GravityNoiseResponse
+
+    /// Creates it from its values.
+    fn new(noise: impl Into<types::Vector3f>);
+}
+
 field! {
     GravityNoiseResponse: 0x93, "filter.gravity_noise_response";
     in [0x0D];
@@ -4868,6 +5083,18 @@ record! {
         /// Unit: m. Range: greater than 0.
         pub noise: f32,
     }
+}
+
+view! {
+    PressureAltitudeNoiseResponse
+    noise: f32, at 0;
+}
+
+constructors! {
+    PressureAltitudeNoiseResponse
+
+    /// Creates it from its values.
+    fn new(noise: f32);
 }
 
 field! {
@@ -4895,6 +5122,18 @@ record! {
     }
 }
 
+view! {
+    HardIronOffsetNoiseResponse
+    noise: types::Vector3f, at 0;
+}
+
+constructors! {
+    HardIronOffsetNoiseResponse
+
+    /// Creates it from its values.
+    fn new(noise: impl Into<types::Vector3f>);
+}
+
 field! {
     HardIronOffsetNoiseResponse: 0x96, "filter.hard_iron_offset_noise_response";
     in [0x0D];
@@ -4918,6 +5157,18 @@ record! {
         /// Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1. Range: greater than 0.
         pub noise: types::Matrix3f,
     }
+}
+
+view! {
+    SoftIronMatrixNoiseResponse
+    noise: types::Matrix3f, at 0;
+}
+
+constructors! {
+    SoftIronMatrixNoiseResponse
+
+    /// Creates it from its values.
+    fn new(noise: impl Into<types::Matrix3f>);
 }
 
 field! {
@@ -4949,6 +5200,18 @@ record! {
     }
 }
 
+view! {
+    TareOrientationResponse
+    axes: TareAxes, at 0;
+}
+
+constructors! {
+    TareOrientationResponse
+
+    /// Creates it from its values.
+    fn new(axes: TareAxes);
+}
+
 field! {
     TareOrientationResponse: 0xA1, "filter.tare_orientation_response";
     in [0x0D];
@@ -4970,6 +5233,18 @@ record! {
         /// Measurements to use.
         pub control: MeasurementFlags,
     }
+}
+
+view! {
+    EnableMeasurementsResponse
+    control: MeasurementFlags, at 0;
+}
+
+constructors! {
+    EnableMeasurementsResponse
+
+    /// Creates it from its values.
+    fn new(control: MeasurementFlags);
 }
 
 field! {
@@ -4997,6 +5272,18 @@ record! {
         /// Elements: x, y, z. Unit: gauss. Range: greater than 0.
         pub noise: types::Vector3f,
     }
+}
+
+view! {
+    MagNoiseResponse
+    noise: types::Vector3f, at 0;
+}
+
+constructors! {
+    MagNoiseResponse
+
+    /// Creates it from its values.
+    fn new(noise: impl Into<types::Vector3f>);
 }
 
 field! {
@@ -5035,6 +5322,19 @@ record! {
         /// it only if it is, but give one length, with the value. Sending it always fits both.
         pub declination: f32,
     }
+}
+
+view! {
+    MagneticDeclinationSourceResponse
+    source: MagParameterSource, at 0;
+    declination: f32, at 1;
+}
+
+constructors! {
+    MagneticDeclinationSourceResponse
+
+    /// Creates it from its values.
+    fn new(source: MagParameterSource, declination: f32);
 }
 
 field! {
@@ -5087,6 +5387,32 @@ record! {
         /// Unit: m/s^2. Range: at least 0.
         pub minimum_uncertainty: f32,
     }
+}
+
+view! {
+    AccelMagnitudeErrorAdaptiveMeasurementResponse
+    adaptive_measurement: AdaptiveMeasurementSelector, at 0;
+    frequency: f32, at 1;
+    low_limit: f32, at 5;
+    high_limit: f32, at 9;
+    low_limit_uncertainty: f32, at 13;
+    high_limit_uncertainty: f32, at 17;
+    minimum_uncertainty: f32, at 21;
+}
+
+constructors! {
+    AccelMagnitudeErrorAdaptiveMeasurementResponse
+
+    /// Creates it from its values.
+    fn new(
+        adaptive_measurement: AdaptiveMeasurementSelector,
+        frequency: f32,
+        low_limit: f32,
+        high_limit: f32,
+        low_limit_uncertainty: f32,
+        high_limit_uncertainty: f32,
+        minimum_uncertainty: f32,
+    );
 }
 
 field! {
@@ -5145,6 +5471,32 @@ record! {
     }
 }
 
+view! {
+    MagMagnitudeErrorAdaptiveMeasurementResponse
+    adaptive_measurement: AdaptiveMeasurementSelector, at 0;
+    frequency: f32, at 1;
+    low_limit: f32, at 5;
+    high_limit: f32, at 9;
+    low_limit_uncertainty: f32, at 13;
+    high_limit_uncertainty: f32, at 17;
+    minimum_uncertainty: f32, at 21;
+}
+
+constructors! {
+    MagMagnitudeErrorAdaptiveMeasurementResponse
+
+    /// Creates it from its values.
+    fn new(
+        adaptive_measurement: AdaptiveMeasurementSelector,
+        frequency: f32,
+        low_limit: f32,
+        high_limit: f32,
+        low_limit_uncertainty: f32,
+        high_limit_uncertainty: f32,
+        minimum_uncertainty: f32,
+    );
+}
+
 field! {
     MagMagnitudeErrorAdaptiveMeasurementResponse: 0xB4, "filter.mag_magnitude_error_adaptive_measurement_response";
     in [0x0D];
@@ -5189,6 +5541,28 @@ record! {
     }
 }
 
+view! {
+    MagDipAngleErrorAdaptiveMeasurementResponse
+    enable: crate::Bool, at 0;
+    frequency: f32, at 1;
+    high_limit: f32, at 5;
+    high_limit_uncertainty: f32, at 9;
+    minimum_uncertainty: f32, at 13;
+}
+
+constructors! {
+    MagDipAngleErrorAdaptiveMeasurementResponse
+
+    /// Creates it from its values.
+    fn new(
+        enable: bool,
+        frequency: f32,
+        high_limit: f32,
+        high_limit_uncertainty: f32,
+        minimum_uncertainty: f32,
+    );
+}
+
 field! {
     MagDipAngleErrorAdaptiveMeasurementResponse: 0xB5, "filter.mag_dip_angle_error_adaptive_measurement_response";
     in [0x0D];
@@ -5210,6 +5584,18 @@ record! {
         /// Source of the aiding.
         pub selector: AltitudeAidingSource,
     }
+}
+
+view! {
+    AltitudeAidingResponse
+    selector: AltitudeAidingSource, at 0;
+}
+
+constructors! {
+    AltitudeAidingResponse
+
+    /// Creates it from its values.
+    fn new(selector: AltitudeAidingSource);
 }
 
 field! {
@@ -5235,6 +5621,18 @@ record! {
         /// Source of the aiding.
         pub aiding: PitchRollAidingSource,
     }
+}
+
+view! {
+    PitchRollAidingResponse
+    aiding: PitchRollAidingSource, at 0;
+}
+
+constructors! {
+    PitchRollAidingResponse
+
+    /// Creates it from its values.
+    fn new(aiding: PitchRollAidingSource);
 }
 
 field! {
@@ -5263,6 +5661,19 @@ record! {
     }
 }
 
+view! {
+    MagneticInclinationSourceResponse
+    source: MagParameterSource, at 0;
+    inclination: f32, at 1;
+}
+
+constructors! {
+    MagneticInclinationSourceResponse
+
+    /// Creates it from its values.
+    fn new(source: MagParameterSource, inclination: f32);
+}
+
 field! {
     MagneticInclinationSourceResponse: 0xBC, "filter.magnetic_inclination_source_response";
     in [0x0D];
@@ -5288,6 +5699,19 @@ record! {
     }
 }
 
+view! {
+    MagneticMagnitudeSourceResponse
+    source: MagParameterSource, at 0;
+    magnitude: f32, at 1;
+}
+
+constructors! {
+    MagneticMagnitudeSourceResponse
+
+    /// Creates it from its values.
+    fn new(source: MagParameterSource, magnitude: f32);
+}
+
 field! {
     MagneticMagnitudeSourceResponse: 0xBD, "filter.magnetic_magnitude_source_response";
     in [0x0D];
@@ -5309,6 +5733,18 @@ record! {
     }
 }
 
+view! {
+    SensorToVehicleRotationDcmResponse
+    dcm: types::Matrix3f, at 0;
+}
+
+constructors! {
+    SensorToVehicleRotationDcmResponse
+
+    /// Creates it from its values.
+    fn new(dcm: impl Into<types::Matrix3f>);
+}
+
 field! {
     SensorToVehicleRotationDcmResponse: 0xBE, "filter.sensor_to_vehicle_rotation_dcm_response";
     in [0x0D];
@@ -5328,6 +5764,18 @@ record! {
         /// Elements: w, x, y, z. Unit: 1. Range: magnitude 0.999 to 1.001.
         pub q: types::Quatf,
     }
+}
+
+view! {
+    SensorToVehicleRotationQuaternionResponse
+    q: types::Quatf, at 0;
+}
+
+constructors! {
+    SensorToVehicleRotationQuaternionResponse
+
+    /// Creates it from its values.
+    fn new(q: impl Into<types::Quatf>);
 }
 
 field! {
@@ -5357,6 +5805,19 @@ record! {
     }
 }
 
+view! {
+    AidingMeasurementEnableResponse
+    aiding_source: AidingSource, at 0;
+    enable: crate::Bool, at 2;
+}
+
+constructors! {
+    AidingMeasurementEnableResponse
+
+    /// Creates it from its values.
+    fn new(aiding_source: AidingSource, enable: bool);
+}
+
 field! {
     AidingMeasurementEnableResponse: 0xD0, "filter.aiding_measurement_enable_response";
     in [0x0D];
@@ -5384,6 +5845,24 @@ record! {
         /// Default: [`AngularConstraint::NONE`].
         pub angular_constraint: AngularConstraint,
     }
+}
+
+view! {
+    KinematicConstraintResponse
+    accel_constraint: AccelConstraint, at 0;
+    velocity_constraint: VelocityConstraint, at 1;
+    angular_constraint: AngularConstraint, at 2;
+}
+
+constructors! {
+    KinematicConstraintResponse
+
+    /// Creates it from its values.
+    fn new(
+        accel_constraint: AccelConstraint,
+        velocity_constraint: VelocityConstraint,
+        angular_constraint: AngularConstraint,
+    );
 }
 
 field! {
@@ -5446,6 +5925,36 @@ record! {
     }
 }
 
+view! {
+    InitializationConfigResponse
+    wait_for_run_command: u8, at 0;
+    initial_condition_source: InitialConditionSource, at 1;
+    auto_heading_alignment_selector: HeadingAlignment, at 2;
+    initial_heading: f32, at 3;
+    initial_pitch: f32, at 7;
+    initial_roll: f32, at 11;
+    initial_position: types::Vector3f, at 15;
+    initial_velocity: types::Vector3f, at 27;
+    reference_frame_selector: ReferenceFrame, at 39;
+}
+
+constructors! {
+    InitializationConfigResponse
+
+    /// Creates it from its values.
+    fn new(
+        wait_for_run_command: u8,
+        initial_condition_source: InitialConditionSource,
+        auto_heading_alignment_selector: HeadingAlignment,
+        initial_heading: f32,
+        initial_pitch: f32,
+        initial_roll: f32,
+        initial_position: impl Into<types::Vector3f>,
+        initial_velocity: impl Into<types::Vector3f>,
+        reference_frame_selector: ReferenceFrame,
+    );
+}
+
 field! {
     InitializationConfigResponse: 0xD2, "filter.initialization_config_response";
     in [0x0D];
@@ -5479,6 +5988,19 @@ record! {
     }
 }
 
+view! {
+    AdaptiveFilterOptionsResponse
+    level: AdaptiveLevel, at 0;
+    time_limit: u16, at 1;
+}
+
+constructors! {
+    AdaptiveFilterOptionsResponse
+
+    /// Creates it from its values.
+    fn new(level: AdaptiveLevel, time_limit: u16);
+}
+
 field! {
     AdaptiveFilterOptionsResponse: 0xD3, "filter.adaptive_filter_options_response";
     in [0x0D];
@@ -5504,6 +6026,19 @@ record! {
         /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at most 10.
         pub antenna_offset: types::Vector3f,
     }
+}
+
+view! {
+    MultiAntennaOffsetResponse
+    receiver_id: u8, at 0;
+    antenna_offset: types::Vector3f, at 1;
+}
+
+constructors! {
+    MultiAntennaOffsetResponse
+
+    /// Creates it from its values.
+    fn new(receiver_id: u8, antenna_offset: impl Into<types::Vector3f>);
 }
 
 field! {
@@ -5539,6 +6074,24 @@ record! {
     }
 }
 
+view! {
+    RelativePositionConfigResponse
+    source: RelativePositionSource, at 0;
+    reference_frame_selector: ReferenceFrame, at 1;
+    reference_coordinates: types::Vector3d, at 2;
+}
+
+constructors! {
+    RelativePositionConfigResponse
+
+    /// Creates it from its values.
+    fn new(
+        source: RelativePositionSource,
+        reference_frame_selector: ReferenceFrame,
+        reference_coordinates: impl Into<types::Vector3d>,
+    );
+}
+
 field! {
     RelativePositionConfigResponse: 0xD5, "filter.relative_position_config_response";
     in [0x0D];
@@ -5563,6 +6116,19 @@ record! {
         /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at most 10.
         pub lever_arm_offset: types::Vector3f,
     }
+}
+
+view! {
+    ReferencePointLeverArmResponse
+    reference_point: ReferencePoint, at 0;
+    lever_arm_offset: types::Vector3f, at 1;
+}
+
+constructors! {
+    ReferencePointLeverArmResponse
+
+    /// Creates it from its values.
+    fn new(reference_point: ReferencePoint, lever_arm_offset: impl Into<types::Vector3f>);
 }
 
 field! {
@@ -5599,6 +6165,19 @@ impl core::default::Default for SpeedLeverArmResponse {
     }
 }
 
+view! {
+    SpeedLeverArmResponse
+    source: u8, at 0;
+    lever_arm_offset: types::Vector3f, at 1;
+}
+
+constructors! {
+    SpeedLeverArmResponse
+
+    /// Creates it from its values.
+    fn new(lever_arm_offset: impl Into<types::Vector3f>), source: 1;
+}
+
 field! {
     SpeedLeverArmResponse: 0xE1, "filter.speed_lever_arm_response";
     in [0x0D];
@@ -5618,6 +6197,18 @@ record! {
         /// Range: 0 to 1.
         pub enable: u8,
     }
+}
+
+view! {
+    VerticalGyroConstraintControlResponse
+    enable: u8, at 0;
+}
+
+constructors! {
+    VerticalGyroConstraintControlResponse
+
+    /// Creates it from its values.
+    fn new(enable: u8);
 }
 
 field! {
@@ -5641,6 +6232,18 @@ record! {
         /// Range: 0 to 1.
         pub enable: u8,
     }
+}
+
+view! {
+    WheeledVehicleConstraintControlResponse
+    enable: u8, at 0;
+}
+
+constructors! {
+    WheeledVehicleConstraintControlResponse
+
+    /// Creates it from its values.
+    fn new(enable: u8);
 }
 
 field! {
@@ -5669,6 +6272,19 @@ record! {
         /// Unit: m. Frame: vehicle. Range: at least 0.
         pub max_offset: f32,
     }
+}
+
+view! {
+    GnssAntennaCalibrationControlResponse
+    enable: u8, at 0;
+    max_offset: f32, at 1;
+}
+
+constructors! {
+    GnssAntennaCalibrationControlResponse
+
+    /// Creates it from its values.
+    fn new(enable: u8, max_offset: f32);
 }
 
 field! {

@@ -2,11 +2,16 @@
 //!
 //! Source: 3dm-gx5-15: 5.2 Estimation Filter Data; 3dm-cv7-gnss-ins: Filter (0x82).
 
+// What the macros make, which `cargo doc` shows and `src/macros` defines:
+// `open_enum!` and `bitfield!` types of values; `record!` a structure with its codec; `union!` its
+// alternatives; `view!` methods that read single values; `constructors!` and `setters!` what makes
+// it; `field!` its sets and descriptor; `command!` and `responses!` how it is answered.
+
 #[allow(unused_imports)] // some families name a type in comments only, or none
 use crate::types;
 
 /// The number of the descriptor set.
-pub const SET: u8 = 0x82;
+pub const FILTER_DATA_SET: u8 = 0x82;
 
 bitfield! {
     /// Whether the values of a field may be used.
@@ -428,6 +433,26 @@ record! {
     }
 }
 
+view! {
+    LlhPosition
+    latitude: f64, at 0;
+    longitude: f64, at 8;
+    ellipsoid_height: f64, at 16;
+    valid_flags: ValidFlags, at 24;
+}
+
+constructors! {
+    LlhPosition
+
+    /// Creates it from its values.
+    fn new(
+        latitude: f64,
+        longitude: f64,
+        ellipsoid_height: f64,
+        valid_flags: ValidFlags,
+    );
+}
+
 field! {
     LlhPosition: 0x01, "filter_data.llh_position";
     in [0x82];
@@ -484,6 +509,26 @@ record! {
         /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
+}
+
+view! {
+    NedVelocity
+    north: f32, at 0;
+    east: f32, at 4;
+    down: f32, at 8;
+    valid_flags: ValidFlags, at 12;
+}
+
+constructors! {
+    NedVelocity
+
+    /// Creates it from its values.
+    fn new(
+        north: f32,
+        east: f32,
+        down: f32,
+        valid_flags: ValidFlags,
+    );
 }
 
 field! {
@@ -557,6 +602,19 @@ record! {
     }
 }
 
+view! {
+    AttitudeQuaternion
+    q: types::Quatf, at 0;
+    valid_flags: ValidFlags, at 16;
+}
+
+constructors! {
+    AttitudeQuaternion
+
+    /// Creates it from its values.
+    fn new(q: impl Into<types::Quatf>, valid_flags: ValidFlags);
+}
+
 field! {
     AttitudeQuaternion: 0x03, "filter_data.attitude_quaternion";
     in [0x82];
@@ -627,6 +685,19 @@ record! {
         /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
+}
+
+view! {
+    AttitudeDcm
+    dcm: types::Matrix3f, at 0;
+    valid_flags: ValidFlags, at 36;
+}
+
+constructors! {
+    AttitudeDcm
+
+    /// Creates it from its values.
+    fn new(dcm: impl Into<types::Matrix3f>, valid_flags: ValidFlags);
 }
 
 field! {
@@ -716,6 +787,26 @@ record! {
     }
 }
 
+view! {
+    EulerAngles
+    roll: f32, at 0;
+    pitch: f32, at 4;
+    yaw: f32, at 8;
+    valid_flags: ValidFlags, at 12;
+}
+
+constructors! {
+    EulerAngles
+
+    /// Creates it from its values.
+    fn new(
+        roll: f32,
+        pitch: f32,
+        yaw: f32,
+        valid_flags: ValidFlags,
+    );
+}
+
 field! {
     EulerAngles: 0x05, "filter_data.euler_angles";
     in [0x82];
@@ -762,6 +853,19 @@ record! {
     }
 }
 
+view! {
+    GyroBias
+    bias: types::Vector3f, at 0;
+    valid_flags: ValidFlags, at 12;
+}
+
+constructors! {
+    GyroBias
+
+    /// Creates it from its values.
+    fn new(bias: impl Into<types::Vector3f>, valid_flags: ValidFlags);
+}
+
 field! {
     GyroBias: 0x06, "filter_data.gyro_bias";
     in [0x82];
@@ -794,6 +898,19 @@ record! {
         /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
+}
+
+view! {
+    AccelBias
+    bias: types::Vector3f, at 0;
+    valid_flags: ValidFlags, at 12;
+}
+
+constructors! {
+    AccelBias
+
+    /// Creates it from its values.
+    fn new(bias: impl Into<types::Vector3f>, valid_flags: ValidFlags);
 }
 
 field! {
@@ -841,6 +958,26 @@ record! {
     }
 }
 
+view! {
+    LlhPositionUncertainty
+    north: f32, at 0;
+    east: f32, at 4;
+    down: f32, at 8;
+    valid_flags: ValidFlags, at 12;
+}
+
+constructors! {
+    LlhPositionUncertainty
+
+    /// Creates it from its values.
+    fn new(
+        north: f32,
+        east: f32,
+        down: f32,
+        valid_flags: ValidFlags,
+    );
+}
+
 field! {
     LlhPositionUncertainty: 0x08, "filter_data.llh_position_uncertainty";
     in [0x82];
@@ -884,6 +1021,26 @@ record! {
         /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
+}
+
+view! {
+    NedVelocityUncertainty
+    north: f32, at 0;
+    east: f32, at 4;
+    down: f32, at 8;
+    valid_flags: ValidFlags, at 12;
+}
+
+constructors! {
+    NedVelocityUncertainty
+
+    /// Creates it from its values.
+    fn new(
+        north: f32,
+        east: f32,
+        down: f32,
+        valid_flags: ValidFlags,
+    );
 }
 
 field! {
@@ -944,6 +1101,26 @@ record! {
     }
 }
 
+view! {
+    EulerAnglesUncertainty
+    roll: f32, at 0;
+    pitch: f32, at 4;
+    yaw: f32, at 8;
+    valid_flags: ValidFlags, at 12;
+}
+
+constructors! {
+    EulerAnglesUncertainty
+
+    /// Creates it from its values.
+    fn new(
+        roll: f32,
+        pitch: f32,
+        yaw: f32,
+        valid_flags: ValidFlags,
+    );
+}
+
 field! {
     EulerAnglesUncertainty: 0x0A, "filter_data.euler_angles_uncertainty";
     in [0x82];
@@ -987,6 +1164,19 @@ record! {
     }
 }
 
+view! {
+    GyroBiasUncertainty
+    bias_uncertainty: types::Vector3f, at 0;
+    valid_flags: ValidFlags, at 12;
+}
+
+constructors! {
+    GyroBiasUncertainty
+
+    /// Creates it from its values.
+    fn new(bias_uncertainty: impl Into<types::Vector3f>, valid_flags: ValidFlags);
+}
+
 field! {
     GyroBiasUncertainty: 0x0B, "filter_data.gyro_bias_uncertainty";
     in [0x82];
@@ -1017,6 +1207,19 @@ record! {
         /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
+}
+
+view! {
+    AccelBiasUncertainty
+    bias_uncertainty: types::Vector3f, at 0;
+    valid_flags: ValidFlags, at 12;
+}
+
+constructors! {
+    AccelBiasUncertainty
+
+    /// Creates it from its values.
+    fn new(bias_uncertainty: impl Into<types::Vector3f>, valid_flags: ValidFlags);
 }
 
 field! {
@@ -1064,6 +1267,19 @@ record! {
         /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
+}
+
+view! {
+    LinearAccel
+    accel: types::Vector3f, at 0;
+    valid_flags: ValidFlags, at 12;
+}
+
+constructors! {
+    LinearAccel
+
+    /// Creates it from its values.
+    fn new(accel: impl Into<types::Vector3f>, valid_flags: ValidFlags);
 }
 
 field! {
@@ -1114,6 +1330,19 @@ record! {
     }
 }
 
+view! {
+    CompAngularRate
+    gyro: types::Vector3f, at 0;
+    valid_flags: ValidFlags, at 12;
+}
+
+constructors! {
+    CompAngularRate
+
+    /// Creates it from its values.
+    fn new(gyro: impl Into<types::Vector3f>, valid_flags: ValidFlags);
+}
+
 field! {
     CompAngularRate: 0x0E, "filter_data.comp_angular_rate";
     in [0x82];
@@ -1148,6 +1377,19 @@ record! {
         /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
+}
+
+view! {
+    Wgs84GravityMagnitude
+    gravity_magnitude: f32, at 0;
+    valid_flags: ValidFlags, at 4;
+}
+
+constructors! {
+    Wgs84GravityMagnitude
+
+    /// Creates it from its values.
+    fn new(gravity_magnitude: f32, valid_flags: ValidFlags);
 }
 
 field! {
@@ -1246,6 +1488,24 @@ record! {
         /// [3DM-GX5-15](crate::devices::GX5_15): values of [`Gx5StatusFlags`].
         pub status_flags: u16,
     }
+}
+
+view! {
+    Status
+    filter_state: u16, at 0;
+    dynamics_mode: u16, at 2;
+    status_flags: u16, at 4;
+}
+
+constructors! {
+    Status
+
+    /// Creates it from its values.
+    fn new(
+        filter_state: u16,
+        dynamics_mode: u16,
+        status_flags: u16,
+    );
 }
 
 #[rustfmt::skip]
@@ -1395,6 +1655,24 @@ record! {
     }
 }
 
+view! {
+    Timestamp
+    tow: f64, at 0;
+    week_number: u16, at 8;
+    valid_flags: ValidFlags, at 10;
+}
+
+constructors! {
+    Timestamp
+
+    /// Creates it from its values.
+    fn new(
+        tow: f64,
+        week_number: u16,
+        valid_flags: ValidFlags,
+    );
+}
+
 field! {
     Timestamp: 0x11, "filter_data.timestamp";
     in [0x82];
@@ -1439,6 +1717,19 @@ record! {
         /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
+}
+
+view! {
+    QuaternionAttitudeUncertainty
+    q: types::Quatf, at 0;
+    valid_flags: ValidFlags, at 16;
+}
+
+constructors! {
+    QuaternionAttitudeUncertainty
+
+    /// Creates it from its values.
+    fn new(q: impl Into<types::Quatf>, valid_flags: ValidFlags);
 }
 
 field! {
@@ -1488,6 +1779,19 @@ record! {
     }
 }
 
+view! {
+    GravityVector
+    gravity: types::Vector3f, at 0;
+    valid_flags: ValidFlags, at 12;
+}
+
+constructors! {
+    GravityVector
+
+    /// Creates it from its values.
+    fn new(gravity: impl Into<types::Vector3f>, valid_flags: ValidFlags);
+}
+
 field! {
     GravityVector: 0x13, "filter_data.gravity_vector";
     in [0x82];
@@ -1529,6 +1833,26 @@ record! {
         /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
+}
+
+view! {
+    HeadingUpdateState
+    heading: f32, at 0;
+    heading_uncertainty: f32, at 4;
+    source: HeadingSourceFlags, at 8;
+    valid_flags: ValidFlags, at 10;
+}
+
+constructors! {
+    HeadingUpdateState
+
+    /// Creates it from its values.
+    fn new(
+        heading: f32,
+        heading_uncertainty: f32,
+        source: HeadingSourceFlags,
+        valid_flags: ValidFlags,
+    );
 }
 
 field! {
@@ -1583,6 +1907,30 @@ record! {
     }
 }
 
+view! {
+    MagneticModel
+    intensity_north: f32, at 0;
+    intensity_east: f32, at 4;
+    intensity_down: f32, at 8;
+    inclination: f32, at 12;
+    declination: f32, at 16;
+    valid_flags: ValidFlags, at 20;
+}
+
+constructors! {
+    MagneticModel
+
+    /// Creates it from its values.
+    fn new(
+        intensity_north: f32,
+        intensity_east: f32,
+        intensity_down: f32,
+        inclination: f32,
+        declination: f32,
+        valid_flags: ValidFlags,
+    );
+}
+
 field! {
     MagneticModel: 0x15, "filter_data.magnetic_model";
     in [0x82];
@@ -1609,6 +1957,19 @@ record! {
         /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
+}
+
+view! {
+    GyroScaleFactor
+    scale_factor: types::Vector3f, at 0;
+    valid_flags: ValidFlags, at 12;
+}
+
+constructors! {
+    GyroScaleFactor
+
+    /// Creates it from its values.
+    fn new(scale_factor: impl Into<types::Vector3f>, valid_flags: ValidFlags);
 }
 
 field! {
@@ -1639,6 +2000,19 @@ record! {
     }
 }
 
+view! {
+    AccelScaleFactor
+    scale_factor: types::Vector3f, at 0;
+    valid_flags: ValidFlags, at 12;
+}
+
+constructors! {
+    AccelScaleFactor
+
+    /// Creates it from its values.
+    fn new(scale_factor: impl Into<types::Vector3f>, valid_flags: ValidFlags);
+}
+
 field! {
     AccelScaleFactor: 0x17, "filter_data.accel_scale_factor";
     in [0x82];
@@ -1665,6 +2039,19 @@ record! {
     }
 }
 
+view! {
+    GyroScaleFactorUncertainty
+    scale_factor_uncertainty: types::Vector3f, at 0;
+    valid_flags: ValidFlags, at 12;
+}
+
+constructors! {
+    GyroScaleFactorUncertainty
+
+    /// Creates it from its values.
+    fn new(scale_factor_uncertainty: impl Into<types::Vector3f>, valid_flags: ValidFlags);
+}
+
 field! {
     GyroScaleFactorUncertainty: 0x18, "filter_data.gyro_scale_factor_uncertainty";
     in [0x82];
@@ -1689,6 +2076,19 @@ record! {
         /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
+}
+
+view! {
+    AccelScaleFactorUncertainty
+    scale_factor_uncertainty: types::Vector3f, at 0;
+    valid_flags: ValidFlags, at 12;
+}
+
+constructors! {
+    AccelScaleFactorUncertainty
+
+    /// Creates it from its values.
+    fn new(scale_factor_uncertainty: impl Into<types::Vector3f>, valid_flags: ValidFlags);
 }
 
 field! {
@@ -1718,6 +2118,19 @@ record! {
     }
 }
 
+view! {
+    MagBias
+    bias: types::Vector3f, at 0;
+    valid_flags: ValidFlags, at 12;
+}
+
+constructors! {
+    MagBias
+
+    /// Creates it from its values.
+    fn new(bias: impl Into<types::Vector3f>, valid_flags: ValidFlags);
+}
+
 field! {
     MagBias: 0x1A, "filter_data.mag_bias";
     in [0x82];
@@ -1741,6 +2154,19 @@ record! {
         /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
+}
+
+view! {
+    MagBiasUncertainty
+    bias_uncertainty: types::Vector3f, at 0;
+    valid_flags: ValidFlags, at 12;
+}
+
+constructors! {
+    MagBiasUncertainty
+
+    /// Creates it from its values.
+    fn new(bias_uncertainty: impl Into<types::Vector3f>, valid_flags: ValidFlags);
 }
 
 field! {
@@ -1788,6 +2214,19 @@ record! {
     }
 }
 
+view! {
+    CompAccel
+    accel: types::Vector3f, at 0;
+    valid_flags: ValidFlags, at 12;
+}
+
+constructors! {
+    CompAccel
+
+    /// Creates it from its values.
+    fn new(accel: impl Into<types::Vector3f>, valid_flags: ValidFlags);
+}
+
 field! {
     CompAccel: 0x1C, "filter_data.comp_accel";
     in [0x82];
@@ -1833,6 +2272,30 @@ record! {
     }
 }
 
+view! {
+    StandardAtmosphere
+    geometric_altitude: f32, at 0;
+    geopotential_altitude: f32, at 4;
+    standard_temperature: f32, at 8;
+    standard_pressure: f32, at 12;
+    standard_density: f32, at 16;
+    valid_flags: ValidFlags, at 20;
+}
+
+constructors! {
+    StandardAtmosphere
+
+    /// Creates it from its values.
+    fn new(
+        geometric_altitude: f32,
+        geopotential_altitude: f32,
+        standard_temperature: f32,
+        standard_pressure: f32,
+        standard_density: f32,
+        valid_flags: ValidFlags,
+    );
+}
+
 field! {
     StandardAtmosphere: 0x20, "filter_data.standard_atmosphere";
     in [0x82];
@@ -1872,6 +2335,19 @@ record! {
     }
 }
 
+view! {
+    PressureAltitude
+    pressure_altitude: f32, at 0;
+    valid_flags: ValidFlags, at 4;
+}
+
+constructors! {
+    PressureAltitude
+
+    /// Creates it from its values.
+    fn new(pressure_altitude: f32, valid_flags: ValidFlags);
+}
+
 field! {
     PressureAltitude: 0x21, "filter_data.pressure_altitude";
     in [0x82];
@@ -1896,6 +2372,19 @@ record! {
         /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
+}
+
+view! {
+    DensityAltitude
+    density_altitude: f32, at 0;
+    valid_flags: ValidFlags, at 4;
+}
+
+constructors! {
+    DensityAltitude
+
+    /// Creates it from its values.
+    fn new(density_altitude: f32, valid_flags: ValidFlags);
 }
 
 field! {
@@ -1935,6 +2424,19 @@ record! {
     }
 }
 
+view! {
+    MagOffset
+    hard_iron: types::Vector3f, at 0;
+    valid_flags: ValidFlags, at 12;
+}
+
+constructors! {
+    MagOffset
+
+    /// Creates it from its values.
+    fn new(hard_iron: impl Into<types::Vector3f>, valid_flags: ValidFlags);
+}
+
 field! {
     MagOffset: 0x25, "filter_data.mag_offset";
     in [0x82];
@@ -1972,6 +2474,19 @@ record! {
     }
 }
 
+view! {
+    MagMatrix
+    soft_iron: types::Matrix3f, at 0;
+    valid_flags: ValidFlags, at 36;
+}
+
+constructors! {
+    MagMatrix
+
+    /// Creates it from its values.
+    fn new(soft_iron: impl Into<types::Matrix3f>, valid_flags: ValidFlags);
+}
+
 field! {
     MagMatrix: 0x26, "filter_data.mag_matrix";
     in [0x82];
@@ -2001,6 +2516,19 @@ record! {
         /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
+}
+
+view! {
+    MagOffsetUncertainty
+    hard_iron_uncertainty: types::Vector3f, at 0;
+    valid_flags: ValidFlags, at 12;
+}
+
+constructors! {
+    MagOffsetUncertainty
+
+    /// Creates it from its values.
+    fn new(hard_iron_uncertainty: impl Into<types::Vector3f>, valid_flags: ValidFlags);
 }
 
 field! {
@@ -2034,6 +2562,19 @@ record! {
     }
 }
 
+view! {
+    MagMatrixUncertainty
+    soft_iron_uncertainty: types::Matrix3f, at 0;
+    valid_flags: ValidFlags, at 36;
+}
+
+constructors! {
+    MagMatrixUncertainty
+
+    /// Creates it from its values.
+    fn new(soft_iron_uncertainty: impl Into<types::Matrix3f>, valid_flags: ValidFlags);
+}
+
 field! {
     MagMatrixUncertainty: 0x29, "filter_data.mag_matrix_uncertainty";
     in [0x82];
@@ -2061,6 +2602,19 @@ record! {
     }
 }
 
+view! {
+    MagCovarianceMatrix
+    covariance: types::Matrix3f, at 0;
+    valid_flags: ValidFlags, at 36;
+}
+
+constructors! {
+    MagCovarianceMatrix
+
+    /// Creates it from its values.
+    fn new(covariance: impl Into<types::Matrix3f>, valid_flags: ValidFlags);
+}
+
 field! {
     MagCovarianceMatrix: 0x2A, "filter_data.mag_covariance_matrix";
     in [0x82];
@@ -2085,6 +2639,19 @@ record! {
         /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
+}
+
+view! {
+    MagResidualVector
+    residual: types::Vector3f, at 0;
+    valid_flags: ValidFlags, at 12;
+}
+
+constructors! {
+    MagResidualVector
+
+    /// Creates it from its values.
+    fn new(residual: impl Into<types::Vector3f>, valid_flags: ValidFlags);
 }
 
 field! {
@@ -2119,6 +2686,19 @@ record! {
     }
 }
 
+view! {
+    AntennaOffsetCorrection
+    offset: types::Vector3f, at 0;
+    valid_flags: ValidFlags, at 12;
+}
+
+constructors! {
+    AntennaOffsetCorrection
+
+    /// Creates it from its values.
+    fn new(offset: impl Into<types::Vector3f>, valid_flags: ValidFlags);
+}
+
 field! {
     AntennaOffsetCorrection: 0x30, "filter_data.antenna_offset_correction";
     in [0x82];
@@ -2143,6 +2723,19 @@ record! {
         /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
+}
+
+view! {
+    AntennaOffsetCorrectionUncertainty
+    offset_uncertainty: types::Vector3f, at 0;
+    valid_flags: ValidFlags, at 12;
+}
+
+constructors! {
+    AntennaOffsetCorrectionUncertainty
+
+    /// Creates it from its values.
+    fn new(offset_uncertainty: impl Into<types::Vector3f>, valid_flags: ValidFlags);
 }
 
 field! {
@@ -2178,6 +2771,26 @@ record! {
     }
 }
 
+view! {
+    ClockCorrection
+    receiver_id: u8, at 0;
+    bias: f32, at 1;
+    bias_drift: f32, at 5;
+    valid_flags: ValidFlags, at 9;
+}
+
+constructors! {
+    ClockCorrection
+
+    /// Creates it from its values.
+    fn new(
+        receiver_id: u8,
+        bias: f32,
+        bias_drift: f32,
+        valid_flags: ValidFlags,
+    );
+}
+
 field! {
     ClockCorrection: 0x32, "filter_data.clock_correction";
     in [0x82];
@@ -2208,6 +2821,26 @@ record! {
         /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
+}
+
+view! {
+    ClockCorrectionUncertainty
+    receiver_id: u8, at 0;
+    bias_uncertainty: f32, at 1;
+    bias_drift_uncertainty: f32, at 5;
+    valid_flags: ValidFlags, at 9;
+}
+
+constructors! {
+    ClockCorrectionUncertainty
+
+    /// Creates it from its values.
+    fn new(
+        receiver_id: u8,
+        bias_uncertainty: f32,
+        bias_drift_uncertainty: f32,
+        valid_flags: ValidFlags,
+    );
 }
 
 field! {
@@ -2245,6 +2878,24 @@ record! {
     }
 }
 
+view! {
+    MultiAntennaOffsetCorrection
+    receiver_id: u8, at 0;
+    offset: types::Vector3f, at 1;
+    valid_flags: ValidFlags, at 13;
+}
+
+constructors! {
+    MultiAntennaOffsetCorrection
+
+    /// Creates it from its values.
+    fn new(
+        receiver_id: u8,
+        offset: impl Into<types::Vector3f>,
+        valid_flags: ValidFlags,
+    );
+}
+
 field! {
     MultiAntennaOffsetCorrection: 0x34, "filter_data.multi_antenna_offset_correction";
     in [0x82];
@@ -2273,6 +2924,24 @@ record! {
         /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
+}
+
+view! {
+    MultiAntennaOffsetCorrectionUncertainty
+    receiver_id: u8, at 0;
+    offset_uncertainty: types::Vector3f, at 1;
+    valid_flags: ValidFlags, at 13;
+}
+
+constructors! {
+    MultiAntennaOffsetCorrectionUncertainty
+
+    /// Creates it from its values.
+    fn new(
+        receiver_id: u8,
+        offset_uncertainty: impl Into<types::Vector3f>,
+        valid_flags: ValidFlags,
+    );
 }
 
 field! {
@@ -2305,6 +2974,19 @@ record! {
     }
 }
 
+view! {
+    EcefPositionUncertainty
+    position_uncertainty: types::Vector3f, at 0;
+    valid_flags: ValidFlags, at 12;
+}
+
+constructors! {
+    EcefPositionUncertainty
+
+    /// Creates it from its values.
+    fn new(position_uncertainty: impl Into<types::Vector3f>, valid_flags: ValidFlags);
+}
+
 field! {
     EcefPositionUncertainty: 0x36, "filter_data.ecef_position_uncertainty";
     in [0x82];
@@ -2335,6 +3017,19 @@ record! {
         /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
+}
+
+view! {
+    EcefVelocityUncertainty
+    velocity_uncertainty: types::Vector3f, at 0;
+    valid_flags: ValidFlags, at 12;
+}
+
+constructors! {
+    EcefVelocityUncertainty
+
+    /// Creates it from its values.
+    fn new(velocity_uncertainty: impl Into<types::Vector3f>, valid_flags: ValidFlags);
 }
 
 field! {
@@ -2370,6 +3065,19 @@ record! {
         /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
+}
+
+view! {
+    EcefPosition
+    position: types::Vector3d, at 0;
+    valid_flags: ValidFlags, at 24;
+}
+
+constructors! {
+    EcefPosition
+
+    /// Creates it from its values.
+    fn new(position: impl Into<types::Vector3d>, valid_flags: ValidFlags);
 }
 
 field! {
@@ -2412,6 +3120,19 @@ record! {
     }
 }
 
+view! {
+    EcefVelocity
+    velocity: types::Vector3f, at 0;
+    valid_flags: ValidFlags, at 12;
+}
+
+constructors! {
+    EcefVelocity
+
+    /// Creates it from its values.
+    fn new(velocity: impl Into<types::Vector3f>, valid_flags: ValidFlags);
+}
+
 field! {
     EcefVelocity: 0x41, "filter_data.ecef_velocity";
     in [0x82];
@@ -2443,6 +3164,19 @@ record! {
         /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
+}
+
+view! {
+    NedRelativePosition
+    relative_position: types::Ned3d, at 0;
+    valid_flags: ValidFlags, at 24;
+}
+
+constructors! {
+    NedRelativePosition
+
+    /// Creates it from its values.
+    fn new(relative_position: impl Into<types::Ned3d>, valid_flags: ValidFlags);
 }
 
 field! {
@@ -2481,6 +3215,25 @@ record! {
     }
 }
 
+view! {
+    GnssPositionAidingStatus
+    receiver_id: u8, at 0;
+    tow: f32, at 1;
+    status: GnssAidingStatus, at 5;
+    reserved: [u8; 8], at 7;
+}
+
+constructors! {
+    GnssPositionAidingStatus
+
+    /// Creates it from its values.
+    fn new(
+        receiver_id: u8,
+        tow: f32,
+        status: GnssAidingStatus,
+    ), reserved: [0; 8];
+}
+
 field! {
     GnssPositionAidingStatus: 0x43, "filter_data.gnss_position_aiding_status";
     in [0x82];
@@ -2511,6 +3264,20 @@ record! {
         /// Reserved.
         pub reserved: [u8; 8],
     }
+}
+
+view! {
+    GnssAttitudeAidingStatus
+    tow: f32, at 0;
+    status: GnssAidingStatus, at 4;
+    reserved: [u8; 8], at 6;
+}
+
+constructors! {
+    GnssAttitudeAidingStatus
+
+    /// Creates it from its values.
+    fn new(tow: f32, status: GnssAidingStatus), reserved: [0; 8];
 }
 
 field! {
@@ -2549,6 +3316,20 @@ record! {
         [type_ "type"]
         [reserved]
     }
+}
+
+view! {
+    HeadingAidingStatus
+    tow: f32, at 0;
+    type_: HeadingAidingType, at 4;
+    reserved: [f32; 2], at 5;
+}
+
+constructors! {
+    HeadingAidingStatus
+
+    /// Creates it from its values.
+    fn new(tow: f32, type_: HeadingAidingType), reserved: [0.0; 2];
 }
 
 field! {
@@ -2592,6 +3373,26 @@ record! {
     }
 }
 
+view! {
+    AidingMeasurementSummary
+    tow: f32, at 0;
+    source: u8, at 4;
+    type_: AidingMeasurementType, at 5;
+    indicator: AidingMeasurementIndicator, at 6;
+}
+
+constructors! {
+    AidingMeasurementSummary
+
+    /// Creates it from its values.
+    fn new(
+        tow: f32,
+        source: u8,
+        type_: AidingMeasurementType,
+        indicator: AidingMeasurementIndicator,
+    );
+}
+
 field! {
     AidingMeasurementSummary: 0x46, "filter_data.aiding_measurement_summary";
     in [0x82];
@@ -2620,6 +3421,19 @@ record! {
     }
 }
 
+view! {
+    OdometerScaleFactorError
+    scale_factor_error: f32, at 0;
+    valid_flags: ValidFlags, at 4;
+}
+
+constructors! {
+    OdometerScaleFactorError
+
+    /// Creates it from its values.
+    fn new(scale_factor_error: f32, valid_flags: ValidFlags);
+}
+
 field! {
     OdometerScaleFactorError: 0x47, "filter_data.odometer_scale_factor_error";
     in [0x82];
@@ -2643,6 +3457,19 @@ record! {
         /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
+}
+
+view! {
+    OdometerScaleFactorErrorUncertainty
+    scale_factor_error_uncertainty: f32, at 0;
+    valid_flags: ValidFlags, at 4;
+}
+
+constructors! {
+    OdometerScaleFactorErrorUncertainty
+
+    /// Creates it from its values.
+    fn new(scale_factor_error_uncertainty: f32, valid_flags: ValidFlags);
 }
 
 field! {
@@ -2687,6 +3514,30 @@ record! {
     }
 }
 
+view! {
+    GnssDualAntennaStatus
+    tow: f32, at 0;
+    heading: f32, at 4;
+    heading_uncertainty: f32, at 8;
+    fix_type: DualAntennaFixType, at 12;
+    status_flags: DualAntennaStatusFlags, at 13;
+    valid_flags: ValidFlags, at 15;
+}
+
+constructors! {
+    GnssDualAntennaStatus
+
+    /// Creates it from its values.
+    fn new(
+        tow: f32,
+        heading: f32,
+        heading_uncertainty: f32,
+        fix_type: DualAntennaFixType,
+        status_flags: DualAntennaStatusFlags,
+        valid_flags: ValidFlags,
+    );
+}
+
 field! {
     GnssDualAntennaStatus: 0x49, "filter_data.gnss_dual_antenna_status";
     in [0x82];
@@ -2720,6 +3571,24 @@ record! {
     }
 }
 
+view! {
+    AidingFrameConfigError
+    frame_id: u8, at 0;
+    translation: types::Vector3f, at 1;
+    attitude: types::Quatf, at 13;
+}
+
+constructors! {
+    AidingFrameConfigError
+
+    /// Creates it from its values.
+    fn new(
+        frame_id: u8,
+        translation: impl Into<types::Vector3f>,
+        attitude: impl Into<types::Quatf>,
+    );
+}
+
 field! {
     AidingFrameConfigError: 0x50, "filter_data.aiding_frame_config_error";
     in [0x82];
@@ -2750,6 +3619,24 @@ record! {
         /// Elements: x, y, z. Unit: rad. Range: at least 0.
         pub attitude_uncertainty: types::Vector3f,
     }
+}
+
+view! {
+    AidingFrameConfigErrorUncertainty
+    frame_id: u8, at 0;
+    translation_uncertainty: types::Vector3f, at 1;
+    attitude_uncertainty: types::Vector3f, at 13;
+}
+
+constructors! {
+    AidingFrameConfigErrorUncertainty
+
+    /// Creates it from its values.
+    fn new(
+        frame_id: u8,
+        translation_uncertainty: impl Into<types::Vector3f>,
+        attitude_uncertainty: impl Into<types::Vector3f>,
+    );
 }
 
 field! {

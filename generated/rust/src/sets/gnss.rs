@@ -2,11 +2,16 @@
 //!
 //! Source: 3dm-cv7-gnss-ins: GNSS (0x0E).
 
+// What the macros make, which `cargo doc` shows and `src/macros` defines:
+// `open_enum!` and `bitfield!` types of values; `record!` a structure with its codec; `union!` its
+// alternatives; `view!` methods that read single values; `constructors!` and `setters!` what makes
+// it; `field!` its sets and descriptor; `command!` and `responses!` how it is answered.
+
 #[allow(unused_imports)] // some families name a type in comments only, or none
 use crate::types;
 
 /// The number of the descriptor set.
-pub const SET: u8 = 0x0E;
+pub const GNSS_SET: u8 = 0x0E;
 
 record! {
     /// One GNSS receiver.
@@ -28,6 +33,13 @@ record! {
 }
 
 item! { ReceiverInfoEntry { receiver_id mip_data_descriptor_set description } }
+view! {
+    ReceiverInfoEntry
+    receiver_id: u8, at 0;
+    mip_data_descriptor_set: u8, at 1;
+    description: crate::Text<32>, at 2;
+}
+
 constructors! {
     ReceiverInfoEntry
 
@@ -38,6 +50,8 @@ constructors! {
         description: crate::Text<32>,
     );
 }
+
+tuple! { ReceiverInfoEntry receiver_id: u8, mip_data_descriptor_set: u8, description: crate::Text<32> }
 
 bitfield! {
     /// GPS signals that are enabled.
@@ -579,6 +593,13 @@ record! {
     }
 }
 
+constructors! {
+    ReceiverInfoResponse
+
+    /// Creates it from its values.
+    fn new(receiver_info: impl Into<crate::List<ReceiverInfoEntry, 7>>);
+}
+
 field! {
     ReceiverInfoResponse: 0x81, "gnss.receiver_info_response";
     in [0x0E];
@@ -608,6 +629,27 @@ record! {
     }
 }
 
+view! {
+    SignalConfigResponse
+    gps_enable: GpsSignals, at 0;
+    glonass_enable: GlonassSignals, at 1;
+    galileo_enable: GalileoSignals, at 2;
+    beidou_enable: BeidouSignals, at 3;
+    reserved: [u8; 4], at 4;
+}
+
+constructors! {
+    SignalConfigResponse
+
+    /// Creates it from its values.
+    fn new(
+        gps_enable: GpsSignals,
+        glonass_enable: GlonassSignals,
+        galileo_enable: GalileoSignals,
+        beidou_enable: BeidouSignals,
+    ), reserved: [0; 4];
+}
+
 field! {
     SignalConfigResponse: 0x82, "gnss.signal_config_response";
     in [0x0E];
@@ -628,6 +670,19 @@ record! {
         /// Reserved.
         pub reserved: [u8; 4],
     }
+}
+
+view! {
+    RtkConfigResponse
+    ambiguity_fix_mode: AmbiguityFixMode, at 0;
+    reserved: [u8; 4], at 1;
+}
+
+constructors! {
+    RtkConfigResponse
+
+    /// Creates it from its values.
+    fn new(ambiguity_fix_mode: AmbiguityFixMode), reserved: [0; 4];
 }
 
 field! {
@@ -653,6 +708,19 @@ record! {
         /// Reserved. Uncertain: What to send; 0 is assumed.
         pub reserved: [u8; 3],
     }
+}
+
+view! {
+    RtkDongleConfigResponse
+    enable: u8, at 0;
+    reserved: [u8; 3], at 1;
+}
+
+constructors! {
+    RtkDongleConfigResponse
+
+    /// Creates it from its values.
+    fn new(enable: u8), reserved: [0; 3];
 }
 
 field! {
@@ -709,6 +777,34 @@ record! {
         [next_key_week]
         [next_key]
     }
+}
+
+view! {
+    SpartnConfigResponse
+    enable: u8, at 0;
+    type_: SpartnConnection, at 1;
+    current_key_tow: u32, at 2;
+    current_key_week: u16, at 6;
+    current_key: [u8; 32], at 8;
+    next_key_tow: u32, at 40;
+    next_key_week: u16, at 44;
+    next_key: [u8; 32], at 46;
+}
+
+constructors! {
+    SpartnConfigResponse
+
+    /// Creates it from its values.
+    fn new(
+        enable: u8,
+        type_: SpartnConnection,
+        current_key_tow: u32,
+        current_key_week: u16,
+        current_key: [u8; 32],
+        next_key_tow: u32,
+        next_key_week: u16,
+        next_key: [u8; 32],
+    );
 }
 
 field! {

@@ -4,36 +4,41 @@
 //! Uncertain: Which devices send the fields that no manual lists for a set. The SDK gives all GNSS
 //! data sets the same fields.
 
+// What the macros make, which `cargo doc` shows and `src/macros` defines:
+// `open_enum!` and `bitfield!` types of values; `record!` a structure with its codec; `union!` its
+// alternatives; `view!` methods that read single values; `constructors!` and `setters!` what makes
+// it; `field!` its sets and descriptor; `command!` and `responses!` how it is answered.
+
 #[allow(unused_imports)] // some families name a type in comments only, or none
 use crate::types;
 
 /// GNSS data (0x81): Measurements and status of the GNSS receiver of 4-series and 5-series devices.
 ///
 /// Source: mip-sdk-4: Gnss Data (0x81).
-pub const GNSS_DATA: u8 = 0x81;
+pub const GNSS_DATA_SET: u8 = 0x81;
 
 /// GNSS receiver 1 data (0x91): Measurements and status of the first internal GNSS receiver.
 ///
 /// Source: 3dm-cv7-gnss-ins: GNSS Recv 1 (0x91).
-pub const GNSS_1: u8 = 0x91;
+pub const GNSS_1_SET: u8 = 0x91;
 
 /// GNSS receiver 2 data (0x92): Measurements and status of the second internal GNSS receiver.
 ///
 /// Source: 3dm-cv7-gnss-ins: GNSS Recv 2 (0x92).
-pub const GNSS_2: u8 = 0x92;
+pub const GNSS_2_SET: u8 = 0x92;
 
 /// GNSS corrections data (0x93): RTK corrections that the device receives. Data is sent as it is
 /// received.
 ///
 /// Source: 3dm-cv7-gnss-ins: GNSS Corrections (0x93).
-pub const GNSS_CORRECTIONS: u8 = 0x93;
+pub const GNSS_CORRECTIONS_SET: u8 = 0x93;
 
 /// External GNSS data (0x94): Data that an external GNSS receiver sends to the device in NMEA
 /// sentences. A field may need several sentences; a value that NMEA does not provide is not valid.
 /// Times are those of the sentences.
 ///
 /// Source: 3dm-cv7-gnss-ins: GNSS External (0x94); 3dm-cv7-gnss-ins: NMEA Input.
-pub const GNSS_EXTERNAL: u8 = 0x94;
+pub const GNSS_EXTERNAL_SET: u8 = 0x94;
 
 /// External GNSS data 2 (0x95): Data that a second external GNSS receiver sends to the device.
 ///
@@ -41,7 +46,7 @@ pub const GNSS_EXTERNAL: u8 = 0x94;
 /// the SDK calls the set GNSS 5.
 ///
 /// Source: mip-sdk-4: Gnss5 Data (0x95).
-pub const GNSS_EXTERNAL_2: u8 = 0x95;
+pub const GNSS_EXTERNAL_2_SET: u8 = 0x95;
 
 bitfield! {
     /// Which parts of the position are valid.
@@ -970,6 +975,32 @@ record! {
     }
 }
 
+view! {
+    LlhPosition
+    latitude: f64, at 0;
+    longitude: f64, at 8;
+    ellipsoid_height: f64, at 16;
+    msl_height: f64, at 24;
+    horizontal_accuracy: f32, at 32;
+    vertical_accuracy: f32, at 36;
+    valid_flags: LlhPositionFlags, at 40;
+}
+
+constructors! {
+    LlhPosition
+
+    /// Creates it from its values.
+    fn new(
+        latitude: f64,
+        longitude: f64,
+        ellipsoid_height: f64,
+        msl_height: f64,
+        horizontal_accuracy: f32,
+        vertical_accuracy: f32,
+        valid_flags: LlhPositionFlags,
+    );
+}
+
 field! {
     LlhPosition: 0x03, "gnss_data.llh_position";
     in [0x81 0x91 0x92 0x93 0x94 0x95];
@@ -1005,6 +1036,24 @@ record! {
         /// Which parts of the position are valid.
         pub valid_flags: EcefPositionFlags,
     }
+}
+
+view! {
+    EcefPosition
+    position: types::Vector3d, at 0;
+    position_accuracy: f32, at 24;
+    valid_flags: EcefPositionFlags, at 28;
+}
+
+constructors! {
+    EcefPosition
+
+    /// Creates it from its values.
+    fn new(
+        position: impl Into<types::Vector3d>,
+        position_accuracy: f32,
+        valid_flags: EcefPositionFlags,
+    );
 }
 
 field! {
@@ -1069,6 +1118,32 @@ record! {
     }
 }
 
+view! {
+    NedVelocity
+    velocity: types::Ned3f, at 0;
+    speed: f32, at 12;
+    ground_speed: f32, at 16;
+    heading: f32, at 20;
+    speed_accuracy: f32, at 24;
+    heading_accuracy: f32, at 28;
+    valid_flags: NedVelocityFlags, at 32;
+}
+
+constructors! {
+    NedVelocity
+
+    /// Creates it from its values.
+    fn new(
+        velocity: impl Into<types::Ned3f>,
+        speed: f32,
+        ground_speed: f32,
+        heading: f32,
+        speed_accuracy: f32,
+        heading_accuracy: f32,
+        valid_flags: NedVelocityFlags,
+    );
+}
+
 field! {
     NedVelocity: 0x05, "gnss_data.ned_velocity";
     in [0x81 0x91 0x92 0x93 0x94 0x95];
@@ -1103,6 +1178,24 @@ record! {
         /// Which parts of the velocity are valid.
         pub valid_flags: EcefVelocityFlags,
     }
+}
+
+view! {
+    EcefVelocity
+    velocity: types::Vector3f, at 0;
+    velocity_accuracy: f32, at 12;
+    valid_flags: EcefVelocityFlags, at 16;
+}
+
+constructors! {
+    EcefVelocity
+
+    /// Creates it from its values.
+    fn new(
+        velocity: impl Into<types::Vector3f>,
+        velocity_accuracy: f32,
+        valid_flags: EcefVelocityFlags,
+    );
 }
 
 field! {
@@ -1157,6 +1250,34 @@ record! {
         /// Which dilutions of precision are valid.
         pub valid_flags: DopFlags,
     }
+}
+
+view! {
+    Dop
+    gdop: f32, at 0;
+    pdop: f32, at 4;
+    hdop: f32, at 8;
+    vdop: f32, at 12;
+    tdop: f32, at 16;
+    ndop: f32, at 20;
+    edop: f32, at 24;
+    valid_flags: DopFlags, at 28;
+}
+
+constructors! {
+    Dop
+
+    /// Creates it from its values.
+    fn new(
+        gdop: f32,
+        pdop: f32,
+        hdop: f32,
+        vdop: f32,
+        tdop: f32,
+        ndop: f32,
+        edop: f32,
+        valid_flags: DopFlags,
+    );
 }
 
 field! {
@@ -1221,6 +1342,34 @@ record! {
     }
 }
 
+view! {
+    UtcTime
+    year: u16, at 0;
+    month: u8, at 2;
+    day: u8, at 3;
+    hour: u8, at 4;
+    min: u8, at 5;
+    sec: u8, at 6;
+    msec: u32, at 7;
+    valid_flags: UtcTimeFlags, at 11;
+}
+
+constructors! {
+    UtcTime
+
+    /// Creates it from its values.
+    fn new(
+        year: u16,
+        month: u8,
+        day: u8,
+        hour: u8,
+        min: u8,
+        sec: u8,
+        msec: u32,
+        valid_flags: UtcTimeFlags,
+    );
+}
+
 field! {
     UtcTime: 0x08, "gnss_data.utc_time";
     in [0x81 0x91 0x92 0x93 0x94 0x95];
@@ -1260,6 +1409,24 @@ record! {
     }
 }
 
+view! {
+    GpsTime
+    tow: f64, at 0;
+    week_number: u16, at 8;
+    valid_flags: GpsTimeFlags, at 10;
+}
+
+constructors! {
+    GpsTime
+
+    /// Creates it from its values.
+    fn new(
+        tow: f64,
+        week_number: u16,
+        valid_flags: GpsTimeFlags,
+    );
+}
+
 field! {
     GpsTime: 0x09, "gnss_data.gps_time";
     in [0x81 0x91 0x92 0x93 0x94 0x95];
@@ -1297,6 +1464,26 @@ record! {
         /// Which clock parameters are valid.
         pub valid_flags: ClockInfoFlags,
     }
+}
+
+view! {
+    ClockInfo
+    bias: f64, at 0;
+    drift: f64, at 8;
+    accuracy_estimate: f64, at 16;
+    valid_flags: ClockInfoFlags, at 24;
+}
+
+constructors! {
+    ClockInfo
+
+    /// Creates it from its values.
+    fn new(
+        bias: f64,
+        drift: f64,
+        accuracy_estimate: f64,
+        valid_flags: ClockInfoFlags,
+    );
 }
 
 field! {
@@ -1367,6 +1554,26 @@ record! {
     }
 }
 
+view! {
+    FixInfo
+    fix_type: types::GnssFixType, at 0;
+    num_sv: u8, at 1;
+    fix_flags: FixFlags, at 2;
+    valid_flags: FixInfoFlags, at 4;
+}
+
+constructors! {
+    FixInfo
+
+    /// Creates it from its values.
+    fn new(
+        fix_type: types::GnssFixType,
+        num_sv: u8,
+        fix_flags: FixFlags,
+        valid_flags: FixInfoFlags,
+    );
+}
+
 field! {
     FixInfo: 0x0B, "gnss_data.fix_info";
     in [0x81 0x91 0x92 0x93 0x94 0x95];
@@ -1422,6 +1629,32 @@ record! {
     }
 }
 
+view! {
+    SvInfo
+    channel: u8, at 0;
+    satellite_id: u8, at 1;
+    carrier_noise_ratio: u16, at 2;
+    azimuth: i16, at 4;
+    elevation: i16, at 6;
+    sv_flags: SvFlags, at 8;
+    valid_flags: SvInfoFlags, at 10;
+}
+
+constructors! {
+    SvInfo
+
+    /// Creates it from its values.
+    fn new(
+        channel: u8,
+        satellite_id: u8,
+        carrier_noise_ratio: u16,
+        azimuth: i16,
+        elevation: i16,
+        sv_flags: SvFlags,
+        valid_flags: SvInfoFlags,
+    );
+}
+
 field! {
     SvInfo: 0x0C, "gnss_data.sv_info";
     in [0x81 0x91 0x92 0x93 0x94 0x95];
@@ -1466,6 +1699,26 @@ record! {
         /// Which parts of the hardware status are valid.
         pub valid_flags: HardwareStatusFlags,
     }
+}
+
+view! {
+    HardwareStatus
+    receiver_state: ReceiverState, at 0;
+    antenna_state: AntennaState, at 1;
+    antenna_power: AntennaPower, at 2;
+    valid_flags: HardwareStatusFlags, at 3;
+}
+
+constructors! {
+    HardwareStatus
+
+    /// Creates it from its values.
+    fn new(
+        receiver_state: ReceiverState,
+        antenna_state: AntennaState,
+        antenna_power: AntennaPower,
+        valid_flags: HardwareStatusFlags,
+    );
 }
 
 field! {
@@ -1517,6 +1770,28 @@ record! {
     }
 }
 
+view! {
+    DgpsInfo
+    age: f32, at 0;
+    base_station_id: i16, at 4;
+    base_station_status: i16, at 6;
+    num_channels: u16, at 8;
+    valid_flags: DgpsInfoFlags, at 10;
+}
+
+constructors! {
+    DgpsInfo
+
+    /// Creates it from its values.
+    fn new(
+        age: f32,
+        base_station_id: i16,
+        base_station_status: i16,
+        num_channels: u16,
+        valid_flags: DgpsInfoFlags,
+    );
+}
+
 field! {
     DgpsInfo: 0x0E, "gnss_data.dgps_info";
     in [0x81 0x91 0x92 0x93 0x94 0x95];
@@ -1560,6 +1835,28 @@ record! {
         /// Which parts of the state of the corrections are valid.
         pub valid_flags: DgpsInfoFlags,
     }
+}
+
+view! {
+    DgpsInfoSatellite
+    satellite_id: u8, at 0;
+    age: f32, at 1;
+    range_correction: f32, at 5;
+    range_rate_correction: f32, at 9;
+    valid_flags: DgpsInfoFlags, at 13;
+}
+
+constructors! {
+    DgpsInfoSatellite
+
+    /// Creates it from its values.
+    fn new(
+        satellite_id: u8,
+        age: f32,
+        range_correction: f32,
+        range_rate_correction: f32,
+        valid_flags: DgpsInfoFlags,
+    );
 }
 
 field! {
@@ -1609,6 +1906,28 @@ record! {
     }
 }
 
+view! {
+    DgpsChannel
+    satellite_id: u8, at 0;
+    age: f32, at 1;
+    range_correction: f32, at 5;
+    range_rate_correction: f32, at 9;
+    valid_flags: DgpsChannelFlags, at 13;
+}
+
+constructors! {
+    DgpsChannel
+
+    /// Creates it from its values.
+    fn new(
+        satellite_id: u8,
+        age: f32,
+        range_correction: f32,
+        range_rate_correction: f32,
+        valid_flags: DgpsChannelFlags,
+    );
+}
+
 field! {
     DgpsChannel: 0x0F, "gnss_data.dgps_channel";
     in [0x81 0x91 0x92 0x93 0x94 0x95];
@@ -1653,6 +1972,28 @@ record! {
     }
 }
 
+view! {
+    ClockInfo2
+    bias: f64, at 0;
+    drift: f64, at 8;
+    bias_accuracy_estimate: f64, at 16;
+    drift_accuracy_estimate: f64, at 24;
+    valid_flags: ClockInfo2Flags, at 32;
+}
+
+constructors! {
+    ClockInfo2
+
+    /// Creates it from its values.
+    fn new(
+        bias: f64,
+        drift: f64,
+        bias_accuracy_estimate: f64,
+        drift_accuracy_estimate: f64,
+        valid_flags: ClockInfo2Flags,
+    );
+}
+
 field! {
     ClockInfo2: 0x10, "gnss_data.clock_info_2";
     in [0x81 0x91 0x92 0x93 0x94 0x95];
@@ -1680,6 +2021,19 @@ record! {
         /// Whether the value is valid.
         pub valid_flags: GpsLeapSecondsFlags,
     }
+}
+
+view! {
+    GpsLeapSeconds
+    leap_seconds: u8, at 0;
+    valid_flags: GpsLeapSecondsFlags, at 1;
+}
+
+constructors! {
+    GpsLeapSeconds
+
+    /// Creates it from its values.
+    fn new(leap_seconds: u8, valid_flags: GpsLeapSecondsFlags);
 }
 
 field! {
@@ -1730,6 +2084,32 @@ record! {
         /// Which parts of the SBAS status are valid.
         pub valid_flags: SbasInfoFlags,
     }
+}
+
+view! {
+    SbasInfo
+    tow: f64, at 0;
+    week_number: u16, at 8;
+    sbas_system: SbasSystem, at 10;
+    sbas_id: u8, at 11;
+    count: u8, at 12;
+    sbas_status: SbasStatus, at 13;
+    valid_flags: SbasInfoFlags, at 14;
+}
+
+constructors! {
+    SbasInfo
+
+    /// Creates it from its values.
+    fn new(
+        tow: f64,
+        week_number: u16,
+        sbas_system: SbasSystem,
+        sbas_id: u8,
+        count: u8,
+        sbas_status: SbasStatus,
+        valid_flags: SbasInfoFlags,
+    );
 }
 
 field! {
@@ -1791,6 +2171,38 @@ record! {
     }
 }
 
+view! {
+    SbasCorrection
+    index: u8, at 0;
+    count: u8, at 1;
+    tow: f64, at 2;
+    week_number: u16, at 10;
+    gnss_id: types::GnssConstellation, at 12;
+    satellite_id: u8, at 13;
+    udrei: u8, at 14;
+    pseudorange_correction: f32, at 15;
+    iono_correction: f32, at 19;
+    valid_flags: SbasCorrectionFlags, at 23;
+}
+
+constructors! {
+    SbasCorrection
+
+    /// Creates it from its values.
+    fn new(
+        index: u8,
+        count: u8,
+        tow: f64,
+        week_number: u16,
+        gnss_id: types::GnssConstellation,
+        satellite_id: u8,
+        udrei: u8,
+        pseudorange_correction: f32,
+        iono_correction: f32,
+        valid_flags: SbasCorrectionFlags,
+    );
+}
+
 field! {
     SbasCorrection: 0x13, "gnss_data.sbas_correction";
     in [0x81 0x91 0x92 0x93 0x94 0x95];
@@ -1836,6 +2248,29 @@ record! {
     }
 }
 
+view! {
+    RfErrorDetection
+    rf_band: RfBand, at 0;
+    jamming_state: JammingState, at 1;
+    spoofing_state: SpoofingState, at 2;
+    frequency: u16, at 3;
+    reserved: [u8; 2], at 5;
+    valid_flags: RfErrorDetectionFlags, at 7;
+}
+
+constructors! {
+    RfErrorDetection
+
+    /// Creates it from its values.
+    fn new(
+        rf_band: RfBand,
+        jamming_state: JammingState,
+        spoofing_state: SpoofingState,
+        frequency: u16,
+        valid_flags: RfErrorDetectionFlags,
+    ), reserved: [0; 2];
+}
+
 field! {
     RfErrorDetection: 0x14, "gnss_data.rf_error_detection";
     in [0x81 0x91 0x92 0x93 0x94 0x95];
@@ -1873,6 +2308,26 @@ record! {
         /// Which parts of the heading are valid.
         pub valid_flags: HeadingFlags,
     }
+}
+
+view! {
+    Heading
+    heading: f32, at 0;
+    uncertainty: f32, at 4;
+    fix_type: HeadingFixType, at 8;
+    valid_flags: HeadingFlags, at 9;
+}
+
+constructors! {
+    Heading
+
+    /// Creates it from its values.
+    fn new(
+        heading: f32,
+        uncertainty: f32,
+        fix_type: HeadingFixType,
+        valid_flags: HeadingFlags,
+    );
 }
 
 field! {
@@ -1937,6 +2392,38 @@ record! {
         /// Which parts of the satellite status are valid.
         pub valid_flags: SatelliteStatusFlags,
     }
+}
+
+view! {
+    SatelliteStatus
+    index: u8, at 0;
+    count: u8, at 1;
+    tow: f64, at 2;
+    week_number: u16, at 10;
+    gnss_id: types::GnssConstellation, at 12;
+    satellite_id: u8, at 13;
+    elevation: f32, at 14;
+    azimuth: f32, at 18;
+    health: crate::Bool, at 22;
+    valid_flags: SatelliteStatusFlags, at 23;
+}
+
+constructors! {
+    SatelliteStatus
+
+    /// Creates it from its values.
+    fn new(
+        index: u8,
+        count: u8,
+        tow: f64,
+        week_number: u16,
+        gnss_id: types::GnssConstellation,
+        satellite_id: u8,
+        elevation: f32,
+        azimuth: f32,
+        health: bool,
+        valid_flags: SatelliteStatusFlags,
+    );
 }
 
 field! {
@@ -2040,6 +2527,56 @@ record! {
     }
 }
 
+view! {
+    Raw
+    index: u8, at 0;
+    count: u8, at 1;
+    tow: f64, at 2;
+    week_number: u16, at 10;
+    receiver_id: u16, at 12;
+    tracking_channel: u8, at 14;
+    gnss_id: types::GnssConstellation, at 15;
+    satellite_id: u8, at 16;
+    signal_id: types::GnssSignal, at 17;
+    signal_strength: f32, at 18;
+    quality: SignalQuality, at 22;
+    pseudorange: f64, at 23;
+    carrier_phase: f64, at 31;
+    doppler: f32, at 39;
+    range_uncertainty: f32, at 43;
+    phase_uncertainty: f32, at 47;
+    doppler_uncertainty: f32, at 51;
+    lock_time: f32, at 55;
+    valid_flags: RawFlags, at 59;
+}
+
+constructors! {
+    Raw
+
+    /// Creates it from its values.
+    fn new(
+        index: u8,
+        count: u8,
+        tow: f64,
+        week_number: u16,
+        receiver_id: u16,
+        tracking_channel: u8,
+        gnss_id: types::GnssConstellation,
+        satellite_id: u8,
+        signal_id: types::GnssSignal,
+        signal_strength: f32,
+        quality: SignalQuality,
+        pseudorange: f64,
+        carrier_phase: f64,
+        doppler: f32,
+        range_uncertainty: f32,
+        phase_uncertainty: f32,
+        doppler_uncertainty: f32,
+        lock_time: f32,
+        valid_flags: RawFlags,
+    );
+}
+
 field! {
     Raw: 0x22, "gnss_data.raw";
     in [0x81 0x91 0x92 0x93 0x94 0x95];
@@ -2090,6 +2627,32 @@ record! {
         /// Which values are valid.
         pub valid_flags: BaseStationInfoFlags,
     }
+}
+
+view! {
+    BaseStationInfo
+    tow: f64, at 0;
+    week_number: u16, at 8;
+    ecef_position: types::Vector3d, at 10;
+    height: f32, at 34;
+    station_id: u16, at 38;
+    indicators: BaseStationIndicators, at 40;
+    valid_flags: BaseStationInfoFlags, at 42;
+}
+
+constructors! {
+    BaseStationInfo
+
+    /// Creates it from its values.
+    fn new(
+        tow: f64,
+        week_number: u16,
+        ecef_position: impl Into<types::Vector3d>,
+        height: f32,
+        station_id: u16,
+        indicators: BaseStationIndicators,
+        valid_flags: BaseStationInfoFlags,
+    );
 }
 
 field! {
@@ -2161,6 +2724,37 @@ record! {
         /// Which values are valid.
         pub valid_flags: RtkCorrectionsStatusFlags,
     }
+}
+
+view! {
+    RtkCorrectionsStatus
+    tow: f64, at 0;
+    week_number: u16, at 8;
+    epoch_status: RtkEpochStatus, at 10;
+    dongle_status: types::RtkStatusFlags, at 12;
+    gps_correction_latency: f32, at 16;
+    glonass_correction_latency: f32, at 20;
+    galileo_correction_latency: f32, at 24;
+    beidou_correction_latency: f32, at 28;
+    reserved: [u32; 4], at 32;
+    valid_flags: RtkCorrectionsStatusFlags, at 48;
+}
+
+constructors! {
+    RtkCorrectionsStatus
+
+    /// Creates it from its values.
+    fn new(
+        tow: f64,
+        week_number: u16,
+        epoch_status: RtkEpochStatus,
+        dongle_status: types::RtkStatusFlags,
+        gps_correction_latency: f32,
+        glonass_correction_latency: f32,
+        galileo_correction_latency: f32,
+        beidou_correction_latency: f32,
+        valid_flags: RtkCorrectionsStatusFlags,
+    ), reserved: [0; 4];
 }
 
 field! {
@@ -2319,6 +2913,86 @@ record! {
     }
 }
 
+view! {
+    GpsEphemeris
+    index: u8, at 0;
+    count: u8, at 1;
+    tow: f64, at 2;
+    week_number: u16, at 10;
+    satellite_id: u8, at 12;
+    health: u8, at 13;
+    iodc: u8, at 14;
+    iode: u8, at 15;
+    t_oc: f64, at 16;
+    af0: f64, at 24;
+    af1: f64, at 32;
+    af2: f64, at 40;
+    t_gd: f64, at 48;
+    isc_l1ca: f64, at 56;
+    isc_l2c: f64, at 64;
+    t_oe: f64, at 72;
+    a: f64, at 80;
+    a_dot: f64, at 88;
+    mean_anomaly: f64, at 96;
+    delta_mean_motion: f64, at 104;
+    delta_mean_motion_dot: f64, at 112;
+    eccentricity: f64, at 120;
+    argument_of_perigee: f64, at 128;
+    omega: f64, at 136;
+    omega_dot: f64, at 144;
+    inclination: f64, at 152;
+    inclination_dot: f64, at 160;
+    c_ic: f64, at 168;
+    c_is: f64, at 176;
+    c_uc: f64, at 184;
+    c_us: f64, at 192;
+    c_rc: f64, at 200;
+    c_rs: f64, at 208;
+    valid_flags: EphemerisFlags, at 216;
+}
+
+constructors! {
+    GpsEphemeris
+
+    /// Creates it from its values.
+    fn new(
+        index: u8,
+        count: u8,
+        tow: f64,
+        week_number: u16,
+        satellite_id: u8,
+        health: u8,
+        iodc: u8,
+        iode: u8,
+        t_oc: f64,
+        af0: f64,
+        af1: f64,
+        af2: f64,
+        t_gd: f64,
+        isc_l1ca: f64,
+        isc_l2c: f64,
+        t_oe: f64,
+        a: f64,
+        a_dot: f64,
+        mean_anomaly: f64,
+        delta_mean_motion: f64,
+        delta_mean_motion_dot: f64,
+        eccentricity: f64,
+        argument_of_perigee: f64,
+        omega: f64,
+        omega_dot: f64,
+        inclination: f64,
+        inclination_dot: f64,
+        c_ic: f64,
+        c_is: f64,
+        c_uc: f64,
+        c_us: f64,
+        c_rc: f64,
+        c_rs: f64,
+        valid_flags: EphemerisFlags,
+    );
+}
+
 field! {
     GpsEphemeris: 0x61, "gnss_data.gps_ephemeris";
     in [0x81 0x91 0x92 0x93 0x94 0x95];
@@ -2439,6 +3113,68 @@ record! {
         /// Whether the ephemeris is valid.
         pub valid_flags: GlonassEphemerisFlags,
     }
+}
+
+view! {
+    GlonassEphemeris
+    index: u8, at 0;
+    count: u8, at 1;
+    tow: f64, at 2;
+    week_number: u16, at 10;
+    satellite_id: u8, at 12;
+    frequency_number: i8, at 13;
+    tk: u32, at 14;
+    tb: u32, at 18;
+    satellite_type: GlonassSatelliteType, at 22;
+    gamma: f64, at 23;
+    tau_n: f64, at 31;
+    position: types::Vector3d, at 39;
+    velocity: types::Vector3f, at 63;
+    accel: types::Vector3f, at 75;
+    health: u8, at 87;
+    p: u8, at 88;
+    nt: u8, at 89;
+    delta_tau_n: f32, at 90;
+    ft: u8, at 94;
+    en: u8, at 95;
+    p1: u8, at 96;
+    p2: u8, at 97;
+    p3: u8, at 98;
+    p4: u8, at 99;
+    valid_flags: GlonassEphemerisFlags, at 100;
+}
+
+constructors! {
+    GlonassEphemeris
+
+    /// Creates it from its values.
+    fn new(
+        index: u8,
+        count: u8,
+        tow: f64,
+        week_number: u16,
+        satellite_id: u8,
+        frequency_number: i8,
+        tk: u32,
+        tb: u32,
+        satellite_type: GlonassSatelliteType,
+        gamma: f64,
+        tau_n: f64,
+        position: impl Into<types::Vector3d>,
+        velocity: impl Into<types::Vector3f>,
+        accel: impl Into<types::Vector3f>,
+        health: u8,
+        p: u8,
+        nt: u8,
+        delta_tau_n: f32,
+        ft: u8,
+        en: u8,
+        p1: u8,
+        p2: u8,
+        p3: u8,
+        p4: u8,
+        valid_flags: GlonassEphemerisFlags,
+    );
 }
 
 field! {
@@ -2599,6 +3335,86 @@ record! {
     }
 }
 
+view! {
+    GalileoEphemeris
+    index: u8, at 0;
+    count: u8, at 1;
+    tow: f64, at 2;
+    week_number: u16, at 10;
+    satellite_id: u8, at 12;
+    health: u8, at 13;
+    iodc: u8, at 14;
+    iode: u8, at 15;
+    t_oc: f64, at 16;
+    af0: f64, at 24;
+    af1: f64, at 32;
+    af2: f64, at 40;
+    t_gd: f64, at 48;
+    isc_l1ca: f64, at 56;
+    isc_l2c: f64, at 64;
+    t_oe: f64, at 72;
+    a: f64, at 80;
+    a_dot: f64, at 88;
+    mean_anomaly: f64, at 96;
+    delta_mean_motion: f64, at 104;
+    delta_mean_motion_dot: f64, at 112;
+    eccentricity: f64, at 120;
+    argument_of_perigee: f64, at 128;
+    omega: f64, at 136;
+    omega_dot: f64, at 144;
+    inclination: f64, at 152;
+    inclination_dot: f64, at 160;
+    c_ic: f64, at 168;
+    c_is: f64, at 176;
+    c_uc: f64, at 184;
+    c_us: f64, at 192;
+    c_rc: f64, at 200;
+    c_rs: f64, at 208;
+    valid_flags: EphemerisFlags, at 216;
+}
+
+constructors! {
+    GalileoEphemeris
+
+    /// Creates it from its values.
+    fn new(
+        index: u8,
+        count: u8,
+        tow: f64,
+        week_number: u16,
+        satellite_id: u8,
+        health: u8,
+        iodc: u8,
+        iode: u8,
+        t_oc: f64,
+        af0: f64,
+        af1: f64,
+        af2: f64,
+        t_gd: f64,
+        isc_l1ca: f64,
+        isc_l2c: f64,
+        t_oe: f64,
+        a: f64,
+        a_dot: f64,
+        mean_anomaly: f64,
+        delta_mean_motion: f64,
+        delta_mean_motion_dot: f64,
+        eccentricity: f64,
+        argument_of_perigee: f64,
+        omega: f64,
+        omega_dot: f64,
+        inclination: f64,
+        inclination_dot: f64,
+        c_ic: f64,
+        c_is: f64,
+        c_uc: f64,
+        c_us: f64,
+        c_rc: f64,
+        c_rs: f64,
+        valid_flags: EphemerisFlags,
+    );
+}
+
 field! {
     GalileoEphemeris: 0x63, "gnss_data.galileo_ephemeris";
     in [0x81 0x91 0x92 0x93 0x94 0x95];
@@ -2757,6 +3573,86 @@ record! {
     }
 }
 
+view! {
+    BeidouEphemeris
+    index: u8, at 0;
+    count: u8, at 1;
+    tow: f64, at 2;
+    week_number: u16, at 10;
+    satellite_id: u8, at 12;
+    health: u8, at 13;
+    iodc: u8, at 14;
+    iode: u8, at 15;
+    t_oc: f64, at 16;
+    af0: f64, at 24;
+    af1: f64, at 32;
+    af2: f64, at 40;
+    t_gd: f64, at 48;
+    isc_l1ca: f64, at 56;
+    isc_l2c: f64, at 64;
+    t_oe: f64, at 72;
+    a: f64, at 80;
+    a_dot: f64, at 88;
+    mean_anomaly: f64, at 96;
+    delta_mean_motion: f64, at 104;
+    delta_mean_motion_dot: f64, at 112;
+    eccentricity: f64, at 120;
+    argument_of_perigee: f64, at 128;
+    omega: f64, at 136;
+    omega_dot: f64, at 144;
+    inclination: f64, at 152;
+    inclination_dot: f64, at 160;
+    c_ic: f64, at 168;
+    c_is: f64, at 176;
+    c_uc: f64, at 184;
+    c_us: f64, at 192;
+    c_rc: f64, at 200;
+    c_rs: f64, at 208;
+    valid_flags: EphemerisFlags, at 216;
+}
+
+constructors! {
+    BeidouEphemeris
+
+    /// Creates it from its values.
+    fn new(
+        index: u8,
+        count: u8,
+        tow: f64,
+        week_number: u16,
+        satellite_id: u8,
+        health: u8,
+        iodc: u8,
+        iode: u8,
+        t_oc: f64,
+        af0: f64,
+        af1: f64,
+        af2: f64,
+        t_gd: f64,
+        isc_l1ca: f64,
+        isc_l2c: f64,
+        t_oe: f64,
+        a: f64,
+        a_dot: f64,
+        mean_anomaly: f64,
+        delta_mean_motion: f64,
+        delta_mean_motion_dot: f64,
+        eccentricity: f64,
+        argument_of_perigee: f64,
+        omega: f64,
+        omega_dot: f64,
+        inclination: f64,
+        inclination_dot: f64,
+        c_ic: f64,
+        c_is: f64,
+        c_uc: f64,
+        c_us: f64,
+        c_rc: f64,
+        c_rs: f64,
+        valid_flags: EphemerisFlags,
+    );
+}
+
 field! {
     BeidouEphemeris: 0x64, "gnss_data.beidou_ephemeris";
     in [0x81 0x91 0x92 0x93 0x94 0x95];
@@ -2797,6 +3693,28 @@ record! {
         /// Which parts of the model are valid.
         pub valid_flags: GpsIonoCorrectionFlags,
     }
+}
+
+view! {
+    GpsIonoCorrection
+    tow: f64, at 0;
+    week_number: u16, at 8;
+    alpha: [f64; 4], at 10;
+    beta: [f64; 4], at 42;
+    valid_flags: GpsIonoCorrectionFlags, at 74;
+}
+
+constructors! {
+    GpsIonoCorrection
+
+    /// Creates it from its values.
+    fn new(
+        tow: f64,
+        week_number: u16,
+        alpha: [f64; 4],
+        beta: [f64; 4],
+        valid_flags: GpsIonoCorrectionFlags,
+    );
 }
 
 field! {
@@ -2840,6 +3758,28 @@ record! {
         /// Which parts of the model are valid.
         pub valid_flags: GalileoIonoCorrectionFlags,
     }
+}
+
+view! {
+    GalileoIonoCorrection
+    tow: f64, at 0;
+    week_number: u16, at 8;
+    alpha: [f64; 3], at 10;
+    disturbance_flags: u8, at 34;
+    valid_flags: GalileoIonoCorrectionFlags, at 35;
+}
+
+constructors! {
+    GalileoIonoCorrection
+
+    /// Creates it from its values.
+    fn new(
+        tow: f64,
+        week_number: u16,
+        alpha: [f64; 3],
+        disturbance_flags: u8,
+        valid_flags: GalileoIonoCorrectionFlags,
+    );
 }
 
 field! {
@@ -2887,6 +3827,30 @@ record! {
         /// Which parts of the model are valid.
         pub valid_flags: BeidouIonoCorrectionFlags,
     }
+}
+
+view! {
+    BeidouIonoCorrection
+    tow: f64, at 0;
+    week_number: u16, at 8;
+    alpha: [f64; 4], at 10;
+    beta: [f64; 4], at 42;
+    alpha_correction: [f64; 9], at 74;
+    valid_flags: BeidouIonoCorrectionFlags, at 146;
+}
+
+constructors! {
+    BeidouIonoCorrection
+
+    /// Creates it from its values.
+    fn new(
+        tow: f64,
+        week_number: u16,
+        alpha: [f64; 4],
+        beta: [f64; 4],
+        alpha_correction: [f64; 9],
+        valid_flags: BeidouIonoCorrectionFlags,
+    );
 }
 
 field! {

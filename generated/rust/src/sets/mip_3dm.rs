@@ -2,11 +2,16 @@
 //!
 //! Source: 3dm-gx5-15: 4.2 3DM Commands; 3dm-cv7-gnss-ins: 3DM (0x0C).
 
+// What the macros make, which `cargo doc` shows and `src/macros` defines:
+// `open_enum!` and `bitfield!` types of values; `record!` a structure with its codec; `union!` its
+// alternatives; `view!` methods that read single values; `constructors!` and `setters!` what makes
+// it; `field!` its sets and descriptor; `command!` and `responses!` how it is answered.
+
 #[allow(unused_imports)] // some families name a type in comments only, or none
 use crate::types;
 
 /// The number of the descriptor set.
-pub const SET: u8 = 0x0C;
+pub const MIP_3DM_SET: u8 = 0x0C;
 
 record! {
     /// A field requested by a poll.
@@ -24,6 +29,12 @@ record! {
 }
 
 item! { PollEntry { descriptor reserved } }
+view! {
+    PollEntry
+    descriptor: u8, at 0;
+    reserved: u16, at 1;
+}
+
 constructors! {
     PollEntry
 
@@ -103,6 +114,15 @@ record! {
 }
 
 item! { ConstellationSettingsEntry { constellation_id enable reserved_channels max_channels option_flags } }
+view! {
+    ConstellationSettingsEntry
+    constellation_id: ConstellationId, at 0;
+    enable: u8, at 1;
+    reserved_channels: u8, at 2;
+    max_channels: u8, at 3;
+    option_flags: ConstellationOptions, at 4;
+}
+
 constructors! {
     ConstellationSettingsEntry
 
@@ -198,12 +218,20 @@ record! {
 }
 
 item! { EventSupportInfo { type_ count } }
+view! {
+    EventSupportInfo
+    type_: u8, at 0;
+    count: u8, at 1;
+}
+
 constructors! {
     EventSupportInfo
 
     /// Creates it from its values.
     fn new(type_: u8, count: u8);
 }
+
+tuple! { EventSupportInfo type_: u8, count: u8 }
 
 record! {
     /// Type and state of one trigger.
@@ -224,12 +252,20 @@ record! {
 }
 
 item! { EventTriggerStatusEntry { type_ status } }
+view! {
+    EventTriggerStatusEntry
+    type_: types::EventTriggerType, at 0;
+    status: types::EventTriggerStatus, at 1;
+}
+
 constructors! {
     EventTriggerStatusEntry
 
     /// Creates it from its values.
     fn new(type_: types::EventTriggerType, status: types::EventTriggerStatus);
 }
+
+tuple! { EventTriggerStatusEntry type_: types::EventTriggerType, status: types::EventTriggerStatus }
 
 record! {
     /// Type and trigger of one action.
@@ -245,12 +281,20 @@ record! {
 }
 
 item! { EventActionStatusEntry { action_type trigger_id } }
+view! {
+    EventActionStatusEntry
+    action_type: types::EventActionType, at 0;
+    trigger_id: u8, at 1;
+}
+
 constructors! {
     EventActionStatusEntry
 
     /// Creates it from its values.
     fn new(action_type: types::EventActionType, trigger_id: u8);
 }
+
+tuple! { EventActionStatusEntry action_type: types::EventActionType, trigger_id: u8 }
 
 open_enum! {
     /// Motion that a GNSS receiver assumes.
@@ -396,12 +440,20 @@ record! {
 }
 
 item! { SensorRangeEntry { setting range } }
+view! {
+    SensorRangeEntry
+    setting: u8, at 0;
+    range: f32, at 1;
+}
+
 constructors! {
     SensorRangeEntry
 
     /// Creates it from its values.
     fn new(setting: u8, range: f32);
 }
+
+tuple! { SensorRangeEntry setting: u8, range: f32 }
 
 open_enum! {
     /// A sensor inside a 3-series device.
@@ -4520,6 +4572,13 @@ record! {
     }
 }
 
+constructors! {
+    ImuMessageFormatResponse
+
+    /// Creates it from its values.
+    fn new(descriptors: impl Into<crate::List<types::DescriptorRate, 84>>);
+}
+
 field! {
     ImuMessageFormatResponse: 0x80, "3dm.imu_message_format_response";
     in [0x0C];
@@ -4553,6 +4612,13 @@ record! {
         [num_descriptors: u8 counts descriptors]
         [descriptors by num_descriptors]
     }
+}
+
+constructors! {
+    GnssMessageFormatResponse
+
+    /// Creates it from its values.
+    fn new(descriptors: impl Into<crate::List<types::DescriptorRate, 84>>);
 }
 
 field! {
@@ -4592,6 +4658,13 @@ record! {
     }
 }
 
+constructors! {
+    FilterMessageFormatResponse
+
+    /// Creates it from its values.
+    fn new(descriptors: impl Into<crate::List<types::DescriptorRate, 84>>);
+}
+
 field! {
     FilterMessageFormatResponse: 0x82, "3dm.filter_message_format_response";
     in [0x0C];
@@ -4627,6 +4700,18 @@ record! {
     }
 }
 
+view! {
+    GetImuBaseRateResponse
+    rate: u16, at 0;
+}
+
+constructors! {
+    GetImuBaseRateResponse
+
+    /// Creates it from its values.
+    fn new(rate: u16);
+}
+
 field! {
     GetImuBaseRateResponse: 0x83, "3dm.get_imu_base_rate_response";
     in [0x0C];
@@ -4653,6 +4738,18 @@ record! {
         /// Unit: Hz.
         pub rate: u16,
     }
+}
+
+view! {
+    GetGnssBaseRateResponse
+    rate: u16, at 0;
+}
+
+constructors! {
+    GetGnssBaseRateResponse
+
+    /// Creates it from its values.
+    fn new(rate: u16);
 }
 
 field! {
@@ -4714,6 +4811,19 @@ record! {
         /// Whether the stream is sent.
         pub enabled: crate::Bool,
     }
+}
+
+view! {
+    DataStreamControlResponse
+    descriptor_set: u8, at 0;
+    enabled: crate::Bool, at 1;
+}
+
+constructors! {
+    DataStreamControlResponse
+
+    /// Creates it from its values.
+    fn new(descriptor_set: u8, enabled: bool);
 }
 
 #[rustfmt::skip]
@@ -4792,6 +4902,33 @@ record! {
     }
 }
 
+view! {
+    ImuSignalConditioningResponse
+    orientation_decimation: u16, at 0;
+    data_conditioning_flags: DataConditioningFlags, at 2;
+    inertial_filter_width: u8, at 4;
+    mag_filter_width: u8, at 5;
+    up_compensation: u16, at 6;
+    north_compensation: u16, at 8;
+    mag_bandwidth: MagBandwidth, at 10;
+    reserved: u16, at 11;
+}
+
+constructors! {
+    ImuSignalConditioningResponse
+
+    /// Creates it from its values.
+    fn new(
+        orientation_decimation: u16,
+        data_conditioning_flags: DataConditioningFlags,
+        inertial_filter_width: u8,
+        mag_filter_width: u8,
+        up_compensation: u16,
+        north_compensation: u16,
+        mag_bandwidth: MagBandwidth,
+    ), reserved: 0;
+}
+
 field! {
     ImuSignalConditioningResponse: 0x86, "3dm.imu_signal_conditioning_response";
     in [0x0C];
@@ -4827,6 +4964,18 @@ record! {
     }
 }
 
+view! {
+    UartBaudRateResponse
+    baud: u32, at 0;
+}
+
+constructors! {
+    UartBaudRateResponse
+
+    /// Creates it from its values.
+    fn new(baud: u32);
+}
+
 field! {
     UartBaudRateResponse: 0x87, "3dm.uart_baud_rate_response";
     in [0x0C];
@@ -4847,6 +4996,19 @@ record! {
         /// Its format.
         pub format: StreamFormat,
     }
+}
+
+view! {
+    DataStreamFormatResponse
+    stream: InternalSensor, at 0;
+    format: StreamFormat, at 1;
+}
+
+constructors! {
+    DataStreamFormatResponse
+
+    /// Creates it from its values.
+    fn new(stream: InternalSensor, format: StreamFormat);
 }
 
 field! {
@@ -4870,6 +5032,19 @@ record! {
         /// Its power state.
         pub state: SensorPowerState,
     }
+}
+
+view! {
+    DevicePowerStateResponse
+    device: InternalSensor, at 0;
+    state: SensorPowerState, at 1;
+}
+
+constructors! {
+    DevicePowerStateResponse
+
+    /// Creates it from its values.
+    fn new(device: InternalSensor, state: SensorPowerState);
 }
 
 field! {
@@ -4901,6 +5076,18 @@ record! {
         /// Unit: Hz.
         pub rate: u16,
     }
+}
+
+view! {
+    GetFilterBaseRateResponse
+    rate: u16, at 0;
+}
+
+constructors! {
+    GetFilterBaseRateResponse
+
+    /// Creates it from its values.
+    fn new(rate: u16);
 }
 
 field! {
@@ -4958,6 +5145,27 @@ record! {
     }
 }
 
+view! {
+    ImuLowPassFilterResponse
+    target_descriptor: u8, at 0;
+    enable: crate::Bool, at 1;
+    manual: crate::Bool, at 2;
+    frequency: u16, at 3;
+    reserved: u8, at 5;
+}
+
+constructors! {
+    ImuLowPassFilterResponse
+
+    /// Creates it from its values.
+    fn new(
+        target_descriptor: u8,
+        enable: bool,
+        manual: bool,
+        frequency: u16,
+    ), reserved: 0;
+}
+
 field! {
     ImuLowPassFilterResponse: 0x8B, "3dm.imu_low_pass_filter_response";
     in [0x0C];
@@ -4987,6 +5195,13 @@ record! {
     }
 }
 
+constructors! {
+    NmeaMessageFormatResponse
+
+    /// Creates it from its values.
+    fn new(format_entries: impl Into<crate::List<types::NmeaMessage, 50>>);
+}
+
 field! {
     NmeaMessageFormatResponse: 0x8C, "3dm.nmea_message_format_response";
     in [0x0C];
@@ -5014,6 +5229,19 @@ record! {
         /// Unit: Hz.
         pub rate: u16,
     }
+}
+
+view! {
+    GetBaseRateResponse
+    descriptor_set: u8, at 0;
+    rate: u16, at 1;
+}
+
+constructors! {
+    GetBaseRateResponse
+
+    /// Creates it from its values.
+    fn new(descriptor_set: u8, rate: u16);
 }
 
 field! {
@@ -5051,6 +5279,13 @@ record! {
         [num_descriptors: u8 counts descriptors]
         [descriptors by num_descriptors]
     }
+}
+
+constructors! {
+    MessageFormatResponse
+
+    /// Creates it from its values.
+    fn new(descriptor_set: u8, descriptors: impl Into<crate::List<types::DescriptorRate, 83>>);
 }
 
 field! {
@@ -5106,6 +5341,18 @@ record! {
         [system_state]
         [system_timer]
     }
+}
+
+constructors! {
+    DeviceStatusBasicResponse
+
+    /// Creates it from its values.
+    fn new(
+        model_number: u16,
+        status_flags: u32,
+        system_state: u16,
+        system_timer: u32,
+    );
 }
 
 #[rustfmt::skip]
@@ -5167,6 +5414,17 @@ record! {
         [status_flags]
         [system_timer]
     }
+}
+
+constructors! {
+    DeviceStatusBasicWithoutStateResponse
+
+    /// Creates it from its values.
+    fn new(
+        model_number: u16,
+        status_flags: u32,
+        system_timer: u32,
+    );
 }
 
 field! {
@@ -5270,6 +5528,29 @@ record! {
         [imu_message_count]
         [imu_last_message_time]
     }
+}
+
+constructors! {
+    DeviceStatusDiagnosticResponse
+
+    /// Creates it from its values.
+    fn new(
+        model_number: u16,
+        status_flags: u32,
+        system_state: u16,
+        system_timer: u32,
+        imu_stream_enabled: bool,
+        filter_stream_enabled: bool,
+        imu_dropped_packets: u32,
+        filter_dropped_packets: u32,
+        comm_port_bytes_written: u32,
+        comm_port_bytes_read: u32,
+        comm_port_write_overruns: u32,
+        comm_port_read_overruns: u32,
+        imu_parser_errors: u32,
+        imu_message_count: u32,
+        imu_last_message_time: u32,
+    );
 }
 
 field! {
@@ -5410,6 +5691,37 @@ record! {
         [gnss_message_count]
         [gnss_last_message_time]
     }
+}
+
+constructors! {
+    DeviceStatusDiagnosticGnssResponse
+
+    /// Creates it from its values.
+    fn new(
+        model_number: u16,
+        status_flags: u32,
+        system_state: u16,
+        system_timer: u32,
+        gnss_power_state: u8,
+        pps_count: u32,
+        pps_last_time: u32,
+        imu_stream_enabled: bool,
+        gnss_stream_enabled: bool,
+        filter_stream_enabled: bool,
+        imu_dropped_packets: u32,
+        gnss_dropped_packets: u32,
+        filter_dropped_packets: u32,
+        comm_port_bytes_written: u32,
+        comm_port_bytes_read: u32,
+        comm_port_write_overruns: u32,
+        comm_port_read_overruns: u32,
+        imu_parser_errors: u32,
+        imu_message_count: u32,
+        imu_last_message_time: u32,
+        gnss_parser_errors: u32,
+        gnss_message_count: u32,
+        gnss_last_message_time: u32,
+    );
 }
 
 field! {
@@ -5555,6 +5867,40 @@ record! {
         [pressure_init_failed]
         [receiver_init_failed]
     }
+}
+
+constructors! {
+    DeviceStatusDiagnosticGq4_45Response
+
+    /// Creates it from its values.
+    fn new(
+        model_number: u16,
+        status_flags: u32,
+        system_state: u16,
+        system_timer: u32,
+        gnss_power_state: u8,
+        pps_count: u32,
+        pps_last_time: u32,
+        imu_stream_enabled: bool,
+        gnss_stream_enabled: bool,
+        filter_stream_enabled: bool,
+        imu_dropped_packets: u32,
+        gnss_dropped_packets: u32,
+        filter_dropped_packets: u32,
+        comm_port_bytes_written: u32,
+        comm_port_bytes_read: u32,
+        comm_port_write_overruns: u32,
+        comm_port_read_overruns: u32,
+        imu_parser_errors: u32,
+        imu_message_count: u32,
+        imu_last_message_time: u32,
+        gnss_parser_errors: u32,
+        gnss_message_count: u32,
+        gnss_last_message_time: u32,
+        mag_init_failed: bool,
+        pressure_init_failed: bool,
+        receiver_init_failed: bool,
+    );
 }
 
 field! {
@@ -5707,6 +6053,40 @@ record! {
     }
 }
 
+constructors! {
+    DeviceStatusDiagnosticRq1_45Response
+
+    /// Creates it from its values.
+    fn new(
+        model_number: u16,
+        status_flags: u32,
+        system_state: u16,
+        system_timer: u32,
+        gnss_power_state: u8,
+        cold_start_on_power_on: u8,
+        temperature: f32,
+        temperature_last_time: u32,
+        pps_count: u32,
+        pps_last_time: u32,
+        imu_stream_enabled: bool,
+        gnss_stream_enabled: bool,
+        filter_stream_enabled: bool,
+        imu_dropped_packets: u32,
+        gnss_dropped_packets: u32,
+        filter_dropped_packets: u32,
+        comm_port_bytes_written: u32,
+        comm_port_bytes_read: u32,
+        comm_port_write_overruns: u32,
+        comm_port_read_overruns: u32,
+        imu_parser_errors: u32,
+        imu_message_count: u32,
+        imu_last_message_time: u32,
+        gnss_parser_errors: u32,
+        gnss_message_count: u32,
+        gnss_last_message_time: u32,
+    );
+}
+
 field! {
     DeviceStatusDiagnosticRq1_45Response: 0x90, "3dm.device_status_diagnostic_rq1_45_response";
     in [0x0C];
@@ -5836,6 +6216,34 @@ record! {
     }
 }
 
+constructors! {
+    DeviceStatusDiagnosticGx4Response
+
+    /// Creates it from its values.
+    fn new(
+        model_number: u16,
+        status_flags: u32,
+        system_timer: u32,
+        pps_count: u32,
+        pps_last_time: u32,
+        imu_stream_enabled: bool,
+        filter_stream_enabled: bool,
+        imu_dropped_packets: u32,
+        filter_dropped_packets: u32,
+        comm_port_bytes_written: u32,
+        comm_port_bytes_read: u32,
+        comm_port_write_overruns: u32,
+        comm_port_read_overruns: u32,
+        usb_bytes_written: u32,
+        usb_bytes_read: u32,
+        usb_write_overruns: u32,
+        usb_read_overruns: u32,
+        imu_parser_errors: u32,
+        imu_message_count: u32,
+        imu_last_message_time: u32,
+    );
+}
+
 field! {
     DeviceStatusDiagnosticGx4Response: 0x90, "3dm.device_status_diagnostic_gx4_response";
     in [0x0C];
@@ -5954,6 +6362,33 @@ record! {
     }
 }
 
+constructors! {
+    DeviceStatusDiagnosticImuResponse
+
+    /// Creates it from its values.
+    fn new(
+        model_number: u16,
+        status_flags: u32,
+        system_timer: u32,
+        has_mag: bool,
+        has_pressure: bool,
+        power_state: u8,
+        gyro_range: u16,
+        accel_range: u16,
+        temperature: f32,
+        temperature_last_time: u32,
+        temperature_error: u8,
+        pps_count: u32,
+        pps_last_time: u32,
+        imu_stream_enabled: bool,
+        imu_dropped_packets: u32,
+        comm_port_bytes_written: u32,
+        comm_port_bytes_read: u32,
+        comm_port_write_overruns: u32,
+        comm_port_read_overruns: u32,
+    ), reserved: 0;
+}
+
 field! {
     DeviceStatusDiagnosticImuResponse: 0x90, "3dm.device_status_diagnostic_imu_response";
     in [0x0C];
@@ -6005,6 +6440,20 @@ record! {
         [comm_state]
         [comm_baud_rate]
     }
+}
+
+constructors! {
+    DeviceStatusBasicGx3Response
+
+    /// Creates it from its values.
+    fn new(
+        model_number: u16,
+        comm_mode: u8,
+        comm_device: u8,
+        settings_flags: u32,
+        comm_state: u16,
+        comm_baud_rate: u32,
+    );
 }
 
 field! {
@@ -6177,6 +6626,45 @@ record! {
     }
 }
 
+constructors! {
+    DeviceStatusDiagnosticGx3Response
+
+    /// Creates it from its values.
+    fn new(
+        model_number: u16,
+        comm_mode: u8,
+        comm_device: u8,
+        settings_flags: u32,
+        comm_state: u16,
+        comm_baud_rate: u32,
+        comm_port_bytes_written: u32,
+        comm_port_bytes_read: u32,
+        comm_port_write_overruns: u32,
+        comm_port_read_overruns: u32,
+        usb_state: u16,
+        usb_bytes_written: u32,
+        usb_bytes_read: u32,
+        usb_write_overruns: u32,
+        usb_read_overruns: u32,
+        gnss_driver_state: u16,
+        gnss_port_state: u16,
+        gnss_bytes_written: u32,
+        gnss_bytes_read: u32,
+        gnss_write_overruns: u32,
+        gnss_read_overruns: u32,
+        gnss_message_count: u32,
+        gnss_delayed_message_count: u32,
+        imu_driver_state: u16,
+        imu_port_state: u16,
+        imu_bytes_written: u32,
+        imu_bytes_read: u32,
+        imu_write_overruns: u32,
+        imu_read_overruns: u32,
+        imu_message_count: u32,
+        imu_delayed_message_count: u32,
+    );
+}
+
 field! {
     DeviceStatusDiagnosticGx3Response: 0x90, "3dm.device_status_diagnostic_gx3_response";
     in [0x0C];
@@ -6197,6 +6685,18 @@ record! {
         /// Assumed dynamics.
         pub mode: ReceiverDynamics,
     }
+}
+
+view! {
+    GpsDynamicsModeResponse
+    mode: ReceiverDynamics, at 0;
+}
+
+constructors! {
+    GpsDynamicsModeResponse
+
+    /// Creates it from its values.
+    fn new(mode: ReceiverDynamics);
 }
 
 field! {
@@ -6220,6 +6720,19 @@ record! {
         /// Value of the counter, in the unit that `selector` states.
         pub time: u32,
     }
+}
+
+view! {
+    ImuTimestampResponse
+    selector: ImuTimestampSelector, at 0;
+    time: u32, at 1;
+}
+
+constructors! {
+    ImuTimestampResponse
+
+    /// Creates it from its values.
+    fn new(selector: ImuTimestampSelector, time: u32);
 }
 
 field! {
@@ -6268,6 +6781,26 @@ record! {
     }
 }
 
+view! {
+    ComplementaryFilterResponse
+    pitch_roll_enable: crate::Bool, at 0;
+    heading_enable: crate::Bool, at 1;
+    pitch_roll_time_constant: f32, at 2;
+    heading_time_constant: f32, at 6;
+}
+
+constructors! {
+    ComplementaryFilterResponse
+
+    /// Creates it from its values.
+    fn new(
+        pitch_roll_enable: bool,
+        heading_enable: bool,
+        pitch_roll_time_constant: f32,
+        heading_time_constant: f32,
+    );
+}
+
 field! {
     ComplementaryFilterResponse: 0x97, "3dm.complementary_filter_response";
     in [0x0C];
@@ -6305,6 +6838,18 @@ record! {
         /// Elements: x, y, z. Unit: g. Frame: sensor.
         pub bias: types::Vector3f,
     }
+}
+
+view! {
+    AccelBiasResponse
+    bias: types::Vector3f, at 0;
+}
+
+constructors! {
+    AccelBiasResponse
+
+    /// Creates it from its values.
+    fn new(bias: impl Into<types::Vector3f>);
 }
 
 field! {
@@ -6349,6 +6894,18 @@ record! {
     }
 }
 
+view! {
+    GyroBiasResponse
+    bias: types::Vector3f, at 0;
+}
+
+constructors! {
+    GyroBiasResponse
+
+    /// Creates it from its values.
+    fn new(bias: impl Into<types::Vector3f>);
+}
+
 field! {
     GyroBiasResponse: 0x9B, "3dm.gyro_bias_response";
     in [0x0C];
@@ -6382,6 +6939,18 @@ record! {
         /// Elements: x, y, z. Unit: gauss. Frame: sensor.
         pub offset: types::Vector3f,
     }
+}
+
+view! {
+    MagHardIronOffsetResponse
+    offset: types::Vector3f, at 0;
+}
+
+constructors! {
+    MagHardIronOffsetResponse
+
+    /// Creates it from its values.
+    fn new(offset: impl Into<types::Vector3f>);
 }
 
 field! {
@@ -6419,6 +6988,18 @@ record! {
     }
 }
 
+view! {
+    MagSoftIronMatrixResponse
+    matrix: types::Matrix3f, at 0;
+}
+
+constructors! {
+    MagSoftIronMatrixResponse
+
+    /// Creates it from its values.
+    fn new(matrix: impl Into<types::Matrix3f>);
+}
+
 field! {
     MagSoftIronMatrixResponse: 0x9D, "3dm.mag_soft_iron_matrix_response";
     in [0x0C];
@@ -6450,6 +7031,18 @@ record! {
         /// Default: true.
         pub enable: crate::Bool,
     }
+}
+
+view! {
+    ConingScullingEnableResponse
+    enable: crate::Bool, at 0;
+}
+
+constructors! {
+    ConingScullingEnableResponse
+
+    /// Creates it from its values.
+    fn new(enable: bool);
 }
 
 field! {
@@ -6494,6 +7087,17 @@ record! {
     }
 }
 
+constructors! {
+    ConstellationSettingsResponse
+
+    /// Creates it from its values.
+    fn new(
+        max_channels_available: u16,
+        max_channels_use: u16,
+        settings: impl Into<crate::List<ConstellationSettingsEntry, 41>>,
+    );
+}
+
 field! {
     ConstellationSettingsResponse: 0xA0, "3dm.constellation_settings_response";
     in [0x0C];
@@ -6533,6 +7137,17 @@ record! {
     }
 }
 
+constructors! {
+    GnssSbasSettingsResponse
+
+    /// Creates it from its values.
+    fn new(
+        enable_sbas: u8,
+        sbas_options: SbasOptions,
+        included_prns: impl Into<crate::List<u16, 124>>,
+    );
+}
+
 field! {
     GnssSbasSettingsResponse: 0xA1, "3dm.gnss_sbas_settings_response";
     in [0x0C];
@@ -6569,6 +7184,19 @@ impl core::default::Default for GnssAssistedFixResponse {
     }
 }
 
+view! {
+    GnssAssistedFixResponse
+    option: AssistedFixOption, at 0;
+    flags: u8, at 1;
+}
+
+constructors! {
+    GnssAssistedFixResponse
+
+    /// Creates it from its values.
+    fn new(option: AssistedFixOption), flags: 255;
+}
+
 field! {
     GnssAssistedFixResponse: 0xA2, "3dm.gnss_assisted_fix_response";
     in [0x0C];
@@ -6601,6 +7229,24 @@ record! {
     }
 }
 
+view! {
+    GnssTimeAssistanceResponse
+    tow: f64, at 0;
+    week_number: u16, at 8;
+    accuracy: f32, at 10;
+}
+
+constructors! {
+    GnssTimeAssistanceResponse
+
+    /// Creates it from its values.
+    fn new(
+        tow: f64,
+        week_number: u16,
+        accuracy: f32,
+    );
+}
+
 field! {
     GnssTimeAssistanceResponse: 0xA3, "3dm.gnss_time_assistance_response";
     in [0x0C];
@@ -6624,6 +7270,18 @@ record! {
         /// Source of the pulse.
         pub source: PpsSource,
     }
+}
+
+view! {
+    PpsSourceControlResponse
+    source: PpsSource, at 0;
+}
+
+constructors! {
+    PpsSourceControlResponse
+
+    /// Creates it from its values.
+    fn new(source: PpsSource);
 }
 
 field! {
@@ -6663,6 +7321,24 @@ record! {
     }
 }
 
+view! {
+    SensorToVehicleTransformEulerResponse
+    roll: f32, at 0;
+    pitch: f32, at 4;
+    yaw: f32, at 8;
+}
+
+constructors! {
+    SensorToVehicleTransformEulerResponse
+
+    /// Creates it from its values.
+    fn new(
+        roll: f32,
+        pitch: f32,
+        yaw: f32,
+    );
+}
+
 field! {
     SensorToVehicleTransformEulerResponse: 0xB1, "3dm.sensor_to_vehicle_transform_euler_response";
     in [0x0C];
@@ -6689,6 +7365,18 @@ record! {
         /// Elements: w, x, y, z. Unit: 1.
         pub q: types::Quatf,
     }
+}
+
+view! {
+    SensorToVehicleTransformQuaternionResponse
+    q: types::Quatf, at 0;
+}
+
+constructors! {
+    SensorToVehicleTransformQuaternionResponse
+
+    /// Creates it from its values.
+    fn new(q: impl Into<types::Quatf>);
 }
 
 field! {
@@ -6718,6 +7406,18 @@ record! {
         /// Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1.
         pub dcm: types::Matrix3f,
     }
+}
+
+view! {
+    SensorToVehicleTransformDcmResponse
+    dcm: types::Matrix3f, at 0;
+}
+
+constructors! {
+    SensorToVehicleTransformDcmResponse
+
+    /// Creates it from its values.
+    fn new(dcm: impl Into<types::Matrix3f>);
 }
 
 field! {
@@ -6765,6 +7465,17 @@ record! {
     }
 }
 
+constructors! {
+    GetEventSupportResponse
+
+    /// Creates it from its values.
+    fn new(
+        query: EventSupportQuery,
+        max_instances: u8,
+        entries: impl Into<crate::List<EventSupportInfo, 125>>,
+    );
+}
+
 field! {
     GetEventSupportResponse: 0xB4, "3dm.get_event_support_response";
     in [0x0C];
@@ -6792,6 +7503,19 @@ record! {
         /// Default: [`types::EventTriggerMode::DISABLED`].
         pub mode: types::EventTriggerMode,
     }
+}
+
+view! {
+    EventControlResponse
+    instance: u8, at 0;
+    mode: types::EventTriggerMode, at 1;
+}
+
+constructors! {
+    EventControlResponse
+
+    /// Creates it from its values.
+    fn new(instance: u8, mode: types::EventTriggerMode);
 }
 
 field! {
@@ -6826,6 +7550,13 @@ record! {
     }
 }
 
+constructors! {
+    GetEventTriggerStatusResponse
+
+    /// Creates it from its values.
+    fn new(triggers: impl Into<crate::List<EventTriggerStatusEntry, 126>>);
+}
+
 field! {
     GetEventTriggerStatusResponse: 0xB6, "3dm.get_event_trigger_status_response";
     in [0x0C];
@@ -6856,6 +7587,13 @@ record! {
         [count: u8 counts actions]
         [actions by count]
     }
+}
+
+constructors! {
+    GetEventActionStatusResponse
+
+    /// Creates it from its values.
+    fn new(actions: impl Into<crate::List<EventActionStatusEntry, 126>>);
 }
 
 field! {
@@ -6895,6 +7633,13 @@ record! {
         [type_ "type"]
         [parameters as type_]
     }
+}
+
+constructors! {
+    EventTriggerConfigResponse
+
+    /// Creates it from its values.
+    fn new(instance: u8, parameters: EventTriggerConfigParameters), type_: parameters.tag();
 }
 
 field! {
@@ -6940,6 +7685,17 @@ record! {
     }
 }
 
+constructors! {
+    EventActionConfigResponse
+
+    /// Creates it from its values.
+    fn new(
+        instance: u8,
+        trigger: u8,
+        parameters: EventActionConfigParameters,
+    ), type_: parameters.tag();
+}
+
 field! {
     EventActionConfigResponse: 0xB9, "3dm.event_action_config_response";
     in [0x0C];
@@ -6981,6 +7737,26 @@ record! {
         /// Electrical options.
         pub pin_mode: types::GpioPinMode,
     }
+}
+
+view! {
+    GpioConfigResponse
+    pin: u8, at 0;
+    feature: types::GpioFeature, at 1;
+    behavior: u8, at 2;
+    pin_mode: types::GpioPinMode, at 3;
+}
+
+constructors! {
+    GpioConfigResponse
+
+    /// Creates it from its values.
+    fn new(
+        pin: u8,
+        feature: types::GpioFeature,
+        behavior: u8,
+        pin_mode: types::GpioPinMode,
+    );
 }
 
 #[rustfmt::skip]
@@ -7081,6 +7857,19 @@ record! {
     }
 }
 
+view! {
+    GpioStateResponse
+    pin: u8, at 0;
+    state: crate::Bool, at 1;
+}
+
+constructors! {
+    GpioStateResponse
+
+    /// Creates it from its values.
+    fn new(pin: u8, state: bool);
+}
+
 field! {
     GpioStateResponse: 0xC2, "3dm.gpio_state_response";
     in [0x0C];
@@ -7112,6 +7901,24 @@ record! {
     }
 }
 
+view! {
+    OdometerConfigResponse
+    mode: OdometerMode, at 0;
+    scaling: f32, at 1;
+    uncertainty: f32, at 5;
+}
+
+constructors! {
+    OdometerConfigResponse
+
+    /// Creates it from its values.
+    fn new(
+        mode: OdometerMode,
+        scaling: f32,
+        uncertainty: f32,
+    );
+}
+
 field! {
     OdometerConfigResponse: 0xC3, "3dm.odometer_config_response";
     in [0x0C];
@@ -7137,6 +7944,19 @@ record! {
         /// Number of the range.
         pub setting: u8,
     }
+}
+
+view! {
+    SensorRangeResponse
+    sensor: SensorRangeType, at 0;
+    setting: u8, at 1;
+}
+
+constructors! {
+    SensorRangeResponse
+
+    /// Creates it from its values.
+    fn new(sensor: SensorRangeType, setting: u8);
 }
 
 field! {
@@ -7183,6 +8003,13 @@ record! {
     }
 }
 
+constructors! {
+    GetCalibratedSensorRangesResponse
+
+    /// Creates it from its values.
+    fn new(sensor: SensorRangeType, ranges: impl Into<crate::List<SensorRangeEntry, 50>>);
+}
+
 field! {
     GetCalibratedSensorRangesResponse: 0xD3, "3dm.get_calibrated_sensor_ranges_response";
     in [0x0C];
@@ -7219,6 +8046,28 @@ record! {
         /// Unit: Hz. Range: at least 0.
         pub frequency: f32,
     }
+}
+
+view! {
+    LowPassFilterResponse
+    descriptor_set: u8, at 0;
+    field_descriptor: u8, at 1;
+    enable: crate::Bool, at 2;
+    manual: crate::Bool, at 3;
+    frequency: f32, at 4;
+}
+
+constructors! {
+    LowPassFilterResponse
+
+    /// Creates it from its values.
+    fn new(
+        descriptor_set: u8,
+        field_descriptor: u8,
+        enable: bool,
+        manual: bool,
+        frequency: f32,
+    );
 }
 
 field! {

@@ -5,11 +5,16 @@
 //!
 //! Source: mip-sdk-4: Rtk Commands (0x0F).
 
+// What the macros make, which `cargo doc` shows and `src/macros` defines:
+// `open_enum!` and `bitfield!` types of values; `record!` a structure with its codec; `union!` its
+// alternatives; `view!` methods that read single values; `constructors!` and `setters!` what makes
+// it; `field!` its sets and descriptor; `command!` and `responses!` how it is answered.
+
 #[allow(unused_imports)] // some families name a type in comments only, or none
 use crate::types;
 
 /// The number of the descriptor set.
-pub const SET: u8 = 0x0F;
+pub const RTK_SET: u8 = 0x0F;
 
 open_enum! {
     /// A device that a corrections modem serves.
@@ -500,6 +505,18 @@ record! {
     }
 }
 
+view! {
+    GetStatusFlagsResponse
+    flags: types::RtkStatusFlags, at 0;
+}
+
+constructors! {
+    GetStatusFlagsResponse
+
+    /// Creates it from its values.
+    fn new(flags: types::RtkStatusFlags);
+}
+
 field! {
     GetStatusFlagsResponse: 0x81, "rtk.get_status_flags_response";
     in [0x0F];
@@ -517,6 +534,18 @@ record! {
         /// International mobile equipment identity.
         pub imei: crate::Text<32>,
     }
+}
+
+view! {
+    GetImeiResponse
+    imei: crate::Text<32>, at 0;
+}
+
+constructors! {
+    GetImeiResponse
+
+    /// Creates it from its values.
+    fn new(imei: crate::Text<32>);
 }
 
 field! {
@@ -538,6 +567,18 @@ record! {
     }
 }
 
+view! {
+    GetImsiResponse
+    imsi: crate::Text<32>, at 0;
+}
+
+constructors! {
+    GetImsiResponse
+
+    /// Creates it from its values.
+    fn new(imsi: crate::Text<32>);
+}
+
 field! {
     GetImsiResponse: 0x83, "rtk.get_imsi_response";
     in [0x0F];
@@ -555,6 +596,18 @@ record! {
         /// Number of the SIM card.
         pub iccid: crate::Text<32>,
     }
+}
+
+view! {
+    GetIccidResponse
+    iccid: crate::Text<32>, at 0;
+}
+
+constructors! {
+    GetIccidResponse
+
+    /// Creates it from its values.
+    fn new(iccid: crate::Text<32>);
 }
 
 field! {
@@ -585,6 +638,24 @@ record! {
     }
 }
 
+view! {
+    GetRssiResponse
+    valid: crate::Bool, at 0;
+    rssi: i32, at 1;
+    signal_quality: i32, at 5;
+}
+
+constructors! {
+    GetRssiResponse
+
+    /// Creates it from its values.
+    fn new(
+        valid: bool,
+        rssi: i32,
+        signal_quality: i32,
+    );
+}
+
 field! {
     GetRssiResponse: 0x85, "rtk.get_rssi_response";
     in [0x0F];
@@ -602,6 +673,18 @@ record! {
         /// Type of the device.
         pub device_type: ConnectedDevice,
     }
+}
+
+view! {
+    ConnectedDeviceTypeResponse
+    device_type: ConnectedDevice, at 0;
+}
+
+constructors! {
+    ConnectedDeviceTypeResponse
+
+    /// Creates it from its values.
+    fn new(device_type: ConnectedDevice);
 }
 
 field! {
@@ -624,6 +707,18 @@ record! {
     }
 }
 
+view! {
+    GetActivationCodeResponse
+    activation_code: crate::Text<32>, at 0;
+}
+
+constructors! {
+    GetActivationCodeResponse
+
+    /// Creates it from its values.
+    fn new(activation_code: crate::Text<32>);
+}
+
 field! {
     GetActivationCodeResponse: 0x87, "rtk.get_activation_code_response";
     in [0x0F];
@@ -641,6 +736,18 @@ record! {
         /// Firmware version of the modem, not of the dongle.
         pub modem_firmware_version: crate::Text<32>,
     }
+}
+
+view! {
+    GetModemFirmwareVersionResponse
+    modem_firmware_version: crate::Text<32>, at 0;
+}
+
+constructors! {
+    GetModemFirmwareVersionResponse
+
+    /// Creates it from its values.
+    fn new(modem_firmware_version: crate::Text<32>);
 }
 
 field! {
@@ -675,6 +782,26 @@ record! {
         /// Uncertain: The unit and the epoch.
         pub last_bytes_time: u64,
     }
+}
+
+view! {
+    ServiceStatusResponse
+    flags: ServiceFlags, at 0;
+    received_bytes: u32, at 1;
+    last_bytes: u32, at 5;
+    last_bytes_time: u64, at 9;
+}
+
+constructors! {
+    ServiceStatusResponse
+
+    /// Creates it from its values.
+    fn new(
+        flags: ServiceFlags,
+        received_bytes: u32,
+        last_bytes: u32,
+        last_bytes_time: u64,
+    );
 }
 
 field! {

@@ -3,11 +3,16 @@
 //!
 //! Source: 3dm-gx5-15: 5.1 IMU Data; 3dm-cv7-gnss-ins: Sensor (0x80).
 
+// What the macros make, which `cargo doc` shows and `src/macros` defines:
+// `open_enum!` and `bitfield!` types of values; `record!` a structure with its codec; `union!` its
+// alternatives; `view!` methods that read single values; `constructors!` and `setters!` what makes
+// it; `field!` its sets and descriptor; `command!` and `responses!` how it is answered.
+
 #[allow(unused_imports)] // some families name a type in comments only, or none
 use crate::types;
 
 /// The number of the descriptor set.
-pub const SET: u8 = 0x80;
+pub const SENSOR_SET: u8 = 0x80;
 
 bitfield! {
     /// Sensor axes that were near or outside their range.
@@ -73,6 +78,18 @@ record! {
     }
 }
 
+view! {
+    RawAccel
+    raw_accel: types::Vector3f, at 0;
+}
+
+constructors! {
+    RawAccel
+
+    /// Creates it from its values.
+    fn new(raw_accel: impl Into<types::Vector3f>);
+}
+
 field! {
     RawAccel: 0x01, "sensor.raw_accel";
     in [0x80];
@@ -94,6 +111,18 @@ record! {
         /// Elements: x, y, z. Unit: 1. Frame: sensor.
         pub raw_gyro: types::Vector3f,
     }
+}
+
+view! {
+    RawGyro
+    raw_gyro: types::Vector3f, at 0;
+}
+
+constructors! {
+    RawGyro
+
+    /// Creates it from its values.
+    fn new(raw_gyro: impl Into<types::Vector3f>);
 }
 
 field! {
@@ -118,6 +147,18 @@ record! {
         /// vehicle frame here, but the sensor frame for raw acceleration and raw angular rate.
         pub raw_mag: types::Vector3f,
     }
+}
+
+view! {
+    RawMag
+    raw_mag: types::Vector3f, at 0;
+}
+
+constructors! {
+    RawMag
+
+    /// Creates it from its values.
+    fn new(raw_mag: impl Into<types::Vector3f>);
 }
 
 field! {
@@ -204,6 +245,18 @@ record! {
     }
 }
 
+view! {
+    ScaledAccel
+    scaled_accel: types::Vector3f, at 0;
+}
+
+constructors! {
+    ScaledAccel
+
+    /// Creates it from its values.
+    fn new(scaled_accel: impl Into<types::Vector3f>);
+}
+
 field! {
     ScaledAccel: 0x04, "sensor.scaled_accel";
     in [0x80];
@@ -287,6 +340,18 @@ record! {
     }
 }
 
+view! {
+    ScaledGyro
+    scaled_gyro: types::Vector3f, at 0;
+}
+
+constructors! {
+    ScaledGyro
+
+    /// Creates it from its values.
+    fn new(scaled_gyro: impl Into<types::Vector3f>);
+}
+
 field! {
     ScaledGyro: 0x05, "sensor.scaled_gyro";
     in [0x80];
@@ -366,6 +431,18 @@ record! {
     }
 }
 
+view! {
+    ScaledMag
+    scaled_mag: types::Vector3f, at 0;
+}
+
+constructors! {
+    ScaledMag
+
+    /// Creates it from its values.
+    fn new(scaled_mag: impl Into<types::Vector3f>);
+}
+
 field! {
     ScaledMag: 0x06, "sensor.scaled_mag";
     in [0x80];
@@ -415,6 +492,18 @@ record! {
         /// Positive: right side down, nose up, clockwise seen from above.
         pub delta_theta: types::Vector3f,
     }
+}
+
+view! {
+    DeltaTheta
+    delta_theta: types::Vector3f, at 0;
+}
+
+constructors! {
+    DeltaTheta
+
+    /// Creates it from its values.
+    fn new(delta_theta: impl Into<types::Vector3f>);
 }
 
 field! {
@@ -470,6 +559,18 @@ record! {
     }
 }
 
+view! {
+    DeltaVelocity
+    delta_velocity: types::Vector3f, at 0;
+}
+
+constructors! {
+    DeltaVelocity
+
+    /// Creates it from its values.
+    fn new(delta_velocity: impl Into<types::Vector3f>);
+}
+
 field! {
     DeltaVelocity: 0x08, "sensor.delta_velocity";
     in [0x80];
@@ -518,6 +619,18 @@ record! {
     }
 }
 
+view! {
+    CompOrientationMatrix
+    m: types::Matrix3f, at 0;
+}
+
+constructors! {
+    CompOrientationMatrix
+
+    /// Creates it from its values.
+    fn new(m: impl Into<types::Matrix3f>);
+}
+
 field! {
     CompOrientationMatrix: 0x09, "sensor.comp_orientation_matrix";
     in [0x80];
@@ -564,6 +677,18 @@ record! {
     }
 }
 
+view! {
+    CompQuaternion
+    q: types::Quatf, at 0;
+}
+
+constructors! {
+    CompQuaternion
+
+    /// Creates it from its values.
+    fn new(q: impl Into<types::Quatf>);
+}
+
 field! {
     CompQuaternion: 0x0A, "sensor.comp_quaternion";
     in [0x80];
@@ -592,6 +717,18 @@ record! {
         /// Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1.
         pub m: types::Matrix3f,
     }
+}
+
+view! {
+    CompOrientationUpdateMatrix
+    m: types::Matrix3f, at 0;
+}
+
+constructors! {
+    CompOrientationUpdateMatrix
+
+    /// Creates it from its values.
+    fn new(m: impl Into<types::Matrix3f>);
 }
 
 field! {
@@ -650,6 +787,24 @@ record! {
     }
 }
 
+view! {
+    CompEulerAngles
+    roll: f32, at 0;
+    pitch: f32, at 4;
+    yaw: f32, at 8;
+}
+
+constructors! {
+    CompEulerAngles
+
+    /// Creates it from its values.
+    fn new(
+        roll: f32,
+        pitch: f32,
+        yaw: f32,
+    );
+}
+
 field! {
     CompEulerAngles: 0x0C, "sensor.comp_euler_angles";
     in [0x80];
@@ -680,6 +835,18 @@ record! {
     }
 }
 
+view! {
+    OrientationRawTemperature
+    raw_temperature: [u16; 4], at 0;
+}
+
+constructors! {
+    OrientationRawTemperature
+
+    /// Creates it from its values.
+    fn new(raw_temperature: [u16; 4]);
+}
+
 field! {
     OrientationRawTemperature: 0x0D, "sensor.orientation_raw_temperature";
     in [0x80];
@@ -704,6 +871,18 @@ record! {
         /// Unit: 1.
         pub counts: u32,
     }
+}
+
+view! {
+    InternalTimestamp
+    counts: u32, at 0;
+}
+
+constructors! {
+    InternalTimestamp
+
+    /// Creates it from its values.
+    fn new(counts: u32);
 }
 
 field! {
@@ -736,6 +915,19 @@ record! {
         /// Unit: us. Uncertain: The unit; it follows from the name.
         pub useconds: u32,
     }
+}
+
+view! {
+    PpsTimestamp
+    seconds: u32, at 0;
+    useconds: u32, at 4;
+}
+
+constructors! {
+    PpsTimestamp
+
+    /// Creates it from its values.
+    fn new(seconds: u32, useconds: u32);
 }
 
 field! {
@@ -776,6 +968,24 @@ record! {
     }
 }
 
+view! {
+    PpsTimestampWithFlags
+    flags: u8, at 0;
+    seconds: u32, at 1;
+    nanoseconds: u32, at 5;
+}
+
+constructors! {
+    PpsTimestampWithFlags
+
+    /// Creates it from its values.
+    fn new(
+        flags: u8,
+        seconds: u32,
+        nanoseconds: u32,
+    );
+}
+
 field! {
     PpsTimestampWithFlags: 0x0F, "sensor.pps_timestamp_with_flags";
     in [0x80];
@@ -814,6 +1024,18 @@ record! {
     }
 }
 
+view! {
+    NorthVector
+    stabilized_mag: types::Vector3f, at 0;
+}
+
+constructors! {
+    NorthVector
+
+    /// Creates it from its values.
+    fn new(stabilized_mag: impl Into<types::Vector3f>);
+}
+
 field! {
     NorthVector: 0x10, "sensor.north_vector";
     in [0x80];
@@ -849,6 +1071,18 @@ record! {
         /// transformation changes lack this vector.
         pub stabilized_accel: types::Vector3f,
     }
+}
+
+view! {
+    UpVector
+    stabilized_accel: types::Vector3f, at 0;
+}
+
+constructors! {
+    UpVector
+
+    /// Creates it from its values.
+    fn new(stabilized_accel: impl Into<types::Vector3f>);
 }
 
 field! {
@@ -910,6 +1144,24 @@ record! {
     }
 }
 
+view! {
+    GpsTimestamp
+    tow: f64, at 0;
+    week_number: u16, at 8;
+    valid_flags: types::SensorGpsTimestampFlags, at 10;
+}
+
+constructors! {
+    GpsTimestamp
+
+    /// Creates it from its values.
+    fn new(
+        tow: f64,
+        week_number: u16,
+        valid_flags: types::SensorGpsTimestampFlags,
+    );
+}
+
 #[rustfmt::skip]
 impl GpsTimestamp {
     /// Reads `valid_flags` as [`types::Gx5SensorGpsTimestampFlags`].
@@ -961,6 +1213,24 @@ record! {
     }
 }
 
+view! {
+    TemperatureStatistics
+    min_temperature: f32, at 0;
+    max_temperature: f32, at 4;
+    mean_temperature: f32, at 8;
+}
+
+constructors! {
+    TemperatureStatistics
+
+    /// Creates it from its values.
+    fn new(
+        min_temperature: f32,
+        max_temperature: f32,
+        mean_temperature: f32,
+    );
+}
+
 field! {
     TemperatureStatistics: 0x14, "sensor.temperature_statistics";
     in [0x80];
@@ -981,6 +1251,18 @@ record! {
         /// Unit: 1.
         pub raw_pressure: f32,
     }
+}
+
+view! {
+    RawPressure
+    raw_pressure: f32, at 0;
+}
+
+constructors! {
+    RawPressure
+
+    /// Creates it from its values.
+    fn new(raw_pressure: f32);
 }
 
 field! {
@@ -1044,6 +1326,18 @@ record! {
     }
 }
 
+view! {
+    ScaledPressure
+    scaled_pressure: f32, at 0;
+}
+
+constructors! {
+    ScaledPressure
+
+    /// Creates it from its values.
+    fn new(scaled_pressure: f32);
+}
+
 field! {
     ScaledPressure: 0x17, "sensor.scaled_pressure";
     in [0x80];
@@ -1069,6 +1363,18 @@ record! {
         /// One bit for each axis.
         pub status: OverrangeFlags,
     }
+}
+
+view! {
+    OverrangeStatus
+    status: OverrangeFlags, at 0;
+}
+
+constructors! {
+    OverrangeStatus
+
+    /// Creates it from its values.
+    fn new(status: OverrangeFlags);
 }
 
 field! {
@@ -1101,6 +1407,24 @@ record! {
         /// Whether the values are valid.
         pub valid_flags: OdometerFlags,
     }
+}
+
+view! {
+    Odometer
+    speed: f32, at 0;
+    uncertainty: f32, at 4;
+    valid_flags: OdometerFlags, at 8;
+}
+
+constructors! {
+    Odometer
+
+    /// Creates it from its values.
+    fn new(
+        speed: f32,
+        uncertainty: f32,
+        valid_flags: OdometerFlags,
+    );
 }
 
 field! {

@@ -3,6 +3,11 @@
 //!
 //! Source: 3dm-cv7-gnss-ins: Shared (0xFF); 3dm-cv7-gnss-ins: Shared Data Descriptors.
 
+// What the macros make, which `cargo doc` shows and `src/macros` defines:
+// `open_enum!` and `bitfield!` types of values; `record!` a structure with its codec; `union!` its
+// alternatives; `view!` methods that read single values; `constructors!` and `setters!` what makes
+// it; `field!` its sets and descriptor; `command!` and `responses!` how it is answered.
+
 #[allow(unused_imports)] // some families name a type in comments only, or none
 use crate::types;
 
@@ -63,6 +68,18 @@ record! {
     }
 }
 
+view! {
+    EventSource
+    trigger_id: u8, at 0;
+}
+
+constructors! {
+    EventSource
+
+    /// Creates it from its values.
+    fn new(trigger_id: u8);
+}
+
 field! {
     EventSource: 0xD0, "shared.event_source";
     in [0x80..=0xFE];
@@ -89,6 +106,18 @@ record! {
     }
 }
 
+view! {
+    Ticks
+    ticks: u32, at 0;
+}
+
+constructors! {
+    Ticks
+
+    /// Creates it from its values.
+    fn new(ticks: u32);
+}
+
 field! {
     Ticks: 0xD1, "shared.ticks";
     in [0x80..=0xFE];
@@ -112,6 +141,18 @@ record! {
         /// Unit: 1.
         pub ticks: u32,
     }
+}
+
+view! {
+    DeltaTicks
+    ticks: u32, at 0;
+}
+
+constructors! {
+    DeltaTicks
+
+    /// Creates it from its values.
+    fn new(ticks: u32);
 }
 
 field! {
@@ -161,6 +202,24 @@ record! {
     }
 }
 
+view! {
+    GpsTimestamp
+    tow: f64, at 0;
+    week_number: u16, at 8;
+    valid_flags: GpsTimestampFlags, at 10;
+}
+
+constructors! {
+    GpsTimestamp
+
+    /// Creates it from its values.
+    fn new(
+        tow: f64,
+        week_number: u16,
+        valid_flags: GpsTimestampFlags,
+    );
+}
+
 field! {
     GpsTimestamp: 0xD3, "shared.gps_timestamp";
     in [0x80..=0xFE];
@@ -190,6 +249,18 @@ record! {
         /// Unit: s. Range: at least 0.
         pub seconds: f64,
     }
+}
+
+view! {
+    DeltaTime
+    seconds: f64, at 0;
+}
+
+constructors! {
+    DeltaTime
+
+    /// Creates it from its values.
+    fn new(seconds: f64);
 }
 
 field! {
@@ -224,6 +295,18 @@ record! {
     }
 }
 
+view! {
+    ReferenceTimestamp
+    nanoseconds: u64, at 0;
+}
+
+constructors! {
+    ReferenceTimestamp
+
+    /// Creates it from its values.
+    fn new(nanoseconds: u64);
+}
+
 field! {
     ReferenceTimestamp: 0xD5, "shared.reference_timestamp";
     in [0x80..=0xFE];
@@ -252,6 +335,18 @@ record! {
         /// Unit: ns.
         pub dt_nanos: u64,
     }
+}
+
+view! {
+    ReferenceTimeDelta
+    dt_nanos: u64, at 0;
+}
+
+constructors! {
+    ReferenceTimeDelta
+
+    /// Creates it from its values.
+    fn new(dt_nanos: u64);
 }
 
 field! {
@@ -297,6 +392,19 @@ record! {
     }
 }
 
+view! {
+    ExternalTimestamp
+    nanoseconds: u64, at 0;
+    valid_flags: ExternalTimestampFlags, at 8;
+}
+
+constructors! {
+    ExternalTimestamp
+
+    /// Creates it from its values.
+    fn new(nanoseconds: u64, valid_flags: ExternalTimestampFlags);
+}
+
 field! {
     ExternalTimestamp: 0xD7, "shared.external_timestamp";
     in [0x80..=0xFE];
@@ -328,6 +436,19 @@ record! {
         /// Whether the difference is valid.
         pub valid_flags: ExternalTimeDeltaFlags,
     }
+}
+
+view! {
+    ExternalTimeDelta
+    dt_nanos: u64, at 0;
+    valid_flags: ExternalTimeDeltaFlags, at 8;
+}
+
+constructors! {
+    ExternalTimeDelta
+
+    /// Creates it from its values.
+    fn new(dt_nanos: u64, valid_flags: ExternalTimeDeltaFlags);
 }
 
 field! {

@@ -2,11 +2,16 @@
 //!
 //! Source: 3dm-gx5-15: 4.4 System Commands.
 
+// What the macros make, which `cargo doc` shows and `src/macros` defines:
+// `open_enum!` and `bitfield!` types of values; `record!` a structure with its codec; `union!` its
+// alternatives; `view!` methods that read single values; `constructors!` and `setters!` what makes
+// it; `field!` its sets and descriptor; `command!` and `responses!` how it is answered.
+
 #[allow(unused_imports)] // some families name a type in comments only, or none
 use crate::types;
 
 /// The number of the descriptor set.
-pub const SET: u8 = 0x7F;
+pub const SYSTEM_SET: u8 = 0x7F;
 
 bitfield! {
     /// Protocols of a port.
@@ -212,6 +217,24 @@ record! {
     }
 }
 
+view! {
+    InterfaceControlResponse
+    port: types::CommInterface, at 0;
+    protocols_incoming: CommProtocols, at 1;
+    protocols_outgoing: CommProtocols, at 5;
+}
+
+constructors! {
+    InterfaceControlResponse
+
+    /// Creates it from its values.
+    fn new(
+        port: types::CommInterface,
+        protocols_incoming: CommProtocols,
+        protocols_outgoing: CommProtocols,
+    );
+}
+
 field! {
     InterfaceControlResponse: 0x82, "system.interface_control_response";
     in [0x7F];
@@ -242,6 +265,18 @@ record! {
         /// Default: [`ProtocolMode::STANDARD`].
         pub mode: ProtocolMode,
     }
+}
+
+view! {
+    CommModeResponse
+    mode: ProtocolMode, at 0;
+}
+
+constructors! {
+    CommModeResponse
+
+    /// Creates it from its values.
+    fn new(mode: ProtocolMode);
 }
 
 field! {

@@ -2,11 +2,16 @@
 //!
 //! Source: 3dm-cv7-gnss-ins: System (0xA0).
 
+// What the macros make, which `cargo doc` shows and `src/macros` defines:
+// `open_enum!` and `bitfield!` types of values; `record!` a structure with its codec; `union!` its
+// alternatives; `view!` methods that read single values; `constructors!` and `setters!` what makes
+// it; `field!` its sets and descriptor; `command!` and `responses!` how it is answered.
+
 #[allow(unused_imports)] // some families name a type in comments only, or none
 use crate::types;
 
 /// The number of the descriptor set.
-pub const SET: u8 = 0xA0;
+pub const SYSTEM_DATA_SET: u8 = 0xA0;
 
 bitfield! {
     /// Level of each GPIO pin, set for high. Bits of pins that do not exist read 0.
@@ -63,6 +68,18 @@ record! {
         /// [`types::Cv7ContinuousBuiltInTest`].
         pub result: [u8; 16],
     }
+}
+
+view! {
+    BuiltInTest
+    result: [u8; 16], at 0;
+}
+
+constructors! {
+    BuiltInTest
+
+    /// Creates it from its values.
+    fn new(result: [u8; 16]);
 }
 
 #[rustfmt::skip]
@@ -123,6 +140,19 @@ record! {
     }
 }
 
+view! {
+    TimeSyncStatus
+    time_sync: crate::Bool, at 0;
+    last_pps_received: u8, at 1;
+}
+
+constructors! {
+    TimeSyncStatus
+
+    /// Creates it from its values.
+    fn new(time_sync: bool, last_pps_received: u8);
+}
+
 field! {
     TimeSyncStatus: 0x02, "system_data.time_sync_status";
     in [0xA0];
@@ -157,6 +187,18 @@ record! {
     }
 }
 
+view! {
+    GpioState
+    states: GpioPinStates, at 0;
+}
+
+constructors! {
+    GpioState
+
+    /// Creates it from its values.
+    fn new(states: GpioPinStates);
+}
+
 field! {
     GpioState: 0x03, "system_data.gpio_state";
     in [0xA0];
@@ -184,6 +226,19 @@ record! {
         /// Unit: V.
         pub value: f32,
     }
+}
+
+view! {
+    GpioAnalogValue
+    gpio_id: u8, at 0;
+    value: f32, at 1;
+}
+
+constructors! {
+    GpioAnalogValue
+
+    /// Creates it from its values.
+    fn new(gpio_id: u8, value: f32);
 }
 
 field! {

@@ -88,10 +88,9 @@ def feature(family: m.Family) -> str:
 
 
 def set_constant(s: m.Set, family: m.Family) -> str:
-    """The number of a descriptor set: `SET` if the family has no other; empty if no packet has it."""
-    if family.kind == "shared":
-        return ""
-    return constant(s.name) if len(family.sets) > 1 else "SET"
+    """The number of a descriptor set; empty if no packet has it. Each has its own name, for imports of several modules
+    as a whole."""
+    return "" if family.kind == "shared" else f"{module(s.name).upper()}_SET"
 
 
 def path(thing: m.Type | m.Record, here: str) -> str:

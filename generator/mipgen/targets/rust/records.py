@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from itertools import accumulate
 
 from mipgen import model as m
 from mipgen.base.reads import Memo
@@ -57,6 +58,19 @@ class Member:
         if self.may_be_absent:
             return "None"
         return reserved(self.parameter) if self.parameter.reserved else default(self.parameter)
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """A member that is always at the same place."""
+
+    member: Member
+    offset: int
+
+    @property
+    def type(self) -> str:
+        """What a view returns: a structure is lent, anything else decoded."""
+        return f"{' as ' if self.member.parameter.struct else ': '}{self.member.type}"
 
 
 @dataclass(frozen=True, slots=True)
@@ -177,6 +191,14 @@ class Records:
             if not p.derived
         ]
 
+    def places(self, record: m.Record) -> list[Place]:
+        """The members and their offsets; nothing if not all are always there at the same offsets."""
+        sizes = [extent.size(p) for p in record.parameters]
+        if is_special(record) or any(least != most for least, most in sizes):
+            return []
+        offsets = accumulate((least for least, _ in sizes), initial=0)
+        return [Place(x, offset) for x, offset in zip(self.members(record), offsets, strict=False)]
+
     def members_of(self, group: m.Group, record: m.Record) -> list[Member]:
         return [x for x in self.members(record) if x.parameter in group.parameters]
 
@@ -192,7 +214,11 @@ class Records:
     # ------------------------------------------------------------------ constructors and setters
 
     def constructors(self, record: m.Record) -> list[Constructor]:
-        return [self._constructor(record, way) for way in calls.constructors(record)]
+        """Those of what a device sends are for simulators and tests."""
+        ways = calls.constructors(record)
+        if isinstance(record, m.Field) and record.role != m.COMMAND and record.parameters:
+            ways = record.calls
+        return [self._constructor(record, way) for way in ways]
 
     def _constructor(self, record: m.Record, way: m.Call) -> Constructor:
         """The caller gives no reserved values, and no tag whose union is given."""
@@ -211,8 +237,14 @@ class Records:
             return Constructor(
                 constructor(way.function), way.function.description, way.function, tuple(given), tuple(values)
             )
-        what = "the command from its parameters" if isinstance(record, m.Field) else "it from its values"
+        command = isinstance(record, m.Field) and record.role == m.COMMAND
+        what = "the command from its parameters" if command else "it from its values"
         return Constructor("new", f"Creates {what}.", None, tuple(given), tuple(values))
+
+    def tuple_of(self, record: m.Struct) -> list[Member]:
+        """The members that a tuple converts to: of two to four, all of which a caller gives."""
+        (way,) = self.constructors(record)
+        return list(way.given) if 2 <= len(way.given) <= 4 and not way.set else []
 
     def settable(self, record: m.Record) -> list[Member]:
         """What a caller may add to a command."""
@@ -284,8 +316,13 @@ def _parts(parameters: Iterable[m.Parameter]) -> Iterator[m.Parameter]:
 
 def is_sequence(record: m.Record) -> bool:
     """Has it just its members on the wire, one after another?"""
+    return not is_special(record) and all(member(p.name) == p.name for p in record.parameters)
+
+
+def is_special(record: m.Record) -> bool:
+    """Does its wire format have more than its members, or not always all of them?"""
     special = any(p.kind in ("constant", "counter", "switch") or p.selector for p in record.parameters)
-    return not special and not record.groups and all(member(p.name) == p.name for p in record.parameters)
+    return special or bool(record.groups)
 
 
 def when(group: m.Group, record: m.Field) -> str:

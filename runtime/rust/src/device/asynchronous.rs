@@ -102,6 +102,10 @@ where
     /// Sends a command, and waits until the device has carried it out. A response is ignored.
     ///
     /// It does not wait if devices do not answer the command.
+    ///
+    /// # Errors
+    ///
+    /// The command is not sent, refused, not answered, or the port fails.
     pub async fn run<C: Command>(&mut self, command: &C) -> Result<(), DeviceError<P::Error>> {
         self.carry_out(command).await.map(drop)
     }
@@ -118,6 +122,10 @@ where
     ///
     /// The closure adds them, and returns any value, usually their tickets. [`AsyncDevice::answer`]
     /// returns the outcome of each. If it adds none, nothing is sent.
+    ///
+    /// # Errors
+    ///
+    /// Those of the function, or the port fails.
     pub async fn send_all<T>(
         &mut self,
         set: u8,
@@ -178,6 +186,10 @@ where
     /// arrives within this number of milliseconds.
     ///
     /// Continuation packets are returned one by one, as the device sends them.
+    ///
+    /// # Errors
+    ///
+    /// The port fails.
     pub async fn next_packet(
         &mut self,
         wait_ms: u32,

@@ -77,6 +77,10 @@ pub trait ToValue {
 /// A float may also be given as text that holds its bits: `"0x3e7a63a0"`.
 pub trait FromValue: Sized {
     /// The value of a tree.
+    ///
+    /// # Errors
+    ///
+    /// The value has another kind, or a member is missing or unknown.
     fn from_value(value: &Value) -> Result<Self, ValueError>;
 }
 
@@ -128,9 +132,10 @@ impl Value {
     /// A record that has only values of these steps.
     pub(crate) fn record(&self, steps: &[&[&str]]) -> Result<&Record, ValueError> {
         let record = self.as_record().ok_or(ValueError::Kind)?;
-        match record.names().all(|name| steps.iter().any(|step| step.contains(&name))) {
-            true => Ok(record),
-            false => Err(ValueError::Unknown),
+        if record.names().all(|name| steps.iter().any(|step| step.contains(&name))) {
+            Ok(record)
+        } else {
+            Err(ValueError::Unknown)
         }
     }
 
@@ -146,9 +151,10 @@ impl Value {
     /// Checks that a union has no member.
     pub(crate) fn no_member(&self) -> Result<(), ValueError> {
         let record = self.as_record().ok_or(ValueError::Kind)?;
-        match record.values.is_empty() {
-            true => Ok(()),
-            false => Err(ValueError::Tag),
+        if record.values.is_empty() {
+            Ok(())
+        } else {
+            Err(ValueError::Tag)
         }
     }
 

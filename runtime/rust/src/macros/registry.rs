@@ -5,11 +5,11 @@
 macro_rules! registry {
     ($(
         #[cfg($when:meta)]
-        $family:pat => {
+        $($first:literal $(..= $last:literal)?)|+ => {
             $(
                 $(#[$meta:meta])*
                 $variant:ident($type:ty):
-                $role:ident $descriptor:literal $(in $sets:pat)?, of $layouts:literal,
+                $role:ident $descriptor:literal, of $layouts:literal,
                 $name:literal, $title:literal,
                 $({ $($set:literal $its_name:literal $($its_title:literal)?,)+ })?
                 [$($linked:literal),*], { $($parameters:tt)* };
@@ -83,26 +83,78 @@ macro_rules! registry {
             }
         )*)*
 
+        /// The types of fields as numbers, to find each with one jump.
+        #[derive(Clone, Copy)]
+        #[repr(u16)]
+        enum Id {
+            Unknown,
+            $($(#[cfg($when)] $variant,)*)*
+        }
+
+        /// What has a row in the table: each set of a family, or the range of all sets of a kind.
+        const ROWS: &[&[(u8, u8)]] = &[$(
+            #[cfg($when)]
+            &[$(($first, $crate::bits::last!($first $(, $last)?)),)+],
+        )*];
+
+        /// The row of each set, from 1; of those that have several, the first one.
+        static ROW: [u8; 256] = rows(ROWS);
+
+        /// The type of each descriptor; of several layouts, the first one.
+        #[allow(clippy::indexing_slicing, clippy::arithmetic_side_effects)] // when the crate is compiled
+        static IDS: [[Id; 256]; count(ROWS) + 1] = {
+            const PLACES: [u8; 256] = rows(ROWS);
+            const ALL: &[(Id, &[u8], u8)] = &[$($(
+                #[cfg($when)]
+                (Id::$variant, <$type as Field>::SETS, $descriptor),
+            )*)*];
+            let (mut ids, mut at) = ([[Id::Unknown; 256]; count(ROWS) + 1], 0);
+            while at < ALL.len() {
+                let (id, sets, descriptor) = ALL[at];
+                let mut i = 0;
+                while i < sets.len() {
+                    let row = PLACES[sets[i] as usize] as usize;
+                    if let Id::Unknown = ids[row][descriptor as usize] {
+                        ids[row][descriptor as usize] = id;
+                    }
+                    i += 1;
+                }
+                at += 1;
+            }
+            ids
+        };
+
+        #[inline]
+        fn id(field: &RawField<'_>) -> Id {
+            let row = ROW.get(usize::from(field.set)).and_then(|row| IDS.get(usize::from(*row)));
+            let id = row.and_then(|ids| ids.get(usize::from(field.descriptor)));
+            id.copied().unwrap_or(Id::Unknown)
+        }
+
         /// Calls the visitor with the type of a field; if there are several layouts, with that of
         /// the data.
         #[inline]
         pub fn visit<V: Visitor>(field: &RawField<'_>, visitor: V) -> V::Output {
-            $(
+            match id(field) {
+                Id::Unknown => visitor.unknown(field),
+                $($(
+                    #[cfg($when)]
+                    Id::$variant if $layouts > 1 => visit_layouts(field, visitor),
+                    #[cfg($when)]
+                    Id::$variant => visitor.visit::<$type>(field),
+                )*)*
+            }
+        }
+
+        /// The same for a descriptor with several layouts.
+        #[inline(never)]
+        fn visit_layouts<V: Visitor>(field: &RawField<'_>, visitor: V) -> V::Output {
+            $($(
                 #[cfg($when)]
-                {
-                    if matches!(field.set, $family) {
-                        match field.descriptor {
-                            $($descriptor
-                                if true $(&& matches!(field.set, $sets))?
-                                    && ($layouts == 1 || field.has_layout_of::<$type>()) =>
-                            {
-                                return visitor.visit::<$type>(field);
-                            })*
-                            _ => {}
-                        }
-                    }
+                if $layouts > 1 && field.is::<$type>() {
+                    return visitor.visit::<$type>(field);
                 }
-            )*
+            )*)*
             visitor.unknown(field)
         }
 
@@ -110,6 +162,10 @@ macro_rules! registry {
         // fields, and take longer than the rest of the crate.
         impl AnyField {
             /// Encodes the data of the field to the front of the buffer and returns its length.
+            ///
+            /// # Errors
+            ///
+            /// A value is missing or does not fit, or the buffer is too short.
             #[inline]
             pub fn encode(&self, buffer: &mut [u8]) -> Result<usize, EncodeError> {
                 let mut writer = Writer::of_field(buffer);
@@ -163,6 +219,10 @@ macro_rules! registry {
             }
 
             /// The field of this name, or of this name in one of its sets, with the values of a tree.
+            ///
+            /// # Errors
+            ///
+            /// There is no such field, or the tree does not have its values.
             #[cfg(feature = "dynamic")]
             #[inline]
             pub fn from_value(

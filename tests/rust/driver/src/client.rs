@@ -142,10 +142,7 @@ impl Session {
     }
 
     fn arrived(&mut self, data: &[u8], parser: &mut Parser) {
-        let mut packets = parser.feed(data);
-        while let Some(packet) = packets.next() {
-            self.take(&packet);
-        }
+        parser.feed(data).for_each(|packet| self.take(&packet));
         self.poll(parser);
     }
 

@@ -55,10 +55,7 @@ fn parse(request: &Json) -> Answer {
     let mut parser = Parser::new();
     let mut packets = Vec::new();
     for chunk in stream.chunks(chunk.ok_or("request")?) {
-        let mut found = parser.feed(chunk);
-        while let Some(packet) = found.next() {
-            packets.push(hex(packet.bytes()));
-        }
+        parser.feed(chunk).for_each(|packet| packets.push(hex(packet.bytes())));
     }
     while let Some(packet) = parser.flush() {
         packets.push(hex(packet.bytes()));
@@ -87,7 +84,7 @@ fn decode(request: &Json) -> Answer {
 
 fn decode_field(field: &RawField<'_>) -> Json {
     let descriptor = ("descriptor", Json::Integer(field.descriptor.into()));
-    match &AnyField::decode(field) {
+    match &AnyField::decode_with_trailing(field) {
         None => object([descriptor, ("raw", hex(field.data))]),
         Some(Err(error)) => {
             object([descriptor, ("error", string(decode_error(*error))), ("raw", hex(field.data))])

@@ -26,6 +26,19 @@ record! {
     }
 }
 
+view! {
+    Acknowledge
+    command: u8, at 0;
+    code: types::AckCode, at 1;
+}
+
+constructors! {
+    Acknowledge
+
+    /// Creates it from its values.
+    fn new(command: u8, code: types::AckCode);
+}
+
 #[rustfmt::skip]
 impl Acknowledge {
     /// Reads `code` as [`types::Mode`].

@@ -135,12 +135,20 @@ record! {
 }
 
 item! { Point { x y } }
+view! {
+    Point
+    x: i16, at 0;
+    y: i16, at 2;
+}
+
 constructors! {
     Point
 
     /// Creates it from its values.
     fn new(x: i16, y: i16);
 }
+
+tuple! { Point x: i16, y: i16 }
 
 record! {
     /// Two places, nested.
@@ -156,6 +164,13 @@ record! {
 }
 
 item! { Segment { from to weights } }
+view! {
+    Segment
+    from as Point, at 0;
+    to as Point, at 4;
+    weights: [u8; 2], at 8;
+}
+
 constructors! {
     Segment
 
@@ -166,6 +181,8 @@ constructors! {
         weights: [u8; 2],
     );
 }
+
+tuple! { Segment from: Point, to: Point, weights: [u8; 2] }
 
 /// On the [Model B](crate::devices::MODEL_B): values of [`Mode`].
 #[rustfmt::skip]

@@ -327,7 +327,7 @@ registry! {
             };
         /// Numbers (0x02).
         MeasurementsNumbers(crate::measurements::Numbers):
-            Data 0x02 in 0x80 | 0x92, of 1,
+            Data 0x02, of 1,
             "measurements.numbers", "Numbers",
             {
                 0x80 "measurements.numbers",
@@ -363,7 +363,7 @@ registry! {
             };
         /// Health (0x04).
         MeasurementsHealth(crate::measurements::Health):
-            Data 0x04 in 0x80 | 0x92, of 1,
+            Data 0x04, of 1,
             "measurements.health", "Health",
             {
                 0x80 "measurements.health",
@@ -375,7 +375,7 @@ registry! {
             };
         /// Arrays (0x05).
         MeasurementsArrays(crate::measurements::Arrays):
-            Data 0x05 in 0x80 | 0x92, of 1,
+            Data 0x05, of 1,
             "measurements.arrays", "Arrays",
             {
                 0x80 "measurements.arrays",
@@ -404,7 +404,7 @@ registry! {
             };
         /// Growing (0x06).
         MeasurementsGrowing(crate::measurements::Growing):
-            Data 0x06 in 0x80 | 0x92, of 1,
+            Data 0x06, of 1,
             "measurements.growing", "Growing",
             {
                 0x80 "measurements.growing",
@@ -417,7 +417,7 @@ registry! {
             };
         /// Radio (0x07).
         MeasurementsRadio(crate::measurements::Radio):
-            Data 0x07 in 0x80 | 0x92, of 1,
+            Data 0x07, of 1,
             "measurements.radio", "Radio",
             {
                 0x80 "measurements.radio",
@@ -432,7 +432,7 @@ registry! {
             };
         /// Own (0x81,0x07).
         MeasurementsOwn(crate::measurements::Own):
-            Data 0x07 in 0x81, of 1,
+            Data 0x07, of 1,
             "measurements.own", "Own",
             {
                 0x81 "more.own",
@@ -442,7 +442,7 @@ registry! {
             };
         /// Cloud (0x08).
         MeasurementsCloud(crate::measurements::Cloud):
-            Data 0x08 in 0x80 | 0x92, of 1,
+            Data 0x08, of 1,
             "measurements.cloud", "Cloud",
             {
                 0x80 "measurements.cloud",
@@ -457,7 +457,7 @@ registry! {
             };
         /// Gust (0x09).
         MeasurementsGust(crate::measurements::Gust):
-            Data 0x09 in 0x80 | 0x92, of 1,
+            Data 0x09, of 1,
             "measurements.gust", "Gust",
             {
                 0x80 "measurements.gust",
@@ -475,7 +475,7 @@ registry! {
             };
         /// Breeze (0x0A).
         MeasurementsBreeze(crate::measurements::Breeze):
-            Data 0x0A in 0x80 | 0x92, of 1,
+            Data 0x0A, of 1,
             "measurements.breeze", "Breeze",
             {
                 0x80 "measurements.breeze",

@@ -1,18 +1,23 @@
 //! Measurements (0x80, 0x81, 0x92): Data of every type; `tools` has what they are set up with.
 
+// What the macros make, which `cargo doc` shows and `src/macros` defines:
+// `open_enum!` and `bitfield!` types of values; `record!` a structure with its codec; `union!` its
+// alternatives; `view!` methods that read single values; `constructors!` and `setters!` what makes
+// it; `field!` its sets and descriptor; `command!` and `responses!` how it is answered.
+
 #[allow(unused_imports)] // some families name a type in comments only, or none
 use crate::types;
 
 /// Measurements (0x80): Data of every type; `tools` has what they are set up with.
-pub const MEASUREMENTS: u8 = 0x80;
+pub const MEASUREMENTS_SET: u8 = 0x80;
 
 /// More measurements (0x81): A second sensor with some fields of the first.
-pub const MORE: u8 = 0x81;
+pub const MORE_SET: u8 = 0x81;
 
 /// Copied measurements (0x92): All the fields of another set.
 ///
 /// Uncertain: Which device sends it.
-pub const COPY: u8 = 0x92;
+pub const COPY_SET: u8 = 0x92;
 
 record! {
     /// Acceleration (0x01).
@@ -50,6 +55,19 @@ record! {
         /// [`level`](types::StateFlags::level).
         pub valid_flags: types::StateFlags,
     }
+}
+
+view! {
+    Accel
+    scaled_accel: types::Vector3f, at 0;
+    valid_flags: types::StateFlags, at 12;
+}
+
+constructors! {
+    Accel
+
+    /// Creates it from its values.
+    fn new(scaled_accel: impl Into<types::Vector3f>, valid_flags: types::StateFlags);
 }
 
 field! {
@@ -100,6 +118,42 @@ record! {
     }
 }
 
+view! {
+    Numbers
+    u8: u8, at 0;
+    u16: u16, at 1;
+    u32: u32, at 3;
+    u64: u64, at 7;
+    s8: i8, at 15;
+    s16: i16, at 16;
+    s32: i32, at 18;
+    s64: i64, at 22;
+    float: f32, at 30;
+    double: f64, at 34;
+    bool: crate::Bool, at 42;
+    char: u8, at 43;
+}
+
+constructors! {
+    Numbers
+
+    /// Creates it from its values.
+    fn new(
+        u8: u8,
+        u16: u16,
+        u32: u32,
+        u64: u64,
+        s8: i8,
+        s16: i16,
+        s32: i32,
+        s64: i64,
+        float: f32,
+        double: f64,
+        bool: bool,
+        char: u8,
+    );
+}
+
 field! {
     Numbers: 0x02, "measurements.numbers";
     in [0x80 0x92];
@@ -134,6 +188,17 @@ record! {
     }
 }
 
+constructors! {
+    Strings
+
+    /// Creates it from its values.
+    fn new(
+        model: crate::Text<16>,
+        name: crate::VarText<236>,
+        rest: crate::VarText<236>,
+    );
+}
+
 field! {
     Strings: 0x03, "measurements.strings";
     in [0x80 0x81 0x92];
@@ -156,6 +221,19 @@ record! {
         /// An enumeration over four bytes.
         pub code: types::WideCode,
     }
+}
+
+view! {
+    Health
+    result: types::Health, at 0;
+    code: types::WideCode, at 16;
+}
+
+constructors! {
+    Health
+
+    /// Creates it from its values.
+    fn new(result: types::Health, code: types::WideCode);
 }
 
 field! {
@@ -193,6 +271,29 @@ record! {
     }
 }
 
+view! {
+    Arrays
+    modes: [types::Mode; 3], at 0;
+    flags: [types::StateFlags; 2], at 3;
+    vectors: [types::Vector3f; 2], at 7;
+    points: [types::Point; 2], at 31;
+    track as types::Segment, at 39;
+    offsets: [i8; 4], at 49;
+}
+
+constructors! {
+    Arrays
+
+    /// Creates it from its values.
+    fn new(
+        modes: [types::Mode; 3],
+        flags: [types::StateFlags; 2],
+        vectors: [types::Vector3f; 2],
+        points: [types::Point; 2],
+        track: types::Segment,
+    ), offsets: [0; 4];
+}
+
 field! {
     Arrays: 0x05, "measurements.arrays";
     in [0x80 0x92];
@@ -225,6 +326,13 @@ record! {
         [second optional]
         [third optional]
     }
+}
+
+constructors! {
+    Growing
+
+    /// Creates it from its values.
+    fn new(first: u16), second: None, third: None;
 }
 
 field! {
@@ -266,6 +374,26 @@ record! {
     }
 }
 
+view! {
+    Radio
+    connected: crate::Bool, at 0;
+    strength: i32, at 1;
+    noise: f32, at 5;
+    gap: f32, at 9;
+    gaps: [f64; 2], at 13;
+}
+
+constructors! {
+    Radio
+
+    /// Creates it from its values.
+    fn new(
+        connected: bool,
+        strength: i32,
+        noise: f32,
+    ), gap: 0.0, gaps: [0.0; 2];
+}
+
 field! {
     Radio: 0x07, "measurements.radio";
     in [0x80 0x92];
@@ -285,6 +413,18 @@ record! {
         /// Of the second sensor.
         pub mode: types::Mode,
     }
+}
+
+view! {
+    Own
+    mode: types::Mode, at 0;
+}
+
+constructors! {
+    Own
+
+    /// Creates it from its values.
+    fn new(mode: types::Mode);
 }
 
 field! {
@@ -318,6 +458,13 @@ record! {
         [points by num_points]
         [stamp]
     }
+}
+
+constructors! {
+    Cloud
+
+    /// Creates it from its values.
+    fn new(points: impl Into<crate::List<types::Point, 61>>, stamp: u64);
 }
 
 field! {
@@ -369,6 +516,19 @@ record! {
     }
 }
 
+constructors! {
+    Gust
+
+    /// Creates it from its values.
+    fn new(
+        station: u8,
+        place: types::Point,
+        height: f32,
+        speed: impl Into<types::Vector3f>,
+        valid_flags: types::StateFlags,
+    );
+}
+
 field! {
     Gust: 0x09, "measurements.gust";
     in [0x80 0x92];
@@ -397,6 +557,24 @@ record! {
         /// 0.
         pub turn: types::Quatf,
     }
+}
+
+view! {
+    Breeze
+    place as types::Point, at 0;
+    height: f32, at 4;
+    turn: types::Quatf, at 8;
+}
+
+constructors! {
+    Breeze
+
+    /// Creates it from its values.
+    fn new(
+        place: types::Point,
+        height: f32,
+        turn: impl Into<types::Quatf>,
+    );
 }
 
 field! {

@@ -1,10 +1,15 @@
 //! Awkward names (0x0C): Names that are keywords or begin with a digit.
 
+// What the macros make, which `cargo doc` shows and `src/macros` defines:
+// `open_enum!` and `bitfield!` types of values; `record!` a structure with its codec; `union!` its
+// alternatives; `view!` methods that read single values; `constructors!` and `setters!` what makes
+// it; `field!` its sets and descriptor; `command!` and `responses!` how it is answered.
+
 #[allow(unused_imports)] // some families name a type in comments only, or none
 use crate::types;
 
 /// The number of the descriptor set.
-pub const SET: u8 = 0x0C;
+pub const MIP_3D_SET: u8 = 0x0C;
 
 record! {
     /// Default (0x0C,0x10).

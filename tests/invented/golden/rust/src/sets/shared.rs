@@ -1,5 +1,10 @@
 //! Shared (0xFF): Valid in every data set.
 
+// What the macros make, which `cargo doc` shows and `src/macros` defines:
+// `open_enum!` and `bitfield!` types of values; `record!` a structure with its codec; `union!` its
+// alternatives; `view!` methods that read single values; `constructors!` and `setters!` what makes
+// it; `field!` its sets and descriptor; `command!` and `responses!` how it is answered.
+
 #[allow(unused_imports)] // some families name a type in comments only, or none
 use crate::types;
 
@@ -20,6 +25,19 @@ record! {
         /// What is valid.
         pub valid_flags: types::StateFlags,
     }
+}
+
+view! {
+    Timestamp
+    tow: f64, at 0;
+    valid_flags: types::StateFlags, at 8;
+}
+
+constructors! {
+    Timestamp
+
+    /// Creates it from its values.
+    fn new(tow: f64, valid_flags: types::StateFlags);
 }
 
 field! {

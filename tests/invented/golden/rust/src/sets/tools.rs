@@ -1,10 +1,15 @@
 //! Tools (0x01): Commands of every shape.
 
+// What the macros make, which `cargo doc` shows and `src/macros` defines:
+// `open_enum!` and `bitfield!` types of values; `record!` a structure with its codec; `union!` its
+// alternatives; `view!` methods that read single values; `constructors!` and `setters!` what makes
+// it; `field!` its sets and descriptor; `command!` and `responses!` how it is answered.
+
 #[allow(unused_imports)] // some families name a type in comments only, or none
 use crate::types;
 
 /// The number of the descriptor set.
-pub const SET: u8 = 0x01;
+pub const TOOLS_SET: u8 = 0x01;
 
 open_enum! {
     /// Which member the union has.
@@ -50,12 +55,20 @@ record! {
 }
 
 item! { Stripes { width angle } }
+view! {
+    Stripes
+    width: f64, at 0;
+    angle: f32, at 8;
+}
+
 constructors! {
     Stripes
 
     /// Creates it from its values.
     fn new(width: f64, angle: f32);
 }
+
+tuple! { Stripes width: f64, angle: f32 }
 
 record! {
     /// Ends in a union of its own.
@@ -135,6 +148,8 @@ constructors! {
     fn new(closed: bool, points: impl Into<crate::List<types::Point, 62>>);
 }
 
+tuple! { Path closed: crate::Bool, points: crate::List<types::Point, 62> }
+
 open_enum! {
     /// What drives a pin.
     Drive: u8 {
@@ -179,12 +194,20 @@ record! {
 }
 
 item! { Reading { kind value } }
+view! {
+    Reading
+    kind: u8, at 0;
+    value: f32, at 1;
+}
+
 constructors! {
     Reading
 
     /// Creates it from its values.
     fn new(kind: u8, value: f32);
 }
+
+tuple! { Reading kind: u8, value: f32 }
 
 bitfield! {
     /// Of the model A.
@@ -1062,6 +1085,27 @@ impl core::default::Default for SettingsResponse {
     }
 }
 
+view! {
+    SettingsResponse
+    port: u8, at 0;
+    mode: types::Mode, at 1;
+    baud: u32, at 2;
+    limit: u16, at 6;
+    reserved: u8, at 8;
+}
+
+constructors! {
+    SettingsResponse
+
+    /// Creates it from its values.
+    fn new(
+        port: u8,
+        mode: types::Mode,
+        baud: u32,
+        limit: u16,
+    ), reserved: 1;
+}
+
 field! {
     SettingsResponse: 0x82, "tools.settings_response";
     in [0x01];
@@ -1084,6 +1128,18 @@ record! {
     }
 }
 
+view! {
+    SetTimeFastResponse
+    value: u32, at 0;
+}
+
+constructors! {
+    SetTimeFastResponse
+
+    /// Creates it from its values.
+    fn new(value: u32);
+}
+
 field! {
     SetTimeFastResponse: 0x83, "tools.set_time_fast_response";
     in [0x01];
@@ -1104,6 +1160,18 @@ record! {
         /// Unit: s.
         pub value: u32,
     }
+}
+
+view! {
+    SetTimeSlowResponse
+    value: u32, at 0;
+}
+
+constructors! {
+    SetTimeSlowResponse
+
+    /// Creates it from its values.
+    fn new(value: u32);
 }
 
 field! {
@@ -1136,6 +1204,13 @@ record! {
     }
 }
 
+constructors! {
+    ChoiceResponse
+
+    /// Creates it from its values.
+    fn new(instance: u8, parameters: ChoiceParameters), shape: parameters.tag();
+}
+
 field! {
     ChoiceResponse: 0x88, "tools.choice_response";
     in [0x01];
@@ -1163,6 +1238,13 @@ record! {
     }
 }
 
+constructors! {
+    ListResponse
+
+    /// Creates it from its values.
+    fn new(items: impl Into<crate::List<u16, 126>>);
+}
+
 field! {
     ListResponse: 0x89, "tools.list_response";
     in [0x01];
@@ -1181,6 +1263,13 @@ record! {
         /// As many as there are.
         pub descriptors: crate::List<u16, 126>,
     }
+}
+
+constructors! {
+    InventoryResponse
+
+    /// Creates it from its values.
+    fn new(descriptors: impl Into<crate::List<u16, 126>>);
 }
 
 field! {
@@ -1211,6 +1300,19 @@ record! {
         [drive]
         [use_ "use"]
     }
+}
+
+view! {
+    PinResponse
+    drive: Drive, at 0;
+    use_: u8, at 1;
+}
+
+constructors! {
+    PinResponse
+
+    /// Creates it from its values.
+    fn new(drive: Drive, use_: u8);
 }
 
 #[rustfmt::skip]
@@ -1259,6 +1361,18 @@ record! {
     }
 }
 
+view! {
+    HelloResponse
+    seen: u32, at 0;
+}
+
+constructors! {
+    HelloResponse
+
+    /// Creates it from its values.
+    fn new(seen: u32);
+}
+
 field! {
     HelloResponse: 0x8C, "tools.hello_response";
     in [0x01];
@@ -1300,6 +1414,17 @@ record! {
     }
 }
 
+constructors! {
+    ReadingsResponse
+
+    /// Creates it from its values.
+    fn new(
+        drive: Drive,
+        readings: impl Into<crate::List<Reading, 49>>,
+        last: Reading,
+    );
+}
+
 field! {
     ReadingsResponse: 0x8D, "tools.readings_response";
     in [0x01];
@@ -1332,6 +1457,13 @@ record! {
         [selector: u8 = 1]
         [flags]
     }
+}
+
+constructors! {
+    StatusShort
+
+    /// Creates it from its values.
+    fn new(flags: u32);
 }
 
 #[rustfmt::skip]
@@ -1396,6 +1528,13 @@ record! {
     }
 }
 
+constructors! {
+    StatusLong
+
+    /// Creates it from its values.
+    fn new(flags: u32, uptime: u64);
+}
+
 #[rustfmt::skip]
 impl StatusLong {
     /// Reads `flags` as [`ModelAFaults`].
@@ -1453,6 +1592,13 @@ record! {
     }
 }
 
+constructors! {
+    StatusOld
+
+    /// Creates it from its values.
+    fn new(uptime: u32);
+}
+
 field! {
     StatusOld: 0x90, "tools.status_old";
     in [0x01];
@@ -1493,6 +1639,17 @@ record! {
     }
 }
 
+constructors! {
+    StatusFull
+
+    /// Creates it from its values.
+    fn new(
+        place: types::Point,
+        uptime: u64,
+        mode: types::Mode,
+    );
+}
+
 field! {
     StatusFull: 0x90, "tools.status_full";
     in [0x01];
@@ -1515,6 +1672,18 @@ record! {
         /// Elements: x, y, z. Unit: g. Frame: sensor.
         pub bias: types::Vector3f,
     }
+}
+
+view! {
+    BiasVector
+    bias: types::Vector3f, at 0;
+}
+
+constructors! {
+    BiasVector
+
+    /// Creates it from its values.
+    fn new(bias: impl Into<types::Vector3f>);
 }
 
 field! {
