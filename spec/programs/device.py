@@ -1,12 +1,10 @@
-from mip_protocol import Refused, base, mip_3dm, open_port, sensor, types
+from mip_protocol import Refused, base, mip_3dm, open_port, sensor
 
 with open_port("/dev/ttyACM0", 115200) as device:
     print(device.request(base.GetDeviceInfo()).device_info.model_name)
-    rate = device.request(mip_3dm.GetBaseRate(sensor.ScaledAccel.SET)).rate
-    wanted = types.DescriptorRate(sensor.ScaledAccel.DESCRIPTOR, rate // 10)  # 10 Hz
+    device.stream({sensor.ScaledAccel: 10, sensor.ScaledGyro: 10})  # in Hz
     try:
-        device.request(mip_3dm.MessageFormat.write(sensor.ScaledAccel.SET, [wanted]))
-        device.request(mip_3dm.DataStreamControl.write(sensor.ScaledAccel.SET, True))
+        device.request(mip_3dm.PpsSourceControl.read())
     except Refused as refusal:
         print(refusal.command, refusal.code.name)
     for time, accel in device.fields(sensor.ScaledAccel):

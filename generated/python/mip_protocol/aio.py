@@ -16,11 +16,12 @@ import os
 import sys
 import threading
 import time
-from collections.abc import AsyncIterator, Callable, Coroutine, Generator, Sequence
+from collections.abc import AsyncIterator, Callable, Coroutine, Generator, Mapping, Sequence
 from functools import partial
 from types import TracebackType
 from typing import Any, cast, overload
 
+from ._session import session
 from .baud import CHANGE, LISTEN, USUAL, Ping
 from .client import Outcome, check_seconds
 from .conversation import CAPACITY, Arrival, Conversation, News, Ticket, responses
@@ -41,7 +42,7 @@ from .device import (
     lost,
 )
 from .errors import NoAnswer, PortClosed, Refused
-from .field import Command, R
+from .field import Command, Field, R
 from .port import (
     AT_ONCE,
     CONNECT_TIMEOUT,
@@ -53,6 +54,7 @@ from .port import (
     warn_unclosed,
     weakly,
 )
+from .streaming import steps
 
 #: How often the event loop is let run before a command is sent: with that, what has arrived is
 #: processed even if the program has kept the loop busy. Streams take about five of these turns.
@@ -374,6 +376,23 @@ class Device:
         self._talk.arrivals.clear()
 
     # ----------------------------------------------------------------- baud rate
+
+    async def stream(
+        self, rates: Mapping[type[Field], float], *, set: int | None = None
+    ) -> dict[type[Field], float]:
+        """Like `device.Device.stream`."""
+        commands = steps(session(), rates, set)
+        answer: Any = None
+        refused: Refused | None = None
+        try:
+            while True:
+                command = commands.send(answer) if refused is None else commands.throw(refused)
+                try:
+                    answer, refused = await self.request(command), None
+                except Refused as error:
+                    refused = error
+        except StopIteration as end:
+            return cast("dict[type[Field], float]", end.value)
 
     async def change_baud(self, command: Command, attempts: int = 3) -> int:
         """Like `device.Device.change_baud`."""

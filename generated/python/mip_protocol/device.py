@@ -15,18 +15,20 @@ import os
 import sys
 import threading
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 from itertools import takewhile
 from types import TracebackType
 from typing import Any, TypeVar, cast, overload
 
+from ._session import session
 from .baud import CHANGE, LISTEN, USUAL, Ping, detect_baud, rates
 from .client import Outcome, check_seconds
 from .conversation import CAPACITY, Arrival, Conversation, News, Ticket, responses
 from .errors import NoAnswer, PortClosed, Refused
 from .field import Command, Field, R, Response
 from .port import Reader, as_port, open_url, warn_unclosed, weakly
+from .streaming import steps
 
 F = TypeVar("F", bound=Field)
 F1 = TypeVar("F1", bound=Field)
@@ -308,6 +310,29 @@ class Device:
     def _must_be_open(self) -> None:
         if self._end is not None:
             raise PortClosed(self._end.detail) from self._end.__cause__
+
+    def stream(
+        self, rates: Mapping[type[Field], float], *, set: int | None = None
+    ) -> dict[type[Field], float]:
+        """Starts data: `stream({sensor.ScaledAccel: 100, sensor.ScaledGyro: 100})`, in Hz; 0: as often as
+        the device can. Replaces the message format of the set, switches it on and resumes.
+
+        `set`: the descriptor set, if the fields occur in several. Returns the rates. Raises NoSuchRate,
+        before anything is changed, if a rate is not the base rate divided by a whole number;
+        ValueError and EncodeError if the fields have no set in common; and what `request` raises.
+        """
+        commands = steps(session(), rates, set)
+        answer: Any = None
+        refused: Refused | None = None
+        try:
+            while True:
+                command = commands.send(answer) if refused is None else commands.throw(refused)
+                try:
+                    answer, refused = self.request(command), None
+                except Refused as error:
+                    refused = error
+        except StopIteration as end:
+            return cast("dict[type[Field], float]", end.value)
 
     # ----------------------------------------------------------------- data
 

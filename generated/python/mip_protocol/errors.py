@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from .client import Outcome
-    from .field import Command
+    from .field import Command, Field
     from .types import AckCode
 
 
@@ -105,6 +105,21 @@ class NoDevice(MipError, ConnectionError):
     def __init__(self, why: str) -> None:
         super().__init__("no_device", why)
         self.args = (why,)
+
+
+class NoSuchRate(MipError):
+    """Rates that a device does not have, because it divides its base rate by whole numbers; nothing
+    was changed. `nearest`: field -> the nearest rate, in Hz, of all that were asked for."""
+
+    def __init__(
+        self, base: int, wanted: Mapping[type[Field], float], nearest: Mapping[type[Field], float]
+    ) -> None:
+        listed = ", ".join(
+            f"{k.NAME} at {w:g} Hz (nearest: {nearest[k]!r})" for k, w in wanted.items()
+        )
+        super().__init__("rate", f"{listed}; the base rate is {base} Hz")
+        self.args = (base, wanted, nearest)
+        self.nearest = dict(nearest)
 
 
 class MissingExtra(ImportError):

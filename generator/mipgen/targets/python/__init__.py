@@ -12,7 +12,7 @@ from mipgen.emit.target import File, Identifier, Target
 from mipgen.facts import describe
 from mipgen.lower import calls
 
-from . import docs, info, members, names, simulation, steps, tables
+from . import docs, info, members, names, session, simulation, steps, tables
 
 PACKAGE = "mip_protocol"
 
@@ -29,12 +29,14 @@ def files(model: m.Model) -> Iterator[File]:
         "at_port": model.program("device.py").rstrip(),
         "at_port_aio": model.program("device_aio.py").rstrip(),
         "meaning": model.program("meaning.py").rstrip(),
+        "streams": session.of(model) is not None,
         "device": known.id if known else "DEVICE",  # the one that shows most
     }
     yield File("README.md", "README.md.j2", shown)
     yield File("pyproject.toml", "pyproject.toml.j2")
     for name in ("__init__", "_clocks", "_index", "_sets", "types", "protocol", "devices"):
         yield File(f"{PACKAGE}/{name}.py", f"{name}.py.j2")
+    yield File(f"{PACKAGE}/_session.py", "_session.py.j2", {"session": session.of(model)})
     protocol = model.protocol
     yield _meaning("types", model.types)
     yield _meaning("protocol", [protocol.function_selector], [protocol.acknowledge])

@@ -18,6 +18,7 @@ from .errors import (
     MissingResponse,
     NoAnswer,
     NoDevice,
+    NoSuchRate,
     PacketError,
     PortClosed,
     Refused,
@@ -88,7 +89,7 @@ def __dir__() -> list[str]:
 __all__ = [
     "AckCode", "Acknowledge", "Answer", "Arrival", "Client", "Command", "Data", "DecodeError",
     "Decoder", "Device", "EncodeError", "Field", "FunctionSelector", "MipError", "MissingExtra",
-    "MissingResponse", "NoAnswer", "NoDevice", "Outcome", "Packet", "PacketBuilder", "PacketError",
+    "MissingResponse", "NoAnswer", "NoDevice", "NoSuchRate", "Outcome", "Packet", "PacketBuilder", "PacketError",
     "Parser", "PortClosed", "RawField", "Received", "Refused", "Response", "Samples",
     "Skipped", "TimedOut", "Truncated", "Undecoded", "UnknownName", "checksum", "detect_baud",
     "open_port", "samples",

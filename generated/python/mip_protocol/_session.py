@@ -1,0 +1,39 @@
+"""The commands that start the data of a device."""
+
+from __future__ import annotations
+
+from .streaming import Older, Session
+
+
+def session() -> Session | None:
+    """Imports the modules of these commands. None if the specification names none."""
+    from . import base, mip_3dm, types
+
+    return Session(
+        base_rate=mip_3dm.GetBaseRate,
+        rate=lambda answer: answer.rate,
+        format=mip_3dm.MessageFormat.write,
+        item=types.DescriptorRate,
+        stream=mip_3dm.DataStreamControl.write,
+        resume=base.Resume,
+        older={
+            0x80: Older(
+                mip_3dm.GetImuBaseRate,
+                lambda answer: answer.rate,
+                mip_3dm.ImuMessageFormat.write,
+                1,
+            ),
+            0x81: Older(
+                mip_3dm.GetGnssBaseRate,
+                lambda answer: answer.rate,
+                mip_3dm.GnssMessageFormat.write,
+                2,
+            ),
+            0x82: Older(
+                mip_3dm.GetFilterBaseRate,
+                lambda answer: answer.rate,
+                mip_3dm.FilterMessageFormat.write,
+                3,
+            ),
+        },
+    )

@@ -1,0 +1,104 @@
+"""Starts the data of a device at rates in Hz: what is asked and sent, without a port.
+
+`steps` is for `device.Device.stream` and its twin in `aio`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Generator, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from .errors import EncodeError, NoSuchRate, Refused
+from .field import Command, Field
+
+#: What a field and its decimation become in a command.
+Item = Callable[[int, int], Any]
+
+LARGEST = 0xFFFF  # decimation
+
+
+@dataclass(frozen=True)
+class Older:
+    """The commands of older devices for one descriptor set."""
+
+    base_rate: Callable[[], Command[Any]]
+    rate: Callable[[Any], int]
+    format: Callable[[Sequence[Any]], Command[Any]]
+    stream: int  # in place of the set
+
+
+@dataclass(frozen=True)
+class Session:
+    """The commands that start data, as the specification names them."""
+
+    base_rate: Callable[[int], Command[Any]]
+    rate: Callable[[Any], int]  # of its response, in Hz
+    format: Callable[[int, Sequence[Any]], Command[Any]]
+    item: Item
+    stream: Callable[[int, bool], Command[Any]]
+    resume: Callable[[], Command[Any]]
+    older: Mapping[int, Older] = field(default_factory=dict)
+
+
+def steps(
+    session: Session | None, rates: Mapping[type[Field], float], set: int | None
+) -> Generator[Command[Any], Any, dict[type[Field], float]]:
+    """The commands, one after the other; takes the response of each, or Refused, and returns the
+    rates."""
+    if session is None:
+        raise NotImplementedError("the specification of this package names no commands for it")
+    number = set_of(rates, set)
+    older = None
+    try:
+        base = session.rate((yield session.base_rate(number)))
+    except Refused as refused:
+        older = session.older.get(number)
+        if older is None:
+            raise
+        try:
+            base = older.rate((yield older.base_rate()))
+        except Refused:  # the device does not have this set
+            raise refused from None
+    decimations = {kind: decimation(base, rate) for kind, rate in rates.items()}
+    nearest = {kind: base / by for kind, by in decimations.items()}
+    missing = {kind: rate for kind, rate in rates.items() if rate not in (0, nearest[kind])}
+    if missing and base:
+        raise NoSuchRate(base, missing, nearest)
+    # Fields that all sets share come first: they are repeated in each packet of a long message.
+    kinds = sorted(decimations, key=lambda kind: not isinstance(kind.SETS, range))
+    items = [session.item(kind.DESCRIPTOR, decimations[kind]) for kind in kinds]
+    yield session.format(number, items) if older is None else older.format(items)
+    yield session.stream(number if older is None else older.stream, True)
+    yield session.resume()
+    return nearest
+
+
+def set_of(rates: Mapping[type[Field], float], set: int | None) -> int:
+    """The descriptor set that all of these fields have."""
+    if wrong := next((rate for rate in rates.values() if not rate >= 0), None):
+        raise ValueError(f"a rate is 0 (as often as the device can) or more, not {wrong}")
+    listed = [kind.SETS for kind in rates if not isinstance(kind.SETS, range)]
+    common = [s for s in (listed[0] if listed else ()) if all(s in sets for sets in listed)]
+    if set is None:
+        if len(common) != 1:
+            names = ", ".join(kind.NAME for kind in rates)
+            sets = ", ".join(f"0x{s:02X}" for s in common) or "one with all of them"
+            raise ValueError(f"`set` is needed for {names or 'no fields'}: {sets}")
+        return int(common[0])
+    for kind in rates:
+        if set not in kind.SETS:
+            raise EncodeError("set", f"{kind.NAME} does not occur in the set 0x{set:02X}")
+    return set
+
+
+def decimation(base: int, wanted: float) -> int:
+    """That of the nearest rate; 1 for the highest."""
+    if not base or not wanted or wanted >= base:
+        return 1
+    below = min(int(base / wanted), LARGEST)
+    above = min(below + 1, LARGEST)
+    return below if base / below - wanted <= wanted - base / above else above
+
+
+__all__ = ["Older", "Session", "steps"]
