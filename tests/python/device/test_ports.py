@@ -426,8 +426,8 @@ def test_a_live_port(kind: Kind, speed: float) -> None:
     virtual = VirtualDevice(DEVICE)
     with kind.at(LivePort(virtual, speed=speed)) as device:
         assert device.request(base.GetDeviceInfo()).device_info.model_name.strip()
-        stream(device)
         began, now = time.monotonic(), virtual.now
+        stream(device)
         fields = device.fields(sensor.ScaledAccel)
         for _ in range(30):
             next(fields)
