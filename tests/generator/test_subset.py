@@ -9,6 +9,7 @@ import pytest
 from mipgen import model as m
 from mipgen.base.errors import Failure
 from mipgen.emit import render
+from mipgen.lower.session import session
 from mipgen.resolve.subset import Selection, left_out, select
 from support import SEED, model, rounds
 
@@ -81,6 +82,17 @@ def test_a_set_may_be_given_by_its_number() -> None:
         assert names(select(REAL, Selection(sets=(number,)))) == names(select(REAL, Selection(sets=("sensor",))))
     part = select(REAL, Selection(sets=("0x1",), devices=("3dm-gx5-15",)))
     assert [s.name for s in part.sets] == ["base"]
+
+
+def test_a_session_without_its_data_sets() -> None:
+    """The commands of older devices are for one set each, which a part may lack."""
+    whole_session, without = session(model("real")), session(select(model("real"), Selection(sets=("base", "3dm"))))
+    assert whole_session is not None and without is not None
+    assert [x.set for x in whole_session.older] == [0x80, 0x81, 0x82] and without.older == ()
+    assert whole_session.format.full_name == without.format.full_name == "3dm.message_format"
+    one = session(select(model("real"), Selection(sets=("base", "3dm", "filter_data"))))
+    assert one is not None and [x.set for x in one.older] == [0x82]
+    assert session(select(model("real"), Selection(sets=("3dm",)))) is None
 
 
 def test_of_a_field_in_one_of_its_sets() -> None:

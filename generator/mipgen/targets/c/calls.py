@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from mipgen import model as m
+from mipgen.lower import session as lower
 from mipgen.lower.calls import replies
 from mipgen.lower.memory import members
 
@@ -133,57 +134,48 @@ class Session:
 
 def session(model: m.Model) -> Session | None:
     """None if the specification, or the part of it, does not have all of these commands."""
-    given = model.protocol.session
-    found = [model.field(name) for name in given.commands] if given else []
-    if given is None or not all(found):
+    found = lower.session(model)
+    if found is None:
         return None
-    commands = [f for f in found if f is not None]
-    ping, idle, resume, identify, base_rate, message_format, stream = (next(iter(calls(f, model))) for f in commands)
-    assert identify.response
-    rates, rate = _base_rate(base_rate)
-    array = next(p for p in message_format.field.calls[0].required if p.kind == "array")
-    assert array.item.struct
-    descriptor, decimation = array.item.struct.parameters
+
+    def call(f: m.Field) -> str:
+        return next(iter(calls(f, model))).name
+
+    (identity,) = model.responses(found.identify)
+    item = found.entries.item.struct
+    assert item
+    descriptor, decimation = item.parameters
     known = {rate for d in model.devices for port in d.ports for rate in port.baud_rates}
     return Session(
-        headers=tuple(sorted({f"{module(f.family)}_commands" for f in commands})),
-        bauds=(given.baud, *sorted(known - {given.baud}, reverse=True)),
-        ping=ping.name,
-        idle=idle.name,
-        resume=resume.name,
-        identify=identify.name,
-        identity=field_name(identify.response),
-        model_numbers=tuple(".".join(map(member, path.split("."))) for path in given.model_numbers),
-        base_rate=base_rate.name,
-        base_rates=rates,
-        rate=rate,
-        format=message_format.name,
-        item=type_name(array.item.struct),
+        headers=tuple(sorted({f"{module(f.family)}_commands" for f in found.commands})),
+        bauds=(found.baud, *sorted(known - {found.baud}, reverse=True)),
+        ping=call(found.ping),
+        idle=call(found.idle),
+        resume=call(found.resume),
+        identify=call(found.identify),
+        identity=field_name(identity),
+        model_numbers=tuple(".".join(map(member, path.split("."))) for path in found.model_numbers),
+        base_rate=call(found.base_rate.command),
+        base_rates=field_name(found.base_rate.response),
+        rate=member(found.base_rate.parameter.name),
+        format=call(found.format),
+        item=type_name(item),
         descriptor=member(descriptor.name),
         decimation=member(decimation.name),
-        capacity=array.capacity,
-        stream=stream.name,
-        older=tuple(_older(older, model) for older in given.older if _has(older, model)),
+        capacity=found.entries.capacity,
+        stream=call(found.stream),
+        older=tuple(
+            Older(
+                set=x.set,
+                base_rate=call(x.base_rate.command),
+                base_rates=field_name(x.base_rate.response),
+                rate=member(x.base_rate.parameter.name),
+                format=call(x.format),
+                stream=x.stream,
+            )
+            for x in found.older
+        ),
     )
-
-
-def _base_rate(call: Call) -> tuple[str, str]:
-    """The structure of a response, and its member in Hz."""
-    assert call.response
-    return field_name(call.response), next(member(p.name) for p in call.response.parameters if p.units == ("Hz",))
-
-
-def _has(older: m.Older, model: m.Model) -> bool:
-    """A part of a specification does not have all of these commands."""
-    return all(model.field(name) for name in (older.base_rate, older.format))
-
-
-def _older(older: m.Older, model: m.Model) -> Older:
-    base_rate, message_format = (
-        next(iter(calls(f, model))) for f in map(model.field, (older.base_rate, older.format)) if f
-    )
-    (number,) = (s.number for s in model.sets if s.name == older.set)
-    return Older(number, base_rate.name, *_base_rate(base_rate), message_format.name, older.stream)
 
 
 # --------------------------------------------------------------------------- calls

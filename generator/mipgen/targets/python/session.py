@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from mipgen import model as m
+from mipgen.lower import session as lower
 
 from . import names
 
@@ -34,48 +35,31 @@ class Session:
 
 def of(model: m.Model) -> Session | None:
     """None if the specification, or the part of it, does not have all of these commands."""
-    given = model.protocol.session
-    if given is None or not all(model.field(name) for name in given.commands):
+    found = lower.session(model)
+    if found is None:
         return None
-    base_rate, message_format, stream, resume = (
-        _field(name, model) for name in (given.base_rate, given.format, given.stream, given.resume)
-    )
-    item = next(p.item.struct for p in message_format.parameters if p.kind == "array")
+    item = found.entries.item.struct
     assert item is not None
-    older = [x for x in given.older if model.field(x.base_rate) and model.field(x.format)]
-    used: list[m.Type | m.Field] = [base_rate, message_format, stream, resume, item]
-    used += [_field(name, model) for x in older for name in (x.base_rate, x.format)]
+    used: list[m.Type | m.Field] = [found.base_rate.command, found.format, item, found.stream, found.resume]
+    used += [f for x in found.older for f in (x.base_rate.command, x.format)]
     return Session(
         modules=tuple(sorted({names.home(thing) for thing in used})),
-        base_rate=_call(base_rate),
-        rate=_rate(base_rate, model),
-        format=_call(message_format),
+        base_rate=_call(found.base_rate.command),
+        rate=names.member(found.base_rate.parameter.name),
+        format=_call(found.format),
         item=names.qualified(item),
-        stream=_call(stream),
-        resume=_call(resume),
-        older=tuple(_older(x, model) for x in older),
+        stream=_call(found.stream),
+        resume=_call(found.resume),
+        older=tuple(
+            Older(
+                x.set, _call(x.base_rate.command), names.member(x.base_rate.parameter.name), _call(x.format), x.stream
+            )
+            for x in found.older
+        ),
     )
-
-
-def _older(older: m.Older, model: m.Model) -> Older:
-    base_rate, message_format = _field(older.base_rate, model), _field(older.format, model)
-    (number,) = (s.number for s in model.sets if s.name == older.set)
-    return Older(number, _call(base_rate), _rate(base_rate, model), _call(message_format), older.stream)
-
-
-def _field(name: str, model: m.Model) -> m.Field:
-    found = model.field(name)
-    assert found is not None
-    return found
 
 
 def _call(f: m.Field) -> str:
     """What makes the command: its first function, as it is called with the parameters that this requires."""
     function = f.calls[0].function
     return names.qualified(f) + (f".{names.member(function.name)}" if function else "")
-
-
-def _rate(f: m.Field, model: m.Model) -> str:
-    """The member of the response that is in Hz."""
-    (response,) = model.responses(f)
-    return next(names.member(p.name) for p in response.parameters if p.units == ("Hz",))

@@ -1,0 +1,75 @@
+"""The commands that find a device and start its data, as the specification names them: what they take and answer."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from mipgen import model as m
+
+
+@dataclass(frozen=True, slots=True)
+class Rate:
+    """A command that asks for a base rate, its response, and the parameter of that in Hz."""
+
+    command: m.Field
+    response: m.Field
+    parameter: m.Parameter
+
+
+@dataclass(frozen=True, slots=True)
+class Older:
+    """The commands of older devices for the data of one set."""
+
+    set: int
+    base_rate: Rate
+    format: m.Field
+    stream: int  # in place of the set
+
+
+@dataclass(frozen=True, slots=True)
+class Session:
+    baud: int  # of a new device
+    model_numbers: tuple[str, ...]  # paths in the response of `identify`
+    ping: m.Field
+    idle: m.Field
+    resume: m.Field
+    identify: m.Field
+    base_rate: Rate
+    format: m.Field
+    entries: m.Parameter  # of `format`: an array of descriptors and decimations
+    stream: m.Field
+    older: tuple[Older, ...]
+
+    @property
+    def commands(self) -> tuple[m.Field, ...]:
+        """Those that each device gets."""
+        return (self.ping, self.idle, self.resume, self.identify, self.base_rate.command, self.format, self.stream)
+
+
+def session(model: m.Model) -> Session | None:
+    """None if the specification, or the part of it, does not have all of these commands."""
+    given = model.protocol.session
+    found = [f for name in given.commands if (f := model.field(name))] if given else []
+    if given is None or len(found) < len(given.commands):
+        return None
+    ping, idle, resume, identify, base_rate, message_format, stream = found
+    entries = next(p for p in message_format.calls[0].required if p.kind == "array")
+    older = tuple(x for each in given.older if (x := _older(each, model)))
+    rate = _rate(base_rate, model)
+    return Session(
+        given.baud, given.model_numbers, ping, idle, resume, identify, rate, message_format, entries, stream, older
+    )
+
+
+def _older(older: m.Older, model: m.Model) -> Older | None:
+    """None if a part of a specification lacks the set or one of the commands."""
+    number = next((s.number for s in model.sets if s.name == older.set), None)
+    base_rate, message_format = model.field(older.base_rate), model.field(older.format)
+    if number is None or base_rate is None or message_format is None:
+        return None
+    return Older(number, _rate(base_rate, model), message_format, older.stream)
+
+
+def _rate(f: m.Field, model: m.Model) -> Rate:
+    (response,) = model.responses(f)
+    return Rate(f, response, next(p for p in response.parameters if p.units == ("Hz",)))
