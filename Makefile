@@ -112,7 +112,7 @@ semver: tools-semver $(VENV)/development.stamp ## of test-all: compare the Rust 
 	@$(PYTEST) tests/rust/test_rust_semver.py
 
 .PHONY: mutate
-mutate: $(VENV)/development.stamp ## change the project at random and report what no test sees: make mutate COUNT=5 PART=c SEED=2
+mutate: $(VENV)/development.stamp ## change the project at random and report what no test sees: make mutate COUNT=60 SEED=2 PART=c
 	@$(RUN) tests/mutate.py $(addprefix --count ,$(COUNT)) $(addprefix --part ,$(PART)) $(addprefix --seed ,$(SEED)) $(addprefix --path ,$(FILE))
 
 .PHONY: fuzz
@@ -159,6 +159,10 @@ docs: workbench $(VENV)/development.stamp ## build the reference as a searchable
 .PHONY: docs-serve
 docs-serve: workbench $(VENV)/development.stamp ## show that site at http://127.0.0.1:8000, and follow changes: make docs-serve ADDRESS=HOST:PORT
 	@cd $(OUT)/markdown && $(MKDOCS) serve $(addprefix --dev-addr ,$(ADDRESS))
+
+.PHONY: pictures
+pictures: $(VENV)/all.stamp ## make the picture of the README anew
+	@$(RUN) docs/pictures/session.py docs/pictures/session.svg
 
 .PHONY: bench
 bench: tools $(VENV)/all.stamp ## measure size and speed; README=1 writes the tables of the READMEs, PEER=FOLDER compares with the vendor's SDK

@@ -205,7 +205,7 @@ types:
             kind::mip_3dm_nmea_message_format_response: mip_3dm_nmea_message_format_response
             kind::mip_3dm_get_base_rate_response: mip_3dm_get_base_rate_response
             kind::mip_3dm_message_format_response: mip_3dm_message_format_response
-            kind::mip_3dm_device_status_basic_response: mip_3dm_device_status_basic_response_layouts
+            kind::mip_3dm_device_status_basic_rq1_imu_response: mip_3dm_device_status_basic_rq1_imu_response_layouts
             kind::mip_3dm_gps_dynamics_mode_response: mip_3dm_gps_dynamics_mode_response
             kind::mip_3dm_imu_timestamp_response: mip_3dm_imu_timestamp_response
             kind::mip_3dm_complementary_filter_response: mip_3dm_complementary_filter_response
@@ -364,6 +364,11 @@ types:
             kind::rtk_get_activation_code_response: rtk_get_activation_code_response
             kind::rtk_get_modem_firmware_version_response: rtk_get_modem_firmware_version_response
             kind::rtk_service_status_response: rtk_service_status_response
+            kind::displacement_get_calibration: displacement_get_calibration
+            kind::displacement_output_rate: displacement_output_rate
+            kind::displacement_device_time: displacement_device_time
+            kind::displacement_get_calibration_response: displacement_get_calibration_response
+            kind::displacement_output_rate_response: displacement_output_rate_response
             kind::aiding_frame_config: aiding_frame_config
             kind::aiding_echo_control: aiding_echo_control
             kind::aiding_ecef_position: aiding_ecef_position
@@ -493,6 +498,7 @@ types:
             kind::filter_data_aiding_frame_config_error_uncertainty: filter_data_aiding_frame_config_error_uncertainty
             kind::displacement_data_displacement_raw: displacement_data_displacement_raw
             kind::displacement_data_displacement: displacement_data_displacement
+            kind::displacement_data_timestamp: displacement_data_timestamp
             kind::gnss_1_llh_position: gnss_data_llh_position
             kind::gnss_1_ecef_position: gnss_data_ecef_position
             kind::gnss_1_ned_velocity: gnss_data_ned_velocity
@@ -660,7 +666,7 @@ types:
     seq:
       - id: bytes
         size-eos: true
-  mip_3dm_device_status_basic_response_layouts:
+  mip_3dm_device_status_basic_rq1_imu_response_layouts:
     -kind: layouts
     doc: The layout of the data, chosen by its constants and its size.
     seq:
@@ -669,27 +675,38 @@ types:
         type:
           switch-on: number
           cases:
-            0: mip_3dm_device_status_basic_response
-            1: mip_3dm_device_status_basic_without_state_response
-            2: mip_3dm_device_status_diagnostic_response
-            3: mip_3dm_device_status_diagnostic_gnss_response
-            4: mip_3dm_device_status_diagnostic_gq4_45_response
-            5: mip_3dm_device_status_diagnostic_rq1_45_response
-            6: mip_3dm_device_status_diagnostic_gx4_response
-            7: mip_3dm_device_status_diagnostic_imu_response
-            8: mip_3dm_device_status_basic_gx3_response
-            9: mip_3dm_device_status_diagnostic_gx3_response
+            0: mip_3dm_device_status_basic_rq1_imu_response
+            1: mip_3dm_device_status_basic_response
+            2: mip_3dm_device_status_basic_without_state_response
+            3: mip_3dm_device_status_diagnostic_response
+            4: mip_3dm_device_status_diagnostic_gnss_response
+            5: mip_3dm_device_status_diagnostic_gq4_45_response
+            6: mip_3dm_device_status_diagnostic_rq1_45_response
+            7: mip_3dm_device_status_diagnostic_gx4_response
+            8: mip_3dm_device_status_diagnostic_imu_response
+            9: mip_3dm_device_status_diagnostic_gx4_imu_response
+            10: mip_3dm_device_status_diagnostic_rq1_imu_response
+            11: mip_3dm_device_status_basic_gx3_response
+            12: mip_3dm_device_status_diagnostic_gx3_response
     instances:
+      byte_0:
+        pos: 0
+        type: u1
+        if: _io.size > 0
+      byte_1:
+        pos: 1
+        type: u1
+        if: _io.size > 1
       byte_2:
         pos: 2
         type: u1
         if: _io.size > 2
       fits_0:
-        value: (_io.size <= 2 or byte_2 == 0x01)
+        value: (_io.size <= 0 or byte_0 == 0x18) and (_io.size <= 1 or byte_1 == 0x5e) and (_io.size <= 2 or byte_2 == 0x01)
       fits_1:
         value: (_io.size <= 2 or byte_2 == 0x01)
       fits_2:
-        value: (_io.size <= 2 or byte_2 == 0x02)
+        value: (_io.size <= 2 or byte_2 == 0x01)
       fits_3:
         value: (_io.size <= 2 or byte_2 == 0x02)
       fits_4:
@@ -701,11 +718,17 @@ types:
       fits_7:
         value: (_io.size <= 2 or byte_2 == 0x02)
       fits_8:
-        value: (_io.size <= 2 or byte_2 == 0x01)
+        value: (_io.size <= 2 or byte_2 == 0x02)
       fits_9:
         value: (_io.size <= 2 or byte_2 == 0x02)
+      fits_10:
+        value: (_io.size <= 2 or byte_2 == 0x02)
+      fits_11:
+        value: (_io.size <= 2 or byte_2 == 0x01)
+      fits_12:
+        value: (_io.size <= 2 or byte_2 == 0x02)
       number:
-        value: "fits_9 and _io.size >= 105 ? 9 : fits_5 and _io.size >= 86 ? 5 : fits_4 and _io.size >= 80 ? 4 : fits_3 and _io.size >= 77 ? 3 : fits_6 and _io.size >= 73 ? 6 : fits_7 and _io.size >= 60 ? 7 : fits_2 and _io.size >= 51 ? 2 : fits_8 and _io.size >= 15 ? 8 : fits_0 and _io.size >= 13 ? 0 : fits_1 and _io.size >= 11 ? 1 : fits_1 ? 1 : fits_0 ? 0 : fits_8 ? 8 : fits_2 ? 2 : fits_7 ? 7 : fits_6 ? 6 : fits_3 ? 3 : fits_4 ? 4 : fits_5 ? 5 : fits_9 ? 9 : -1"
+        value: "fits_12 and _io.size >= 105 ? 12 : fits_6 and _io.size >= 86 ? 6 : fits_5 and _io.size >= 80 ? 5 : fits_4 and _io.size >= 77 ? 4 : fits_7 and _io.size >= 73 ? 7 : fits_9 and _io.size >= 62 ? 9 : fits_10 and _io.size >= 61 ? 10 : fits_8 and _io.size >= 60 ? 8 : fits_3 and _io.size >= 51 ? 3 : fits_0 and _io.size >= 15 ? 0 : fits_11 and _io.size >= 15 ? 11 : fits_1 and _io.size >= 13 ? 1 : fits_2 and _io.size >= 11 ? 2 : fits_2 ? 2 : fits_1 ? 1 : fits_0 ? 0 : fits_11 ? 11 : fits_3 ? 3 : fits_8 ? 8 : fits_10 ? 10 : fits_9 ? 9 : fits_7 ? 7 : fits_4 ? 4 : fits_5 ? 5 : fits_6 ? 6 : fits_12 ? 12 : -1"
   sensor_pps_timestamp_layouts:
     -kind: layouts
     doc: The layout of the data, chosen by its constants and its size.
@@ -973,10 +996,10 @@ types:
         doc: The accelerometer failed to initialize.
       - id: accel_over_range
         type: b1
-        doc: An axis is near or outside the selected range.
+        doc: The acceleration along an axis is near or outside the selected range.
       - id: accel_self_test_fail
         type: b1
-        doc: The self test failed; updated by the commanded test.
+        doc: The accelerometer self-test failed; the commanded built-in test updates this bit.
       - id: unused_43
         type: b1
       - id: gyro_general_fault
@@ -984,10 +1007,10 @@ types:
         doc: The gyroscope failed to initialize.
       - id: gyro_over_range
         type: b1
-        doc: An axis is near or outside the selected range.
+        doc: The angular rate about an axis is near or outside the selected range.
       - id: gyro_self_test_fail
         type: b1
-        doc: The self test failed; updated by the commanded test.
+        doc: The gyroscope self-test failed; the commanded built-in test updates this bit.
       - id: unused_47
         type: b1
       - id: mag_general_fault
@@ -995,10 +1018,10 @@ types:
         doc: The magnetometer failed to initialize.
       - id: mag_over_range
         type: b1
-        doc: An axis is near or outside the supported range.
+        doc: The magnetic field along an axis is near or outside the supported range.
       - id: mag_self_test_fail
         type: b1
-        doc: The self test failed; updated by the commanded test.
+        doc: The magnetometer self-test failed; the commanded built-in test updates this bit.
       - id: unused_51
         type: b1
       - id: pressure_sensor_general_fault
@@ -1009,7 +1032,7 @@ types:
         doc: The pressure is outside the supported range.
       - id: pressure_sensor_self_test_fail
         type: b1
-        doc: The self test failed; updated by the commanded test.
+        doc: The pressure sensor self-test failed; the commanded built-in test updates this bit.
       - id: unused_55
         type: b1
       - id: factory_bits_invalid
@@ -1062,26 +1085,26 @@ types:
     seq:
       - id: system_clock_failure
         type: b1
-        doc: The system clock failed.
+        doc: The system clock does not work properly.
       - id: power_fault
         type: b1
-        doc: Power supply fault.
+        doc: The supply voltage is out of range, or an internal supply has failed.
       - id: unused_2
         type: b2
       - id: firmware_fault
         type: b1
-        doc: Firmware fault.
+        doc: The firmware encountered an unexpected condition.
       - id: timing_overload
         type: b1
         doc: The processor cannot keep up.
       - id: buffer_overrun
         type: b1
-        doc: A data buffer overflowed; data may be lost.
+        doc: A data buffer was full and data may be lost.
       - id: unused_7
         type: b9
       - id: imu_process_fault
         type: b1
-        doc: The inertial sensor process failed.
+        doc: The inertial sensor subsystem is not running or did not start.
       - id: imu_data_rate_mismatch
         type: b1
         doc: Sensor data is not produced at its base rate.
@@ -1113,80 +1136,80 @@ types:
         doc: No communication with the inertial sensors.
       - id: imu_timing_overrun
         type: b1
-        doc: An inertial sensor cycle exceeded its time slot.
+        doc: Inertial sensor processes take longer than their time slot.
       - id: unused_35
         type: b1
       - id: imu_calibration_error_accel
         type: b1
-        doc: Accelerometer calibration error.
+        doc: Fault of the accelerometer calibration.
       - id: imu_calibration_error_gyro
         type: b1
-        doc: Gyroscope calibration error.
+        doc: Fault of the gyroscope calibration.
       - id: imu_calibration_error_mag
         type: b1
-        doc: Magnetometer calibration error.
+        doc: Fault of the magnetometer calibration.
       - id: unused_39
         type: b1
       - id: accel_general_fault
         type: b1
-        doc: Accelerometer fault.
+        doc: The accelerometer failed to initialize.
       - id: accel_over_range
         type: b1
-        doc: The accelerometer measures near or beyond its range.
+        doc: The acceleration along an axis is near or outside the selected range.
       - id: accel_self_test_fail
         type: b1
-        doc: The accelerometer self-test failed.
+        doc: The accelerometer self-test failed; the commanded built-in test updates this bit.
       - id: unused_43
         type: b1
       - id: gyro_general_fault
         type: b1
-        doc: Gyroscope fault.
+        doc: The gyroscope failed to initialize.
       - id: gyro_over_range
         type: b1
-        doc: The gyroscope measures near or beyond its range.
+        doc: The angular rate about an axis is near or outside the selected range.
       - id: gyro_self_test_fail
         type: b1
-        doc: The gyroscope self-test failed.
+        doc: The gyroscope self-test failed; the commanded built-in test updates this bit.
       - id: unused_47
         type: b1
       - id: mag_general_fault
         type: b1
-        doc: Magnetometer fault.
+        doc: The magnetometer failed to initialize.
       - id: mag_over_range
         type: b1
-        doc: The magnetometer measures near or beyond its range.
+        doc: The magnetic field along an axis is near or outside the supported range.
       - id: mag_self_test_fail
         type: b1
-        doc: The magnetometer self-test failed.
+        doc: The magnetometer self-test failed; the commanded built-in test updates this bit.
       - id: unused_51
         type: b1
       - id: pressure_sensor_general_fault
         type: b1
-        doc: Pressure sensor fault.
+        doc: The pressure sensor failed to initialize.
       - id: pressure_sensor_over_range
         type: b1
-        doc: The pressure sensor measures near or beyond its range.
+        doc: The pressure is outside the supported range.
       - id: pressure_sensor_self_test_fail
         type: b1
-        doc: The pressure sensor self-test failed.
+        doc: The pressure sensor self-test failed; the commanded built-in test updates this bit.
       - id: unused_55
         type: b1
       - id: factory_bits_invalid
         type: b1
-        doc: Factory settings are invalid.
+        doc: The device has lost its factory configuration.
       - id: unused_57
         type: b7
       - id: filter_fault
         type: b1
-        doc: Filter fault.
+        doc: The filter does not work normally.
       - id: unused_65
         type: b1
       - id: filter_timing_overrun
         type: b1
-        doc: A filter cycle exceeded its time slot.
+        doc: Filter processes take longer than their time slot.
       - id: filter_timing_underrun
         type: b1
-        doc: A filter cycle started too late.
+        doc: Filter processes are skipped.
       - id: unused_68
         type: b32
       - id: unused_100
@@ -1199,21 +1222,21 @@ types:
     seq:
       - id: system_clock_failure
         type: b1
-        doc: The system clock failed.
+        doc: The system clock does not work properly.
       - id: power_fault
         type: b1
-        doc: Power supply fault.
+        doc: The supply voltage is out of range, or an internal supply has failed.
       - id: unused_2
         type: b2
       - id: firmware_fault
         type: b1
-        doc: Firmware fault.
+        doc: The firmware encountered an unexpected condition.
       - id: timing_overload
         type: b1
         doc: The processor cannot keep up.
       - id: buffer_overrun
         type: b1
-        doc: A data buffer overflowed; data may be lost.
+        doc: A data buffer was full and data may be lost.
       - id: unused_7
         type: b9
       - id: imu_ipc_fault
@@ -1235,62 +1258,62 @@ types:
         doc: No communication with the inertial sensors.
       - id: imu_timing_overrun
         type: b1
-        doc: An inertial sensor cycle exceeded its time slot.
+        doc: Inertial sensor processes take longer than their time slot.
       - id: unused_35
         type: b1
       - id: imu_calibration_error_accel
         type: b1
-        doc: Accelerometer calibration error.
+        doc: Fault of the accelerometer calibration.
       - id: imu_calibration_error_gyro
         type: b1
-        doc: Gyroscope calibration error.
+        doc: Fault of the gyroscope calibration.
       - id: imu_calibration_error_mag
         type: b1
-        doc: Magnetometer calibration error.
+        doc: Fault of the magnetometer calibration.
       - id: unused_39
         type: b1
       - id: accel_general_fault
         type: b1
-        doc: Accelerometer fault.
+        doc: The accelerometer failed to initialize.
       - id: accel_over_range
         type: b1
-        doc: The accelerometer measures near or beyond its range.
+        doc: The acceleration along an axis is near or outside the selected range.
       - id: accel_self_test_fail
         type: b1
-        doc: The accelerometer self-test failed.
+        doc: The accelerometer self-test failed; the commanded built-in test updates this bit.
       - id: unused_43
         type: b1
       - id: gyro_general_fault
         type: b1
-        doc: Gyroscope fault.
+        doc: The gyroscope failed to initialize.
       - id: gyro_over_range
         type: b1
-        doc: The gyroscope measures near or beyond its range.
+        doc: The angular rate about an axis is near or outside the selected range.
       - id: gyro_self_test_fail
         type: b1
-        doc: The gyroscope self-test failed.
+        doc: The gyroscope self-test failed; the commanded built-in test updates this bit.
       - id: unused_47
         type: b1
       - id: mag_general_fault
         type: b1
-        doc: Magnetometer fault.
+        doc: The magnetometer failed to initialize.
       - id: mag_over_range
         type: b1
-        doc: The magnetometer measures near or beyond its range.
+        doc: The magnetic field along an axis is near or outside the supported range.
       - id: mag_self_test_fail
         type: b1
-        doc: The magnetometer self-test failed.
+        doc: The magnetometer self-test failed; the commanded built-in test updates this bit.
       - id: unused_51
         type: b1
       - id: pressure_sensor_general_fault
         type: b1
-        doc: Pressure sensor fault.
+        doc: The pressure sensor failed to initialize.
       - id: pressure_sensor_over_range
         type: b1
-        doc: The pressure sensor measures near or beyond its range.
+        doc: The pressure is outside the supported range.
       - id: pressure_sensor_self_test_fail
         type: b1
-        doc: The pressure sensor self-test failed.
+        doc: The pressure sensor self-test failed; the commanded built-in test updates this bit.
       - id: unused_55
         type: b9
       - id: filter_clock_fault
@@ -1301,10 +1324,10 @@ types:
         doc: Filter processor fault.
       - id: filter_timing_overrun
         type: b1
-        doc: A filter cycle exceeded its time slot.
+        doc: Filter processes take longer than their time slot.
       - id: filter_timing_underrun
         type: b1
-        doc: A filter cycle started too late.
+        doc: Filter processes are skipped.
       - id: filter_comm_error
         type: b4
         doc: Filter communication errors.
@@ -1332,7 +1355,7 @@ types:
         doc: Receiver 1 power supply fault.
       - id: receiver_1_fault
         type: b1
-        doc: Receiver 1 fault.
+        doc: No communication with internal receiver 1.
       - id: antenna_1_shorted
         type: b1
         doc: Antenna 1 is shorted.
@@ -1347,7 +1370,7 @@ types:
         doc: Receiver 2 power supply fault.
       - id: receiver_2_fault
         type: b1
-        doc: Receiver 2 fault.
+        doc: No communication with internal receiver 2.
       - id: antenna_2_shorted
         type: b1
         doc: Antenna 2 is shorted.
@@ -1376,7 +1399,7 @@ types:
         doc: In a test mode.
       - id: enabled
         type: b1
-        doc: Enabled.
+        doc: The trigger is enabled.
       - id: active
         type: b1
         doc: Active now, by its condition or by a test mode.
@@ -1424,7 +1447,7 @@ types:
         doc: Changes of the cell tower.
       - id: signal_quality
         type: b4
-        doc: Signal quality.
+        doc: "Quality of the modem's radio signal."
       - id: rssi
         type: b8
         doc: Received signal strength.
@@ -1452,7 +1475,7 @@ types:
         doc: Received signal strength.
       - id: signal_quality
         type: b4
-        doc: Signal quality.
+        doc: "Quality of the modem's radio signal."
       - id: reset_code
         type: b2
         doc: Reason of the last reset.
@@ -1603,13 +1626,13 @@ types:
         type: b5
       - id: yaw
         type: b1
-        doc: Tare yaw.
+        doc: The present yaw becomes zero.
       - id: pitch
         type: b1
-        doc: Tare pitch.
+        doc: The present pitch becomes zero.
       - id: roll
         type: b1
-        doc: Tare roll.
+        doc: The present roll becomes zero.
   filter_measurement_flags:
     -kind: bits
     doc: Measurements that the filter uses.
@@ -1648,10 +1671,8 @@ types:
         type: b5
       - id: l5
         type: b1
-        doc: L5.
       - id: l2c
         type: b1
-        doc: L2C.
       - id: l1ca
         type: b1
         doc: L1 C/A.
@@ -1663,10 +1684,8 @@ types:
         type: b6
       - id: l2of
         type: b1
-        doc: L2OF.
       - id: l1of
         type: b1
-        doc: L1OF.
   gnss_galileo_signals:
     -kind: bits
     doc: Galileo signals that are enabled.
@@ -1675,13 +1694,10 @@ types:
         type: b5
       - id: e5a
         type: b1
-        doc: E5a.
       - id: e5b
         type: b1
-        doc: E5b.
       - id: e1
         type: b1
-        doc: E1.
   gnss_beidou_signals:
     -kind: bits
     doc: BeiDou signals that are enabled.
@@ -1690,13 +1706,10 @@ types:
         type: b5
       - id: b2a
         type: b1
-        doc: B2a.
       - id: b2
         type: b1
-        doc: B2.
       - id: b1
         type: b1
-        doc: B1.
   rtk_service_flags:
     -kind: bits
     doc: State of the correction service.
@@ -1732,13 +1745,13 @@ types:
         type: b13
       - id: height
         type: b1
-        doc: Height and its uncertainty.
+        doc: Height and its uncertainty are valid.
       - id: longitude
         type: b1
-        doc: Longitude and its uncertainty.
+        doc: Longitude and its uncertainty are valid.
       - id: latitude
         type: b1
-        doc: Latitude and its uncertainty.
+        doc: Latitude and its uncertainty are valid.
   system_comm_protocols:
     -kind: bits
     doc: Protocols of a port.
@@ -1765,7 +1778,6 @@ types:
         type: b7
       - id: mip
         type: b1
-        doc: MIP.
   sensor_overrange_flags:
     -kind: bits
     doc: Sensor axes that were near or outside their range.
@@ -1816,7 +1828,7 @@ types:
         type: b15
       - id: odometer
         type: b1
-        doc: The odometer is configured.
+        doc: Set if an odometer is configured; its values are then valid.
   gnss_data_llh_position_flags:
     -kind: bits
     doc: Which parts of the position are valid.
@@ -1831,17 +1843,17 @@ types:
         doc: "`horizontal_accuracy` is valid."
       - id: msl_height
         type: b1
-        doc: Height above mean sea level.
+        doc: "`msl_height` is valid."
       - id: ellipsoid_height
         type: b1
-        doc: Height above the ellipsoid.
+        doc: "`ellipsoid_height` is valid."
       - id: lat_lon
         type: b1
-        doc: Latitude and longitude.
+        doc: "`latitude` and `longitude` are valid."
     instances:
       flags:
         value: "(lat_lon ? 1 : 0) + (ellipsoid_height ? 2 : 0) + (msl_height ? 4 : 0) + (horizontal_accuracy ? 8 : 0) + (vertical_accuracy ? 16 : 0)"
-        doc: All of them.
+        doc: All values are valid.
   gnss_data_ecef_position_flags:
     -kind: bits
     doc: Which parts of the position are valid.
@@ -1850,14 +1862,14 @@ types:
         type: b14
       - id: position_accuracy
         type: b1
-        doc: Accuracy of the position.
+        doc: "`position_accuracy` is valid."
       - id: position
         type: b1
         doc: "`position` is valid."
     instances:
       flags:
         value: "(position ? 1 : 0) + (position_accuracy ? 2 : 0)"
-        doc: All of them.
+        doc: All values are valid.
   gnss_data_ned_velocity_flags:
     -kind: bits
     doc: Which parts of the velocity are valid.
@@ -1866,26 +1878,26 @@ types:
         type: b10
       - id: heading_accuracy
         type: b1
-        doc: Accuracy of the heading.
+        doc: "`heading_accuracy` is valid."
       - id: speed_accuracy
         type: b1
-        doc: Accuracy of the speed.
+        doc: "`speed_accuracy` is valid."
       - id: heading
         type: b1
         doc: "`heading` is valid."
       - id: ground_speed
         type: b1
-        doc: Speed over ground.
+        doc: "`ground_speed` is valid."
       - id: speed_3d
         type: b1
-        doc: Speed in space.
+        doc: "`speed` is valid."
       - id: velocity
         type: b1
-        doc: Velocity vector.
+        doc: "`velocity` is valid."
     instances:
       flags:
         value: "(velocity ? 1 : 0) + (speed_3d ? 2 : 0) + (ground_speed ? 4 : 0) + (heading ? 8 : 0) + (speed_accuracy ? 16 : 0) + (heading_accuracy ? 32 : 0)"
-        doc: All of them.
+        doc: All values are valid.
   gnss_data_ecef_velocity_flags:
     -kind: bits
     doc: Which parts of the velocity are valid.
@@ -1894,14 +1906,14 @@ types:
         type: b14
       - id: velocity_accuracy
         type: b1
-        doc: Accuracy of the velocity.
+        doc: "`velocity_accuracy` is valid."
       - id: velocity
         type: b1
         doc: "`velocity` is valid."
     instances:
       flags:
         value: "(velocity ? 1 : 0) + (velocity_accuracy ? 2 : 0)"
-        doc: All of them.
+        doc: All values are valid.
   gnss_data_dop_flags:
     -kind: bits
     doc: Which dilutions of precision are valid.
@@ -1910,29 +1922,29 @@ types:
         type: b9
       - id: edop
         type: b1
-        doc: Easting.
+        doc: "`edop` is valid."
       - id: ndop
         type: b1
-        doc: Northing.
+        doc: "`ndop` is valid."
       - id: tdop
         type: b1
-        doc: Time.
+        doc: "`tdop` is valid."
       - id: vdop
         type: b1
-        doc: Vertical.
+        doc: "`vdop` is valid."
       - id: hdop
         type: b1
-        doc: Horizontal.
+        doc: "`hdop` is valid."
       - id: pdop
         type: b1
-        doc: Position.
+        doc: "`pdop` is valid."
       - id: gdop
         type: b1
-        doc: Geometric.
+        doc: "`gdop` is valid."
     instances:
       flags:
         value: "(gdop ? 1 : 0) + (pdop ? 2 : 0) + (hdop ? 4 : 0) + (vdop ? 8 : 0) + (tdop ? 16 : 0) + (ndop ? 32 : 0) + (edop ? 64 : 0)"
-        doc: All of them.
+        doc: All values are valid.
   gnss_data_utc_time_flags:
     -kind: bits
     doc: Which parts of the UTC time are valid.
@@ -1948,7 +1960,7 @@ types:
     instances:
       flags:
         value: "(gnss_date_time ? 1 : 0) + (leap_seconds_known ? 2 : 0)"
-        doc: All of them.
+        doc: All values are valid.
   gnss_data_gps_time_flags:
     -kind: bits
     doc: Which parts of the time are valid.
@@ -1960,11 +1972,11 @@ types:
         doc: "`week_number` is valid."
       - id: tow
         type: b1
-        doc: Time of week.
+        doc: "`tow` is valid."
     instances:
       flags:
         value: "(tow ? 1 : 0) + (week_number ? 2 : 0)"
-        doc: All of them.
+        doc: All values are valid.
   gnss_data_clock_info_flags:
     -kind: bits
     doc: Which clock parameters are valid.
@@ -1973,7 +1985,7 @@ types:
         type: b13
       - id: accuracy_estimate
         type: b1
-        doc: Accuracy.
+        doc: "`accuracy_estimate` is valid."
       - id: drift
         type: b1
         doc: "`drift` is valid."
@@ -1983,7 +1995,7 @@ types:
     instances:
       flags:
         value: "(bias ? 1 : 0) + (drift ? 2 : 0) + (accuracy_estimate ? 4 : 0)"
-        doc: All of them.
+        doc: All values are valid.
   gnss_data_fix_flags:
     -kind: bits
     doc: What the fix uses.
@@ -2007,14 +2019,14 @@ types:
         doc: "`fix_flags` is valid."
       - id: num_sv
         type: b1
-        doc: Number of satellites.
+        doc: "`num_sv` is valid."
       - id: fix_type
         type: b1
-        doc: Type of the fix.
+        doc: "`fix_type` is valid."
     instances:
       flags:
         value: "(fix_type ? 1 : 0) + (num_sv ? 2 : 0) + (fix_flags ? 4 : 0)"
-        doc: All of them.
+        doc: All values are valid.
   gnss_data_sv_flags:
     -kind: bits
     doc: State of a satellite.
@@ -2023,7 +2035,7 @@ types:
         type: b14
       - id: healthy
         type: b1
-        doc: It is healthy.
+        doc: The satellite reports that its signals can be used.
       - id: used_for_navigation
         type: b1
         doc: The position fix uses it.
@@ -2035,7 +2047,7 @@ types:
         type: b10
       - id: sv_flags
         type: b1
-        doc: State of the satellite.
+        doc: "`sv_flags` is valid."
       - id: elevation
         type: b1
         doc: "`elevation` is valid."
@@ -2044,17 +2056,17 @@ types:
         doc: "`azimuth` is valid."
       - id: carrier_noise_ratio
         type: b1
-        doc: Carrier to noise density ratio.
+        doc: "`carrier_noise_ratio` is valid."
       - id: satellite_id
         type: b1
-        doc: Satellite.
+        doc: "`satellite_id` is valid."
       - id: channel
         type: b1
         doc: "`channel` is valid."
     instances:
       flags:
         value: "(channel ? 1 : 0) + (satellite_id ? 2 : 0) + (carrier_noise_ratio ? 4 : 0) + (azimuth ? 8 : 0) + (elevation ? 16 : 0) + (sv_flags ? 32 : 0)"
-        doc: All of them.
+        doc: All values are valid.
   gnss_data_hardware_status_flags:
     -kind: bits
     doc: Which parts of the hardware status are valid.
@@ -2063,17 +2075,17 @@ types:
         type: b13
       - id: antenna_power
         type: b1
-        doc: Supply of the antenna.
+        doc: "`antenna_power` is valid."
       - id: antenna_state
         type: b1
-        doc: State of the antenna.
+        doc: "`antenna_state` is valid."
       - id: sensor_state
         type: b1
-        doc: State of the receiver.
+        doc: "`receiver_state` is valid."
     instances:
       flags:
         value: "(sensor_state ? 1 : 0) + (antenna_state ? 2 : 0) + (antenna_power ? 4 : 0)"
-        doc: All of them.
+        doc: All values are valid.
   gnss_data_dgps_info_flags:
     -kind: bits
     doc: Which parts of the state of the corrections are valid.
@@ -2082,20 +2094,20 @@ types:
         type: b12
       - id: num_channels
         type: b1
-        doc: Number of channels.
+        doc: "`num_channels` is valid."
       - id: base_station_status
         type: b1
-        doc: State of the base station.
+        doc: "`base_station_status` is valid."
       - id: base_station_id
         type: b1
-        doc: Number of the base station.
+        doc: "`base_station_id` is valid."
       - id: age
         type: b1
         doc: "`age` is valid."
     instances:
       flags:
         value: "(age ? 1 : 0) + (base_station_id ? 2 : 0) + (base_station_status ? 4 : 0) + (num_channels ? 8 : 0)"
-        doc: All of them.
+        doc: All values are valid.
   gnss_data_dgps_channel_flags:
     -kind: bits
     doc: Which parts of a differential correction are valid.
@@ -2104,20 +2116,20 @@ types:
         type: b12
       - id: range_rate_correction
         type: b1
-        doc: Correction of the range rate.
+        doc: "`range_rate_correction` is valid."
       - id: range_correction
         type: b1
-        doc: Correction of the range.
+        doc: "`range_correction` is valid."
       - id: age
         type: b1
         doc: "`age` is valid."
       - id: satellite_id
         type: b1
-        doc: Satellite.
+        doc: "`satellite_id` is valid."
     instances:
       flags:
         value: "(satellite_id ? 1 : 0) + (age ? 2 : 0) + (range_correction ? 4 : 0) + (range_rate_correction ? 8 : 0)"
-        doc: All of them.
+        doc: All values are valid.
   gnss_data_clock_info_2_flags:
     -kind: bits
     doc: Which clock parameters are valid.
@@ -2126,10 +2138,10 @@ types:
         type: b12
       - id: drift_accuracy
         type: b1
-        doc: Accuracy of the drift.
+        doc: "`drift_accuracy_estimate` is valid."
       - id: bias_accuracy
         type: b1
-        doc: Accuracy of the bias.
+        doc: "`bias_accuracy_estimate` is valid."
       - id: drift
         type: b1
         doc: "`drift` is valid."
@@ -2139,7 +2151,7 @@ types:
     instances:
       flags:
         value: "(bias ? 1 : 0) + (drift ? 2 : 0) + (bias_accuracy ? 4 : 0) + (drift_accuracy ? 8 : 0)"
-        doc: All of them.
+        doc: All values are valid.
   gnss_data_gps_leap_seconds_flags:
     -kind: bits
     doc: Whether the leap seconds are valid. Bit 0 is not used.
@@ -2177,26 +2189,26 @@ types:
         type: b10
       - id: sbas_status
         type: b1
-        doc: Status of the service.
+        doc: "`sbas_status` is valid."
       - id: count
         type: b1
-        doc: Number of corrections.
+        doc: "`count` is valid."
       - id: sbas_id
         type: b1
-        doc: Satellite.
+        doc: "`sbas_id` is valid."
       - id: sbas_system
         type: b1
-        doc: System.
+        doc: "`sbas_system` is valid."
       - id: week_number
         type: b1
         doc: "`week_number` is valid."
       - id: tow
         type: b1
-        doc: Time of week.
+        doc: "`tow` is valid."
     instances:
       flags:
         value: "(tow ? 1 : 0) + (week_number ? 2 : 0) + (sbas_system ? 4 : 0) + (sbas_id ? 8 : 0) + (count ? 16 : 0) + (sbas_status ? 32 : 0)"
-        doc: All of them.
+        doc: All values are valid.
   gnss_data_sbas_correction_flags:
     -kind: bits
     doc: Which parts of an SBAS correction are valid.
@@ -2205,17 +2217,17 @@ types:
         type: b13
       - id: iono_correction
         type: b1
-        doc: Correction of the ionospheric delay.
+        doc: "`iono_correction` is valid."
       - id: pseudorange_correction
         type: b1
-        doc: Correction of the pseudorange.
+        doc: "`pseudorange_correction` is valid."
       - id: udrei
         type: b1
-        doc: Indicator of the range error.
+        doc: "`udrei` is valid."
     instances:
       flags:
         value: "(udrei ? 1 : 0) + (pseudorange_correction ? 2 : 0) + (iono_correction ? 4 : 0)"
-        doc: All of them.
+        doc: All values are valid.
   gnss_data_rf_error_detection_flags:
     -kind: bits
     doc: Which parts of the detection are valid.
@@ -2227,17 +2239,17 @@ types:
         doc: Frequency; only set by firmware that sends it.
       - id: spoofing_state
         type: b1
-        doc: Spoofing.
+        doc: "`spoofing_state` is valid."
       - id: jamming_state
         type: b1
-        doc: Jamming.
+        doc: "`jamming_state` is valid."
       - id: rf_band
         type: b1
-        doc: Band.
+        doc: "`rf_band` is valid."
     instances:
       flags:
         value: "(rf_band ? 1 : 0) + (jamming_state ? 2 : 0) + (spoofing_state ? 4 : 0) + (frequency ? 8 : 0)"
-        doc: All of them.
+        doc: All values are valid.
   gnss_data_heading_flags:
     -kind: bits
     doc: Which parts of the heading are valid.
@@ -2246,17 +2258,17 @@ types:
         type: b13
       - id: fix_type
         type: b1
-        doc: Kind of the fix.
+        doc: "`fix_type` is valid."
       - id: uncertainty
         type: b1
-        doc: Uncertainty of the heading.
+        doc: "`uncertainty` is valid."
       - id: heading
         type: b1
         doc: "`heading` is valid."
     instances:
       flags:
         value: "(heading ? 1 : 0) + (uncertainty ? 2 : 0) + (fix_type ? 4 : 0)"
-        doc: All of them.
+        doc: All values are valid.
   gnss_data_satellite_status_flags:
     -kind: bits
     doc: Which parts of the satellite status are valid.
@@ -2274,20 +2286,20 @@ types:
         doc: "`elevation` is valid."
       - id: satellite_id
         type: b1
-        doc: Satellite.
+        doc: "`satellite_id` is valid."
       - id: gnss_id
         type: b1
-        doc: Constellation.
+        doc: "`gnss_id` is valid."
       - id: week_number
         type: b1
         doc: "`week_number` is valid."
       - id: tow
         type: b1
-        doc: Time of week.
+        doc: "`tow` is valid."
     instances:
       flags:
         value: "(tow ? 1 : 0) + (week_number ? 2 : 0) + (gnss_id ? 4 : 0) + (satellite_id ? 8 : 0) + (elevation ? 16 : 0) + (azimuth ? 32 : 0) + (health ? 64 : 0)"
-        doc: All of them.
+        doc: All values are valid.
   gnss_data_raw_flags:
     -kind: bits
     doc: Which parts of the observation are valid.
@@ -2297,16 +2309,16 @@ types:
         doc: "`lock_time` is valid."
       - id: doppler_uncertainty
         type: b1
-        doc: Uncertainty of the Doppler shift.
+        doc: "`doppler_uncertainty` is valid."
       - id: carrier_phase_uncertainty
         type: b1
-        doc: Uncertainty of the carrier phase.
+        doc: "`phase_uncertainty` is valid."
       - id: range_uncertainty
         type: b1
-        doc: Uncertainty of the pseudorange.
+        doc: "`range_uncertainty` is valid."
       - id: doppler
         type: b1
-        doc: Doppler shift.
+        doc: "`doppler` is valid."
       - id: carrier_phase
         type: b1
         doc: "`carrier_phase` is valid."
@@ -2315,35 +2327,35 @@ types:
         doc: "`pseudorange` is valid."
       - id: quality
         type: b1
-        doc: Signal quality.
+        doc: "`quality` is valid."
       - id: signal_strength
         type: b1
         doc: "`signal_strength` is valid."
       - id: signal_id
         type: b1
-        doc: Signal.
+        doc: "`signal_id` is valid."
       - id: satellite_id
         type: b1
-        doc: Satellite.
+        doc: "`satellite_id` is valid."
       - id: gnss_id
         type: b1
-        doc: Constellation.
+        doc: "`gnss_id` is valid."
       - id: tracking_channel
         type: b1
         doc: "`tracking_channel` is valid."
       - id: receiver_id
         type: b1
-        doc: Receiver or reference station.
+        doc: "`receiver_id` is valid."
       - id: week_number
         type: b1
         doc: "`week_number` is valid."
       - id: tow
         type: b1
-        doc: Time of week.
+        doc: "`tow` is valid."
     instances:
       flags:
         value: "(tow ? 1 : 0) + (week_number ? 2 : 0) + (receiver_id ? 4 : 0) + (tracking_channel ? 8 : 0) + (gnss_id ? 16 : 0) + (satellite_id ? 32 : 0) + (signal_id ? 64 : 0) + (signal_strength ? 128 : 0) + (quality ? 256 : 0) + (pseudorange ? 512 : 0) + (carrier_phase ? 1024 : 0) + (doppler ? 2048 : 0) + (range_uncertainty ? 4096 : 0) + (carrier_phase_uncertainty ? 8192 : 0) + (doppler_uncertainty ? 16384 : 0) + (lock_time ? 32768 : 0)"
-        doc: All of them.
+        doc: All values are valid.
   gnss_data_base_station_indicators:
     -kind: bits
     doc: Properties of a base station, as its RTCM message gives them.
@@ -2389,23 +2401,23 @@ types:
         doc: "`indicators` is valid."
       - id: station_id
         type: b1
-        doc: Station.
+        doc: "`station_id` is valid."
       - id: height
         type: b1
-        doc: Antenna height.
+        doc: "`height` is valid."
       - id: ecef_position
         type: b1
-        doc: Position.
+        doc: "`ecef_position` is valid."
       - id: week_number
         type: b1
         doc: "`week_number` is valid."
       - id: tow
         type: b1
-        doc: Time of week.
+        doc: "`tow` is valid."
     instances:
       flags:
         value: "(tow ? 1 : 0) + (week_number ? 2 : 0) + (ecef_position ? 4 : 0) + (height ? 8 : 0) + (station_id ? 16 : 0) + (indicators ? 32 : 0)"
-        doc: All of them.
+        doc: All values are valid.
   gnss_data_rtk_epoch_status:
     -kind: bits
     doc: Corrections received during an epoch.
@@ -2435,10 +2447,10 @@ types:
         doc: GPS corrections.
       - id: antenna_description_received
         type: b1
-        doc: Antenna description.
+        doc: "The description of the base station's antenna has arrived."
       - id: antenna_location_received
         type: b1
-        doc: Antenna location.
+        doc: "The position of the base station's antenna has arrived."
   gnss_data_rtk_corrections_status_flags:
     -kind: bits
     doc: Which values are valid.
@@ -2447,19 +2459,19 @@ types:
         type: b8
       - id: beidou_latency
         type: b1
-        doc: Latency of BeiDou corrections.
+        doc: "`beidou_correction_latency` is valid."
       - id: galileo_latency
         type: b1
-        doc: Latency of Galileo corrections.
+        doc: "`galileo_correction_latency` is valid."
       - id: glonass_latency
         type: b1
-        doc: Latency of GLONASS corrections.
+        doc: "`glonass_correction_latency` is valid."
       - id: gps_latency
         type: b1
-        doc: Latency of GPS corrections.
+        doc: "`gps_correction_latency` is valid."
       - id: dongle_status
         type: b1
-        doc: Status of the dongle.
+        doc: "`dongle_status` is valid."
       - id: epoch_status
         type: b1
         doc: "`epoch_status` is valid."
@@ -2468,11 +2480,11 @@ types:
         doc: "`week_number` is valid."
       - id: tow
         type: b1
-        doc: Time of week.
+        doc: "`tow` is valid."
     instances:
       flags:
         value: "(tow ? 1 : 0) + (week_number ? 2 : 0) + (epoch_status ? 4 : 0) + (dongle_status ? 8 : 0) + (gps_latency ? 16 : 0) + (glonass_latency ? 32 : 0) + (galileo_latency ? 64 : 0) + (beidou_latency ? 128 : 0)"
-        doc: All of them.
+        doc: All values are valid.
   gnss_data_ephemeris_flags:
     -kind: bits
     doc: What an ephemeris of GPS, Galileo or BeiDou holds.
@@ -2491,7 +2503,7 @@ types:
     instances:
       flags:
         value: "(ephemeris ? 1 : 0) + (modern_data ? 2 : 0) + (isc_l5 ? 4 : 0)"
-        doc: All of them.
+        doc: All values are valid.
   gnss_data_glonass_ephemeris_flags:
     -kind: bits
     doc: Whether the ephemeris is valid.
@@ -2513,20 +2525,20 @@ types:
         type: b12
       - id: beta
         type: b1
-        doc: Coefficients beta.
+        doc: "`beta` is valid."
       - id: alpha
         type: b1
-        doc: Coefficients alpha.
+        doc: "`alpha` is valid."
       - id: week_number
         type: b1
         doc: "`week_number` is valid."
       - id: tow
         type: b1
-        doc: Time of week.
+        doc: "`tow` is valid."
     instances:
       flags:
         value: "(tow ? 1 : 0) + (week_number ? 2 : 0) + (alpha ? 4 : 0) + (beta ? 8 : 0)"
-        doc: All of them.
+        doc: All values are valid.
   gnss_data_galileo_iono_correction_flags:
     -kind: bits
     doc: Which parts of the model are valid.
@@ -2535,20 +2547,20 @@ types:
         type: b12
       - id: disturbance_flags
         type: b1
-        doc: Storm flags.
+        doc: "`disturbance_flags` is valid."
       - id: alpha
         type: b1
-        doc: Coefficients.
+        doc: "`alpha` is valid."
       - id: week_number
         type: b1
         doc: "`week_number` is valid."
       - id: tow
         type: b1
-        doc: Time of week.
+        doc: "`tow` is valid."
     instances:
       flags:
         value: "(tow ? 1 : 0) + (week_number ? 2 : 0) + (alpha ? 4 : 0) + (disturbance_flags ? 8 : 0)"
-        doc: All of them.
+        doc: All values are valid.
   gnss_data_beidou_iono_correction_flags:
     -kind: bits
     doc: Which parts of the model are valid.
@@ -2557,23 +2569,23 @@ types:
         type: b11
       - id: alpha_correction
         type: b1
-        doc: Further coefficients.
+        doc: "`alpha_correction` is valid."
       - id: beta
         type: b1
-        doc: Coefficients beta.
+        doc: "`beta` is valid."
       - id: alpha
         type: b1
-        doc: Coefficients alpha.
+        doc: "`alpha` is valid."
       - id: week_number
         type: b1
         doc: "`week_number` is valid."
       - id: tow
         type: b1
-        doc: Time of week.
+        doc: "`tow` is valid."
     instances:
       flags:
         value: "(tow ? 1 : 0) + (week_number ? 2 : 0) + (alpha ? 4 : 0) + (beta ? 8 : 0) + (alpha_correction ? 16 : 0)"
-        doc: All of them.
+        doc: All values are valid.
   filter_data_valid_flags:
     -kind: bits
     doc: Whether the values of a field may be used.
@@ -2787,6 +2799,15 @@ types:
         type: b2
         enum: filter_data_filter_condition
         doc: How settled the estimates are.
+  displacement_data_timestamp_flags:
+    -kind: bits
+    doc: Whether the time of displacement data is valid.
+    seq:
+      - id: unused_1
+        type: b7
+      - id: time
+        type: b1
+        doc: "The clock has been set; `time` is valid."
   system_data_gpio_pin_states:
     -kind: bits
     doc: Level of each GPIO pin, set for high. Bits of pins that do not exist read 0.
@@ -2795,16 +2816,16 @@ types:
         type: b4
       - id: pin_4
         type: b1
-        doc: GPIO pin 4.
+        doc: GPIO pin 4 is high.
       - id: pin_3
         type: b1
-        doc: GPIO pin 3.
+        doc: GPIO pin 3 is high.
       - id: pin_2
         type: b1
-        doc: GPIO pin 2.
+        doc: GPIO pin 2 is high.
       - id: pin_1
         type: b1
-        doc: GPIO pin 1.
+        doc: GPIO pin 1 is high.
   shared_gps_timestamp_flags:
     -kind: bits
     doc: Which parts of the GPS time are valid.
@@ -2971,7 +2992,7 @@ types:
       - id: model_name
         type: str
         size: 16
-        doc: Name of the model.
+        doc: What the model is called, such as 3DM-GQ7.
       - id: model_number
         type: str
         size: 16
@@ -2979,7 +3000,7 @@ types:
       - id: serial_number
         type: str
         size: 16
-        doc: Serial number.
+        doc: Number of this device, which begins with the model number.
       - id: lot_number
         type: str
         size: 16
@@ -3545,7 +3566,7 @@ types:
         type: u1
         enum: mip_3dm_assisted_fix_option
         if: function_value == function_selector::write or _io.size >= 2
-        doc: "Assisted fix. Default: `none_value`."
+        doc: "Whether the receiver keeps data for a faster first fix. Default: `none_value`."
       - id: flags
         type: u1
         if: function_value == function_selector::write or _io.size >= 3
@@ -3570,7 +3591,7 @@ types:
       - id: accuracy
         type: f4
         if: function_value == function_selector::write or _io.size >= 15
-        doc: "Accuracy of the time. Unit: s. Range: at least 0."
+        doc: "Estimated accuracy of the time that is sent. Unit: s. Range: at least 0."
   mip_3dm_pps_source_control:
     -orig-id: 3dm.pps_source_control
     doc: PPS Source Control. Where the device takes its pulse per second from.
@@ -3624,7 +3645,7 @@ types:
         type: u1
         repeat: expr
         repeat-expr: requested_count
-        doc: Trigger instances.
+        doc: Numbers of the triggers to report; none for all.
   mip_3dm_get_event_action_status:
     -orig-id: 3dm.get_event_action_status
     doc: Get Event Action Status. Gets the type and the trigger of event actions.
@@ -3638,7 +3659,7 @@ types:
         type: u1
         repeat: expr
         repeat-expr: requested_count
-        doc: Action instances.
+        doc: Numbers of the actions to report; none for all.
   mip_3dm_event_trigger_config:
     -orig-id: 3dm.event_trigger_config
     doc: Event Trigger Configuration. Kind and condition of an event trigger.
@@ -3823,7 +3844,7 @@ types:
         type: u1
         enum: mip_3dm_mag_bandwidth
         if: function_value == function_selector::write or _io.size >= 12
-        doc: Bandwidth of the magnetometer.
+        doc: Bandwidth of the magnetometer of 3-series devices.
       - id: reserved
         type: u2
         if: function_value == function_selector::write or _io.size >= 14
@@ -3858,7 +3879,7 @@ types:
       - id: bias
         type: vector3f
         if: function_value == function_selector::write or function_value == function_selector::apply or _io.size >= 13
-        doc: "Accelerometer bias. Unit: g. Frame: sensor."
+        doc: "Bias that the device subtracts from the measured acceleration. Unit: g. Frame: sensor."
   mip_3dm_gyro_bias:
     -orig-id: 3dm.gyro_bias
     doc: Gyroscope Bias Configuration. Bias that is subtracted from the scaled angular rate.
@@ -3871,7 +3892,7 @@ types:
       - id: bias
         type: vector3f
         if: function_value == function_selector::write or function_value == function_selector::apply or _io.size >= 13
-        doc: "Gyroscope bias. Unit: rad/s. Frame: sensor."
+        doc: "Bias that the device subtracts from the measured angular rate. Unit: rad/s. Frame: sensor."
   mip_3dm_capture_gyro_bias:
     -orig-id: 3dm.capture_gyro_bias
     doc: Capture Gyroscope Bias. Averages the angular rate of the device at rest and uses the result as the gyroscope bias.
@@ -3891,7 +3912,7 @@ types:
       - id: offset
         type: vector3f
         if: function_value == function_selector::write or function_value == function_selector::apply or _io.size >= 13
-        doc: "Hard iron offset. Unit: gauss. Frame: sensor."
+        doc: "Offset that the device subtracts from the measured magnetic field. Unit: gauss. Frame: sensor."
   mip_3dm_mag_soft_iron_matrix:
     -orig-id: 3dm.mag_soft_iron_matrix
     doc: Magnetometer Soft Iron Matrix. Matrix that corrects the scaled magnetic field for soft iron.
@@ -3930,7 +3951,7 @@ types:
       - id: baud
         type: u4
         if: function_value == function_selector::write or _io.size >= 5
-        doc: "Baud rate. Unit: Bd."
+        doc: "Baud rate, one of those that the port supports. Unit: Bd."
   mip_3dm_gpio_config:
     -orig-id: 3dm.gpio_config
     doc: GPIO Configuration. What a GPIO pin is used for.
@@ -4123,7 +4144,7 @@ types:
         type: u1
         enum: mip_3dm_stream_format
         if: function_value == function_selector::write or function_value == function_selector::read or function_value == function_selector::save or function_value == function_selector::load or function_value == function_selector::default_value or _io.size >= 3
-        doc: Its format.
+        doc: Format of a data stream.
   mip_3dm_device_power_state:
     -orig-id: 3dm.device_power_state
     doc: Device power state. Sets the power state of an internal sensor.
@@ -4142,7 +4163,7 @@ types:
         type: u1
         enum: mip_3dm_sensor_power_state
         if: function_value == function_selector::write or _io.size >= 3
-        doc: Its power state.
+        doc: Power state of an internal sensor.
   mip_3dm_gps_advanced_settings:
     -orig-id: 3dm.gps_advanced_settings
     doc: GPS advanced settings. Saves, loads or resets the settings of the GNSS receiver that were made in direct mode.
@@ -4254,7 +4275,7 @@ types:
       - id: mag_bandwidth
         type: u1
         enum: mip_3dm_mag_bandwidth
-        doc: Bandwidth of the magnetometer.
+        doc: Bandwidth of the magnetometer of 3-series devices.
       - id: reserved
         type: u2
         doc: Reserved.
@@ -4264,7 +4285,7 @@ types:
     seq:
       - id: baud
         type: u4
-        doc: "Baud rate. Unit: Bd."
+        doc: "Baud rate, one of those that the port supports. Unit: Bd."
   mip_3dm_data_stream_format_response:
     -orig-id: 3dm.data_stream_format_response
     doc: "Data stream format response. "
@@ -4276,7 +4297,7 @@ types:
       - id: format
         type: u1
         enum: mip_3dm_stream_format
-        doc: Its format.
+        doc: Format of a data stream.
   mip_3dm_device_power_state_response:
     -orig-id: 3dm.device_power_state_response
     doc: "Device power state response. "
@@ -4288,7 +4309,7 @@ types:
       - id: state
         type: u1
         enum: mip_3dm_sensor_power_state
-        doc: Its power state.
+        doc: Power state of an internal sensor.
   mip_3dm_get_filter_base_rate_response:
     -orig-id: 3dm.get_filter_base_rate_response
     doc: "Get Estimation Filter Data Base Rate response. "
@@ -4356,6 +4377,24 @@ types:
         repeat: expr
         repeat-expr: num_descriptors
         doc: Fields and decimations.
+  mip_3dm_device_status_basic_rq1_imu_response:
+    -orig-id: 3dm.device_status_basic_rq1_imu_response
+    doc: Basic Device Status of the inertial sensor of the 3DM-RQ1-45. Timer only, in microseconds.
+    seq:
+      - id: model_number
+        type: u2
+        valid: 6238
+        doc: Model number of the inertial sensor.
+      - id: status_selector
+        type: u1
+        valid: 1
+        doc: Basic status.
+      - id: status_flags
+        type: u4
+        doc: Reserved.
+      - id: system_timer
+        type: u8
+        doc: "Time since start-up. Unit: us."
   mip_3dm_device_status_basic_response:
     -orig-id: 3dm.device_status_basic_response
     doc: Basic Device Status. State and timer.
@@ -4427,10 +4466,10 @@ types:
         doc: "Filter data packets that were not sent. Unit: 1."
       - id: comm_port_bytes_written
         type: u4
-        doc: "Bytes written to the port. Unit: byte."
+        doc: "Bytes sent over the port. Unit: byte."
       - id: comm_port_bytes_read
         type: u4
-        doc: "Bytes read from the port. Unit: byte."
+        doc: "Bytes received over the port. Unit: byte."
       - id: comm_port_write_overruns
         type: u4
         doc: "Overruns while writing to the port. Unit: 1."
@@ -4495,10 +4534,10 @@ types:
         doc: "Filter data packets that were not sent. Unit: 1."
       - id: comm_port_bytes_written
         type: u4
-        doc: "Bytes written to the port. Unit: byte."
+        doc: "Bytes sent over the port. Unit: byte."
       - id: comm_port_bytes_read
         type: u4
-        doc: "Bytes read from the port. Unit: byte."
+        doc: "Bytes received over the port. Unit: byte."
       - id: comm_port_write_overruns
         type: u4
         doc: "Overruns while writing to the port. Unit: 1."
@@ -4572,10 +4611,10 @@ types:
         doc: "Filter data packets that were not sent. Unit: 1."
       - id: comm_port_bytes_written
         type: u4
-        doc: "Bytes written to the port. Unit: byte."
+        doc: "Bytes sent over the port. Unit: byte."
       - id: comm_port_bytes_read
         type: u4
-        doc: "Bytes read from the port. Unit: byte."
+        doc: "Bytes received over the port. Unit: byte."
       - id: comm_port_write_overruns
         type: u4
         doc: "Overruns while writing to the port. Unit: 1."
@@ -4667,10 +4706,10 @@ types:
         doc: "Filter data packets that were not sent. Unit: 1."
       - id: comm_port_bytes_written
         type: u4
-        doc: "Bytes written to the port. Unit: byte."
+        doc: "Bytes sent over the port. Unit: byte."
       - id: comm_port_bytes_read
         type: u4
-        doc: "Bytes read from the port. Unit: byte."
+        doc: "Bytes received over the port. Unit: byte."
       - id: comm_port_write_overruns
         type: u4
         doc: "Overruns while writing to the port. Unit: 1."
@@ -4732,10 +4771,10 @@ types:
         doc: "Filter data packets that were not sent. Unit: 1."
       - id: comm_port_bytes_written
         type: u4
-        doc: "Bytes written to the port. Unit: byte."
+        doc: "Bytes sent over the port. Unit: byte."
       - id: comm_port_bytes_read
         type: u4
-        doc: "Bytes read from the port. Unit: byte."
+        doc: "Bytes received over the port. Unit: byte."
       - id: comm_port_write_overruns
         type: u4
         doc: "Overruns while writing to the port. Unit: 1."
@@ -4744,10 +4783,10 @@ types:
         doc: "Overruns while reading from the port. Unit: 1."
       - id: usb_bytes_written
         type: u4
-        doc: "Bytes written to USB. Unit: byte."
+        doc: "Bytes sent over USB. Unit: byte."
       - id: usb_bytes_read
         type: u4
-        doc: "Bytes read from USB. Unit: byte."
+        doc: "Bytes received over USB. Unit: byte."
       - id: usb_write_overruns
         type: u4
         doc: "Overruns while writing to USB. Unit: 1."
@@ -4791,7 +4830,7 @@ types:
         doc: Power state of the sensors.
       - id: gyro_range
         type: u2
-        doc: Range of the gyroscope.
+        doc: Largest angular rate that can be measured.
       - id: accel_range
         type: u2
         doc: Largest acceleration that can be measured.
@@ -4821,10 +4860,140 @@ types:
         doc: "Sensor data packets that were not sent. Unit: 1."
       - id: comm_port_bytes_written
         type: u4
-        doc: "Bytes written to the port. Unit: byte."
+        doc: "Bytes sent over the port. Unit: byte."
       - id: comm_port_bytes_read
         type: u4
-        doc: "Bytes read from the port. Unit: byte."
+        doc: "Bytes received over the port. Unit: byte."
+      - id: comm_port_write_overruns
+        type: u4
+        doc: "Overruns while writing to the port. Unit: 1."
+      - id: comm_port_read_overruns
+        type: u4
+        doc: "Overruns while reading from the port. Unit: 1."
+  mip_3dm_device_status_diagnostic_gx4_imu_response:
+    -orig-id: 3dm.device_status_diagnostic_gx4_imu_response
+    doc: Diagnostic Device Status of the inertial sensor of the 3DM-GX4-45. Timer, available sensors and their ranges, temperature, and the counters of pulses, stream and port.
+    seq:
+      - id: model_number
+        type: u2
+        doc: Model number of the inertial sensor.
+      - id: status_selector
+        type: u1
+        valid: 2
+        doc: Diagnostic status.
+      - id: status_flags
+        type: u4
+        doc: Reserved.
+      - id: system_timer
+        type: u4
+        doc: "Time since start-up. Unit: ms."
+      - id: has_mag
+        type: u1
+        doc: Whether it has a magnetometer.
+      - id: has_pressure
+        type: u1
+        doc: Whether it has a pressure sensor.
+      - id: gyro_range
+        type: u2
+        doc: Largest angular rate that can be measured.
+      - id: accel_range
+        type: u1
+        doc: Largest acceleration that can be measured.
+      - id: mag_range
+        type: f4
+        doc: Largest magnetic field that can be measured.
+      - id: pressure_range
+        type: f4
+        doc: Largest pressure that can be measured.
+      - id: temperature
+        type: f4
+        doc: "Temperature of the board. Unit: degC."
+      - id: temperature_last_time
+        type: u4
+        doc: "System timer at the last temperature. Unit: ms."
+      - id: temperature_error
+        type: u1
+        doc: State of the temperature measurement; 0 is normal.
+      - id: pps_count
+        type: u4
+        doc: "Pulses per second that were counted. Unit: 1."
+      - id: pps_last_time
+        type: u4
+        doc: "System timer at the last pulse. Unit: ms."
+      - id: imu_stream_enabled
+        type: u1
+        doc: Whether sensor data is streamed.
+      - id: imu_dropped_packets
+        type: u4
+        doc: "Sensor data packets that were not sent. Unit: 1."
+      - id: comm_port_bytes_written
+        type: u4
+        doc: "Bytes sent over the port. Unit: byte."
+      - id: comm_port_bytes_read
+        type: u4
+        doc: "Bytes received over the port. Unit: byte."
+      - id: comm_port_write_overruns
+        type: u4
+        doc: "Overruns while writing to the port. Unit: 1."
+      - id: comm_port_read_overruns
+        type: u4
+        doc: "Overruns while reading from the port. Unit: 1."
+  mip_3dm_device_status_diagnostic_rq1_imu_response:
+    -orig-id: 3dm.device_status_diagnostic_rq1_imu_response
+    doc: Diagnostic Device Status of the inertial sensor of the 3DM-RQ1-45. Timer, temperature and supply, and the counters of pulses, stream and port.
+    seq:
+      - id: model_number
+        type: u2
+        doc: Model number of the inertial sensor.
+      - id: status_selector
+        type: u1
+        valid: 2
+        doc: Diagnostic status.
+      - id: status_flags
+        type: u4
+        doc: Reserved.
+      - id: system_timer
+        type: u8
+        doc: "Time since start-up. Unit: us."
+      - id: temperature
+        type: f4
+        doc: "Temperature of the board. Unit: degC."
+      - id: temperature_last_time
+        type: u4
+        doc: "System timer at the last temperature. Unit: ms."
+      - id: bad_temperature_sensor_detected
+        type: u1
+        doc: Whether a temperature sensor is faulty.
+      - id: cold_temperature_detected
+        type: u1
+        doc: Whether the temperature is too low.
+      - id: bad_voltage_detected
+        type: u1
+        doc: Whether a supply voltage is out of range.
+      - id: pps_count
+        type: u4
+        doc: "Pulses per second that were counted. Unit: 1."
+      - id: pps_last_time
+        type: u4
+        doc: "System timer at the last pulse. Unit: ms."
+      - id: imu_stream_enabled
+        type: u1
+        doc: Whether sensor data is streamed.
+      - id: imu_dropped_packets
+        type: u4
+        doc: "Sensor data packets that were not sent. Unit: 1."
+      - id: comm_port_state
+        type: u2
+        doc: State of the port; its values are not known.
+      - id: comm_port_baud_rate
+        type: u4
+        doc: "Present baud rate of the port. Unit: Bd."
+      - id: comm_port_bytes_written
+        type: u4
+        doc: "Bytes sent over the port. Unit: byte."
+      - id: comm_port_bytes_read
+        type: u4
+        doc: "Bytes received over the port. Unit: byte."
       - id: comm_port_write_overruns
         type: u4
         doc: "Overruns while writing to the port. Unit: 1."
@@ -4850,10 +5019,10 @@ types:
         doc: Port in use.
       - id: settings_flags
         type: u4
-        doc: Flags of the settings.
+        doc: Settings of the data streams; their bits are not known.
       - id: comm_state
         type: u2
-        doc: State of the port.
+        doc: State of the port; its values are not known.
       - id: comm_baud_rate
         type: u4
         doc: "Baud rate of the port. Unit: Bd."
@@ -4876,19 +5045,19 @@ types:
         doc: Port in use.
       - id: settings_flags
         type: u4
-        doc: Flags of the settings.
+        doc: Settings of the data streams; their bits are not known.
       - id: comm_state
         type: u2
-        doc: State of the port.
+        doc: State of the port; its values are not known.
       - id: comm_baud_rate
         type: u4
         doc: "Baud rate of the port. Unit: Bd."
       - id: comm_port_bytes_written
         type: u4
-        doc: "Bytes written to the port. Unit: byte."
+        doc: "Bytes sent over the port. Unit: byte."
       - id: comm_port_bytes_read
         type: u4
-        doc: "Bytes read from the port. Unit: byte."
+        doc: "Bytes received over the port. Unit: byte."
       - id: comm_port_write_overruns
         type: u4
         doc: "Overruns while writing to the port. Unit: 1."
@@ -4897,13 +5066,13 @@ types:
         doc: "Overruns while reading from the port. Unit: 1."
       - id: usb_state
         type: u2
-        doc: State of USB.
+        doc: State of the USB port; its values are not known.
       - id: usb_bytes_written
         type: u4
-        doc: "Bytes written to USB. Unit: byte."
+        doc: "Bytes sent over USB. Unit: byte."
       - id: usb_bytes_read
         type: u4
-        doc: "Bytes read from USB. Unit: byte."
+        doc: "Bytes received over USB. Unit: byte."
       - id: usb_write_overruns
         type: u4
         doc: "Overruns while writing to USB. Unit: 1."
@@ -4912,16 +5081,16 @@ types:
         doc: "Overruns while reading from USB. Unit: 1."
       - id: gnss_driver_state
         type: u2
-        doc: State of the driver of the receiver.
+        doc: "State of the receiver's driver; its values are not known."
       - id: gnss_port_state
         type: u2
-        doc: State of the port of the receiver.
+        doc: State of the port to the receiver; its values are not known.
       - id: gnss_bytes_written
         type: u4
-        doc: "Bytes written to the receiver. Unit: byte."
+        doc: "Bytes sent to the receiver. Unit: byte."
       - id: gnss_bytes_read
         type: u4
-        doc: "Bytes read from the receiver. Unit: byte."
+        doc: "Bytes received from the receiver. Unit: byte."
       - id: gnss_write_overruns
         type: u4
         doc: "Overruns while writing to the receiver. Unit: 1."
@@ -4930,22 +5099,22 @@ types:
         doc: "Overruns while reading from the receiver. Unit: 1."
       - id: gnss_message_count
         type: u4
-        doc: "Messages of the receiver. Unit: 1."
+        doc: "Messages of the receiver that were read. Unit: 1."
       - id: gnss_delayed_message_count
         type: u4
         doc: "Messages of the receiver that came late. Unit: 1."
       - id: imu_driver_state
         type: u2
-        doc: State of the driver of the IMU.
+        doc: "State of the IMU's driver; its values are not known."
       - id: imu_port_state
         type: u2
-        doc: State of the port of the IMU.
+        doc: State of the port to the IMU; its values are not known.
       - id: imu_bytes_written
         type: u4
-        doc: "Bytes written to the IMU. Unit: byte."
+        doc: "Bytes sent to the IMU. Unit: byte."
       - id: imu_bytes_read
         type: u4
-        doc: "Bytes read from the IMU. Unit: byte."
+        doc: "Bytes received from the IMU. Unit: byte."
       - id: imu_write_overruns
         type: u4
         doc: "Overruns while writing to the IMU. Unit: 1."
@@ -4954,7 +5123,7 @@ types:
         doc: "Overruns while reading from the IMU. Unit: 1."
       - id: imu_message_count
         type: u4
-        doc: "Messages of the IMU. Unit: 1."
+        doc: "Messages of the IMU that were read. Unit: 1."
       - id: imu_delayed_message_count
         type: u4
         doc: "Messages of the IMU that came late. Unit: 1."
@@ -4999,21 +5168,21 @@ types:
     seq:
       - id: bias
         type: vector3f
-        doc: "Accelerometer bias. Unit: g. Frame: sensor."
+        doc: "Bias that the device subtracts from the measured acceleration. Unit: g. Frame: sensor."
   mip_3dm_gyro_bias_response:
     -orig-id: 3dm.gyro_bias_response
     doc: Gyroscope Bias Configuration response. The bias in use.
     seq:
       - id: bias
         type: vector3f
-        doc: "Gyroscope bias. Unit: rad/s. Frame: sensor."
+        doc: "Bias that the device subtracts from the measured angular rate. Unit: rad/s. Frame: sensor."
   mip_3dm_mag_hard_iron_offset_response:
     -orig-id: 3dm.mag_hard_iron_offset_response
     doc: "Magnetometer Hard Iron Offset response. "
     seq:
       - id: offset
         type: vector3f
-        doc: "Hard iron offset. Unit: gauss. Frame: sensor."
+        doc: "Offset that the device subtracts from the measured magnetic field. Unit: gauss. Frame: sensor."
   mip_3dm_mag_soft_iron_matrix_response:
     -orig-id: 3dm.mag_soft_iron_matrix_response
     doc: "Magnetometer Soft Iron Matrix response. "
@@ -5075,7 +5244,7 @@ types:
       - id: option
         type: u1
         enum: mip_3dm_assisted_fix_option
-        doc: "Assisted fix. Default: `none_value`."
+        doc: "Whether the receiver keeps data for a faster first fix. Default: `none_value`."
       - id: flags
         type: u1
         doc: Reserved.
@@ -5091,7 +5260,7 @@ types:
         doc: "GPS week number since 1980. Unit: week."
       - id: accuracy
         type: f4
-        doc: "Accuracy of the time. Unit: s. Range: at least 0."
+        doc: "Estimated accuracy of the time that is sent. Unit: s. Range: at least 0."
   mip_3dm_pps_source_control_response:
     -orig-id: 3dm.pps_source_control_response
     doc: "PPS Source Control response. "
@@ -5154,7 +5323,7 @@ types:
     seq:
       - id: instance
         type: u1
-        doc: Trigger instance.
+        doc: Number of the trigger.
       - id: mode
         type: u1
         enum: event_trigger_mode
@@ -5193,7 +5362,7 @@ types:
     seq:
       - id: instance
         type: u1
-        doc: Trigger instance.
+        doc: Number of the trigger.
       - id: type
         type: u1
         enum: event_trigger_type
@@ -5220,7 +5389,7 @@ types:
     seq:
       - id: instance
         type: u1
-        doc: Action instance.
+        doc: Number of the action.
       - id: trigger
         type: u1
         doc: Trigger instance that the action follows.
@@ -5320,7 +5489,7 @@ types:
         doc: Descriptor set of the field.
       - id: field_descriptor
         type: u1
-        doc: Field descriptor.
+        doc: Descriptor of the field that is filtered.
       - id: enable
         type: u1
         doc: Whether the field is filtered.
@@ -6544,7 +6713,7 @@ types:
       - id: aiding_source
         type: u2
         enum: filter_aiding_source
-        doc: The source.
+        doc: Aiding source that the setting is for.
       - id: enable
         type: u1
         doc: Whether the filter uses the source.
@@ -6640,7 +6809,7 @@ types:
       - id: reference_point
         type: u1
         enum: filter_reference_point
-        doc: The point.
+        doc: Point whose lever arm follows.
       - id: lever_arm_offset
         type: vector3f
         doc: "From the sensor to the point. Unit: m. Frame: vehicle. Range: magnitude at most 10."
@@ -6930,10 +7099,10 @@ types:
         type: u1
         enum: rtk_connected_device
         if: function_value == function_selector::write or _io.size >= 2
-        doc: Type of the device.
+        doc: Device that the modem is connected to.
   rtk_get_activation_code:
     -orig-id: rtk.get_activation_code
-    doc: Get activation code. Gets the activation code.
+    doc: Get activation code. Reads the code with which the modem is activated for its service.
   rtk_get_modem_firmware_version:
     -orig-id: rtk.get_modem_firmware_version
     doc: Get modem firmware version. Gets the firmware version of the cellular modem.
@@ -7022,7 +7191,7 @@ types:
         doc: "Received signal strength. Valid if `valid` is true."
       - id: signal_quality
         type: s4
-        doc: "Signal quality. Valid if `valid` is true."
+        doc: "Quality of the modem's radio signal. Valid if `valid` is true."
   rtk_connected_device_type_response:
     -orig-id: rtk.connected_device_type_response
     doc: "Connected device type response. "
@@ -7030,7 +7199,7 @@ types:
       - id: device_type
         type: u1
         enum: rtk_connected_device
-        doc: Type of the device.
+        doc: Device that the modem is connected to.
   rtk_get_activation_code_response:
     -orig-id: rtk.get_activation_code_response
     doc: "Get activation code response. "
@@ -7038,7 +7207,7 @@ types:
       - id: activation_code
         type: str
         size: 32
-        doc: Activation code.
+        doc: Code with which the modem is activated for its service.
   rtk_get_modem_firmware_version_response:
     -orig-id: rtk.get_modem_firmware_version_response
     doc: "Get modem firmware version response. "
@@ -7056,13 +7225,55 @@ types:
         doc: State of the service.
       - id: received_bytes
         type: u4
-        doc: "Bytes received. Unit: byte."
+        doc: "Bytes of corrections that the service has sent. Unit: byte."
       - id: last_bytes
         type: u4
         doc: "Bytes of the last transfer. Unit: byte."
       - id: last_bytes_time
         type: u8
         doc: Time of the last transfer.
+  displacement_get_calibration:
+    -orig-id: displacement.get_calibration
+    doc: Get Analog to Displacement Calibration. Reads the line by which the device converts the counts of its converter to a displacement.
+  displacement_output_rate:
+    -orig-id: displacement.output_rate
+    doc: Displacement Output Data Rate. Reads the rate at which displacement is measured.
+    seq:
+      - id: function_value
+        -orig-id: function
+        type: u1
+        enum: function_selector
+        doc: What to do with the setting.
+  displacement_device_time:
+    -orig-id: displacement.device_time
+    doc: "Displacement Device Time. Sets the clock of the device, from which `displacement_data_timestamp` is taken."
+    seq:
+      - id: function_value
+        -orig-id: function
+        type: u1
+        enum: function_selector
+        doc: What to do with the setting.
+      - id: time
+        type: u8
+        if: function_value == function_selector::write or _io.size >= 9
+        doc: "UTC since 1970-01-01, without leap seconds. Unit: ns."
+  displacement_get_calibration_response:
+    -orig-id: displacement.get_calibration_response
+    doc: "Get Analog to Displacement Calibration response. "
+    seq:
+      - id: slope
+        type: f4
+        doc: Displacement for each count of the converter.
+      - id: offset
+        type: f4
+        doc: Displacement at zero counts.
+  displacement_output_rate_response:
+    -orig-id: displacement.output_rate_response
+    doc: "Displacement Output Data Rate response. "
+    seq:
+      - id: rate
+        type: u4
+        doc: "Rate of displacement data. Unit: Hz."
   aiding_frame_config:
     -orig-id: aiding.frame_config
     doc: Frame configuration. Where and how an external sensor is mounted on the vehicle.
@@ -7807,11 +8018,11 @@ types:
       - id: receiver_state
         type: u1
         enum: gnss_data_receiver_state
-        doc: "State of the receiver. Valid if `valid_flags.sensor_state` is set."
+        doc: "Whether the receiver is powered and works. Valid if `valid_flags.sensor_state` is set."
       - id: antenna_state
         type: u1
         enum: gnss_data_antenna_state
-        doc: "State of the antenna. Valid if `valid_flags.antenna_state` is set."
+        doc: "Electrical condition of the antenna. Valid if `valid_flags.antenna_state` is set."
       - id: antenna_power
         type: u1
         enum: gnss_data_antenna_power
@@ -7850,10 +8061,10 @@ types:
         doc: "Age of the correction. Unit: s. Range: at least 0. Valid if `valid_flags.age` is set."
       - id: range_correction
         type: f4
-        doc: "Correction of the range. Unit: m."
+        doc: "Differential correction of the pseudorange. Unit: m."
       - id: range_rate_correction
         type: f4
-        doc: "Correction of the range rate. Unit: m/s."
+        doc: "How fast the correction changes. Unit: m/s."
       - id: valid_flags
         type: gnss_data_dgps_info_flags
         doc: Which parts of the state of the corrections are valid.
@@ -7869,10 +8080,10 @@ types:
         doc: "Age of the correction. Unit: s. Range: at least 0. Valid if `valid_flags.age` is set."
       - id: range_correction
         type: f4
-        doc: "Correction of the range. Unit: m. Valid if `valid_flags.range_correction` is set."
+        doc: "Differential correction of the pseudorange. Unit: m. Valid if `valid_flags.range_correction` is set."
       - id: range_rate_correction
         type: f4
-        doc: "Correction of the range rate. Unit: m/s. Valid if `valid_flags.range_rate_correction` is set."
+        doc: "How fast the correction changes. Unit: m/s. Valid if `valid_flags.range_rate_correction` is set."
       - id: valid_flags
         type: gnss_data_dgps_channel_flags
         doc: Which parts of a differential correction are valid.
@@ -7959,7 +8170,7 @@ types:
         doc: "Indicator of the range error that remains after fast and long-term corrections, not counting the atmosphere; 14 is not monitored, 15 not usable. Range: 0 to 15. Valid if `valid_flags.udrei` is set."
       - id: pseudorange_correction
         type: f4
-        doc: "Correction of the pseudorange. Unit: m. Valid if `valid_flags.pseudorange_correction` is set."
+        doc: "Correction of the pseudorange by the augmentation system. Unit: m. Valid if `valid_flags.pseudorange_correction` is set."
       - id: iono_correction
         type: f4
         doc: "Correction of the ionospheric delay. Unit: m. Valid if `valid_flags.iono_correction` is set."
@@ -7977,11 +8188,11 @@ types:
       - id: jamming_state
         type: u1
         enum: gnss_data_jamming_state
-        doc: "Jamming. Valid if `valid_flags.jamming_state` is set."
+        doc: "Whether signals are jammed in this band. Valid if `valid_flags.jamming_state` is set."
       - id: spoofing_state
         type: u1
         enum: gnss_data_spoofing_state
-        doc: "Spoofing. Valid if `valid_flags.spoofing_state` is set."
+        doc: "Whether false signals are detected in this band. Valid if `valid_flags.spoofing_state` is set."
       - id: frequency
         type: u2
         doc: "Centre frequency of the band. Unit: MHz. Valid if `valid_flags.frequency` is set."
@@ -8832,7 +9043,7 @@ types:
     seq:
       - id: filter_state
         type: u2
-        doc: State of the filter.
+        doc: How far the filter has come, from start-up to its full solution.
       - id: dynamics_mode
         type: u2
         doc: Motion for which the filter is configured.
@@ -9028,7 +9239,7 @@ types:
     seq:
       - id: hard_iron
         type: vector3f
-        doc: "Hard iron offset. Unit: gauss. Frame: sensor. Valid if `valid_flags.valid` is set."
+        doc: "Estimated constant field of magnetized parts near the magnetometer. Unit: gauss. Frame: sensor. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
         doc: Whether the values of a field may be used.
@@ -9078,7 +9289,7 @@ types:
     seq:
       - id: residual
         type: vector3f
-        doc: "Residual. Unit: gauss. Frame: vehicle. Valid if `valid_flags.valid` is set."
+        doc: "Difference between the measured magnetic field and the one that the filter expects. Unit: gauss. Frame: vehicle. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
         doc: Whether the values of a field may be used.
@@ -9088,7 +9299,7 @@ types:
     seq:
       - id: offset
         type: vector3f
-        doc: "Correction of the offset. Unit: m. Frame: vehicle. Valid if `valid_flags.valid` is set."
+        doc: "Estimated correction of the antenna offset that was set. Unit: m. Frame: vehicle. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
         doc: Whether the values of a field may be used.
@@ -9143,7 +9354,7 @@ types:
         doc: Receiver that the antenna belongs to.
       - id: offset
         type: vector3f
-        doc: "Correction of the offset. Unit: m. Frame: vehicle. Valid if `valid_flags.valid` is set."
+        doc: "Estimated correction of the antenna offset that was set. Unit: m. Frame: vehicle. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
         doc: Whether the values of a field may be used.
@@ -9351,14 +9562,24 @@ types:
     seq:
       - id: counts
         type: u4
-        doc: "Displacement in counts. Unit: 1."
+        doc: "Output of the analog-to-digital converter. Unit: 1."
   displacement_data_displacement:
     -orig-id: displacement_data.displacement
-    doc: Displacement. Calibrated displacement of the sensor.
+    doc: Displacement. Displacement of the sensor, computed with its calibration.
     seq:
       - id: displacement
         type: f4
-        doc: "Displacement. Unit: mm."
+        doc: "Position of the sensor along its axis. Unit: mm."
+  displacement_data_timestamp:
+    -orig-id: displacement_data.timestamp
+    doc: Displacement Device Timestamp. Time of the measurement by the clock of the device.
+    seq:
+      - id: flags
+        type: displacement_data_timestamp_flags
+        doc: Whether the time of displacement data is valid.
+      - id: time
+        type: u8
+        doc: "UTC since 1970-01-01, without leap seconds, if the clock was set so. Unit: ns. Valid if `flags.time` is set."
   system_data_built_in_test:
     -orig-id: system_data.built_in_test
     doc: Built-in test. Flags of the tests that run all the time.
@@ -9408,14 +9629,14 @@ types:
     seq:
       - id: ticks
         type: u4
-        doc: "Ticks. Unit: 1."
+        doc: "Base periods since the device started, modulo 2^32. Unit: 1."
   shared_delta_ticks:
     -orig-id: shared.delta_ticks
     doc: Delta ticks. Base periods that have passed from the previous field of this kind to this one.
     seq:
       - id: ticks
         type: u4
-        doc: "Ticks. Unit: 1."
+        doc: "Base periods since the previous field of this kind. Unit: 1."
   shared_gps_timestamp:
     -orig-id: shared.gps_timestamp
     doc: GPS timestamp. External time of the data as GPS time of week and week number.
@@ -9918,10 +10139,10 @@ enums:
       -role: response
       doc: Message Format response
     0x0c90:
-      id: mip_3dm_device_status_basic_response
-      -orig-id: 3dm.device_status_basic_response
+      id: mip_3dm_device_status_basic_rq1_imu_response
+      -orig-id: 3dm.device_status_basic_rq1_imu_response
       -role: response
-      doc: Basic Device Status
+      doc: Basic Device Status of the inertial sensor of the 3DM-RQ1-45
     0x0c92:
       id: mip_3dm_gps_dynamics_mode_response
       -orig-id: 3dm.gps_dynamics_mode_response
@@ -10712,6 +10933,31 @@ enums:
       -orig-id: rtk.service_status_response
       -role: response
       doc: Service status response
+    0x1101:
+      id: displacement_get_calibration
+      -orig-id: displacement.get_calibration
+      -role: command
+      doc: Get Analog to Displacement Calibration
+    0x1102:
+      id: displacement_output_rate
+      -orig-id: displacement.output_rate
+      -role: command
+      doc: Displacement Output Data Rate
+    0x1104:
+      id: displacement_device_time
+      -orig-id: displacement.device_time
+      -role: command
+      doc: Displacement Device Time
+    0x1181:
+      id: displacement_get_calibration_response
+      -orig-id: displacement.get_calibration_response
+      -role: response
+      doc: Get Analog to Displacement Calibration response
+    0x1182:
+      id: displacement_output_rate_response
+      -orig-id: displacement.output_rate_response
+      -role: response
+      doc: Displacement Output Data Rate response
     0x1301:
       id: aiding_frame_config
       -orig-id: aiding.frame_config
@@ -11357,6 +11603,11 @@ enums:
       -orig-id: displacement_data.displacement
       -role: data
       doc: Displacement
+    0x9004:
+      id: displacement_data_timestamp
+      -orig-id: displacement_data.timestamp
+      -role: data
+      doc: Displacement Device Timestamp
     0x9103:
       id: gnss_1_llh_position
       -orig-id: gnss_1.llh_position
@@ -12273,18 +12524,10 @@ enums:
     0:
       id: unknown
       doc: Not known.
-    1:
-      id: gps
-      doc: GPS.
-    2:
-      id: glonass
-      doc: GLONASS.
-    3:
-      id: galileo
-      doc: Galileo.
-    4:
-      id: beidou
-      doc: BeiDou.
+    1: gps
+    2: glonass
+    3: galileo
+    4: beidou
     5:
       id: sbas
       doc: Satellite based augmentation.
@@ -12297,7 +12540,7 @@ enums:
       doc: Fix in two dimensions.
     2:
       id: fix_time_only
-      doc: Time only.
+      doc: The receiver computes the time, but no position.
     3:
       id: fix_none
       doc: No fix.
@@ -12312,7 +12555,7 @@ enums:
       doc: RTK fix with integer ambiguities.
     7:
       id: fix_differential
-      doc: Differential fix.
+      doc: The position uses differential corrections.
   gnss_signal:
     0:
       id: unknown
@@ -12509,9 +12752,7 @@ enums:
     168:
       id: beidou_b2iq
       doc: BeiDou B2 I+Q.
-    169:
-      id: beidou_b2a
-      doc: BeiDou B2a.
+    169: beidou_b2a
   gpio_feature:
     0:
       id: unused
@@ -12674,9 +12915,7 @@ enums:
       id: unknown_descriptor_set
       doc: The device does not know the descriptor set.
   base_gps_time_field:
-    1:
-      id: week_number
-      doc: Week number.
+    1: week_number
     2:
       id: tow
       doc: Time of week in whole seconds.
@@ -12736,10 +12975,10 @@ enums:
   mip_3dm_event_support_query:
     1:
       id: trigger_types
-      doc: Triggers.
+      doc: Which types of triggers there are.
     2:
       id: action_types
-      doc: Actions.
+      doc: Which types of actions there are.
   mip_3dm_receiver_dynamics:
     0:
       id: portable
@@ -12797,18 +13036,10 @@ enums:
     0:
       id: all
       doc: All sensors; for save, load and default only.
-    1:
-      id: accel
-      doc: Accelerometer.
-    2:
-      id: gyro
-      doc: Gyroscope.
-    3:
-      id: mag
-      doc: Magnetometer.
-    4:
-      id: pressure
-      doc: Pressure sensor.
+    1: accel
+    2: gyro
+    3: mag
+    4: pressure
   mip_3dm_internal_sensor:
     1:
       id: imu
@@ -12906,7 +13137,7 @@ enums:
       doc: No heading updates.
     1:
       id: mag
-      doc: The magnetometer.
+      doc: "The device's own magnetometer."
     2:
       id: gnss_velocity
       doc: The velocity that the GNSS receiver measures.
@@ -12915,7 +13146,7 @@ enums:
       doc: The heading messages that the user sends.
     4:
       id: gnss_velocity_and_mag
-      doc: GNSS velocity and magnetometer.
+      doc: The course over ground and the magnetometer.
     5:
       id: gnss_velocity_and_external
       doc: GNSS velocity and the messages of the user.
@@ -12967,7 +13198,7 @@ enums:
   filter_aiding_source:
     0:
       id: gnss_position_velocity
-      doc: GNSS position and velocity.
+      doc: Position and velocity of the GNSS receivers.
     1:
       id: gnss_heading
       doc: GNSS heading of two antennas.
@@ -13002,7 +13233,7 @@ enums:
       doc: Nothing.
     1:
       id: zero_accel
-      doc: It is zero.
+      doc: The filter assumes no acceleration.
   filter_velocity_constraint:
     0:
       id: none_value
@@ -13010,10 +13241,10 @@ enums:
       doc: Nothing.
     1:
       id: zero_velocity
-      doc: It is zero.
+      doc: The filter assumes that the device does not move.
     2:
       id: wheeled_vehicle
-      doc: It is that of a wheeled vehicle.
+      doc: The filter assumes the motion of a wheeled vehicle.
   filter_angular_constraint:
     0:
       id: none_value
@@ -13021,7 +13252,7 @@ enums:
       doc: Nothing.
     1:
       id: zero_angular_rate
-      doc: It is zero.
+      doc: The filter assumes no rotation.
   filter_initial_condition_source:
     0:
       id: auto_position_velocity_attitude
@@ -13183,12 +13414,8 @@ enums:
       id: gnss_direct
       doc: The internal GNSS receiver, NMEA and UBX; only on models that have one.
   gnss_data_receiver_state:
-    0:
-      id: "off"
-      doc: Off.
-    1:
-      id: "on"
-      doc: On.
+    0: "off"
+    1: "on"
     2:
       id: unknown
       doc: Not known.
@@ -13203,19 +13430,13 @@ enums:
     3:
       id: open
       doc: Open circuit, no antenna.
-    4:
-      id: good
-      doc: Good.
+    4: good
     5:
       id: unknown
       doc: Not known.
   gnss_data_antenna_power:
-    0:
-      id: "off"
-      doc: Off.
-    1:
-      id: "on"
-      doc: On.
+    0: "off"
+    1: "on"
     2:
       id: unknown
       doc: Not known.
@@ -13239,15 +13460,9 @@ enums:
     0:
       id: unknown
       doc: Not known.
-    1:
-      id: l1
-      doc: L1.
-    2:
-      id: l2
-      doc: L2.
-    5:
-      id: l5
-      doc: L5.
+    1: l1
+    2: l2
+    5: l5
   gnss_data_jamming_state:
     0:
       id: unknown
@@ -13305,16 +13520,10 @@ enums:
     4:
       id: time_locked
       doc: Locked in time.
-    5:
-      id: fully_locked
-      doc: Fully locked.
+    5: fully_locked
   gnss_data_glonass_satellite_type:
-    0:
-      id: glonass
-      doc: GLONASS.
-    1:
-      id: glonass_m
-      doc: GLONASS-M.
+    0: glonass
+    1: glonass_m
   filter_data_heading_aiding_type:
     1:
       id: dual_antenna
@@ -13329,15 +13538,11 @@ enums:
     2:
       id: dual_antenna
       doc: GNSS heading of two antennas.
-    3:
-      id: heading
-      doc: Heading.
+    3: heading
     4:
       id: pressure
       doc: Pressure altitude.
-    5:
-      id: mag
-      doc: Magnetometer.
+    5: mag
     6:
       id: speed
       doc: Speed or odometer.

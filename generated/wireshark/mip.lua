@@ -60,17 +60,17 @@ F["cv7_continuous_built_in_test"] = {
   { name = "imu_calibration_error_gyro", at = 4, size = 1, mask = 32, shift = 5, width = 1, doc = "Fault of the gyroscope calibration." },
   { name = "imu_calibration_error_mag", at = 4, size = 1, mask = 64, shift = 6, width = 1, doc = "Fault of the magnetometer calibration." },
   { name = "accel_general_fault", at = 5, size = 1, mask = 1, shift = 0, width = 1, doc = "The accelerometer failed to initialize." },
-  { name = "accel_over_range", at = 5, size = 1, mask = 2, shift = 1, width = 1, doc = "An axis is near or outside the selected range." },
-  { name = "accel_self_test_fail", at = 5, size = 1, mask = 4, shift = 2, width = 1, doc = "The self test failed; updated by the commanded test." },
+  { name = "accel_over_range", at = 5, size = 1, mask = 2, shift = 1, width = 1, doc = "The acceleration along an axis is near or outside the selected range." },
+  { name = "accel_self_test_fail", at = 5, size = 1, mask = 4, shift = 2, width = 1, doc = "The accelerometer self-test failed; the commanded built-in test updates this bit." },
   { name = "gyro_general_fault", at = 5, size = 1, mask = 16, shift = 4, width = 1, doc = "The gyroscope failed to initialize." },
-  { name = "gyro_over_range", at = 5, size = 1, mask = 32, shift = 5, width = 1, doc = "An axis is near or outside the selected range." },
-  { name = "gyro_self_test_fail", at = 5, size = 1, mask = 64, shift = 6, width = 1, doc = "The self test failed; updated by the commanded test." },
+  { name = "gyro_over_range", at = 5, size = 1, mask = 32, shift = 5, width = 1, doc = "The angular rate about an axis is near or outside the selected range." },
+  { name = "gyro_self_test_fail", at = 5, size = 1, mask = 64, shift = 6, width = 1, doc = "The gyroscope self-test failed; the commanded built-in test updates this bit." },
   { name = "mag_general_fault", at = 6, size = 1, mask = 1, shift = 0, width = 1, doc = "The magnetometer failed to initialize." },
-  { name = "mag_over_range", at = 6, size = 1, mask = 2, shift = 1, width = 1, doc = "An axis is near or outside the supported range." },
-  { name = "mag_self_test_fail", at = 6, size = 1, mask = 4, shift = 2, width = 1, doc = "The self test failed; updated by the commanded test." },
+  { name = "mag_over_range", at = 6, size = 1, mask = 2, shift = 1, width = 1, doc = "The magnetic field along an axis is near or outside the supported range." },
+  { name = "mag_self_test_fail", at = 6, size = 1, mask = 4, shift = 2, width = 1, doc = "The magnetometer self-test failed; the commanded built-in test updates this bit." },
   { name = "pressure_sensor_general_fault", at = 6, size = 1, mask = 16, shift = 4, width = 1, doc = "The pressure sensor failed to initialize." },
   { name = "pressure_sensor_over_range", at = 6, size = 1, mask = 32, shift = 5, width = 1, doc = "The pressure is outside the supported range." },
-  { name = "pressure_sensor_self_test_fail", at = 6, size = 1, mask = 64, shift = 6, width = 1, doc = "The self test failed; updated by the commanded test." },
+  { name = "pressure_sensor_self_test_fail", at = 6, size = 1, mask = 64, shift = 6, width = 1, doc = "The pressure sensor self-test failed; the commanded built-in test updates this bit." },
   { name = "factory_bits_invalid", at = 7, size = 1, mask = 1, shift = 0, width = 1, doc = "The device has lost its factory configuration." },
   { name = "filter_timing_overrun", at = 8, size = 1, mask = 4, shift = 2, width = 1, doc = "Filter processes take longer than their time slot." },
   { name = "filter_timing_underrun", at = 8, size = 1, mask = 8, shift = 3, width = 1, doc = "Filter processes are skipped." },
@@ -80,12 +80,12 @@ F["cv7_continuous_built_in_test"] = {
   { name = "receiver_2_no_solution", at = 14, size = 1, mask = 2, shift = 1, width = 1, doc = "Internal receiver 2 has no valid solution; usually for lack of a sky view." },
 }
 F["cv7_inertial_continuous_built_in_test"] = {
-  { name = "system_clock_failure", at = 0, size = 1, mask = 1, shift = 0, width = 1, doc = "The system clock failed." },
-  { name = "power_fault", at = 0, size = 1, mask = 2, shift = 1, width = 1, doc = "Power supply fault." },
-  { name = "firmware_fault", at = 0, size = 1, mask = 16, shift = 4, width = 1, doc = "Firmware fault." },
+  { name = "system_clock_failure", at = 0, size = 1, mask = 1, shift = 0, width = 1, doc = "The system clock does not work properly." },
+  { name = "power_fault", at = 0, size = 1, mask = 2, shift = 1, width = 1, doc = "The supply voltage is out of range, or an internal supply has failed." },
+  { name = "firmware_fault", at = 0, size = 1, mask = 16, shift = 4, width = 1, doc = "The firmware encountered an unexpected condition." },
   { name = "timing_overload", at = 0, size = 1, mask = 32, shift = 5, width = 1, doc = "The processor cannot keep up." },
-  { name = "buffer_overrun", at = 0, size = 1, mask = 64, shift = 6, width = 1, doc = "A data buffer overflowed; data may be lost." },
-  { name = "imu_process_fault", at = 2, size = 1, mask = 1, shift = 0, width = 1, doc = "The inertial sensor process failed." },
+  { name = "buffer_overrun", at = 0, size = 1, mask = 64, shift = 6, width = 1, doc = "A data buffer was full and data may be lost." },
+  { name = "imu_process_fault", at = 2, size = 1, mask = 1, shift = 0, width = 1, doc = "The inertial sensor subsystem is not running or did not start." },
   { name = "imu_data_rate_mismatch", at = 2, size = 1, mask = 2, shift = 1, width = 1, doc = "Sensor data is not produced at its base rate." },
   { name = "imu_overrun_dropped_data", at = 2, size = 1, mask = 4, shift = 2, width = 1, doc = "Sensor data was dropped." },
   { name = "imu_stuck", at = 2, size = 1, mask = 8, shift = 3, width = 1, doc = "The inertial sensor process is stuck." },
@@ -95,58 +95,58 @@ F["cv7_inertial_continuous_built_in_test"] = {
   { name = "filter_stuck", at = 2, size = 1, mask = 128, shift = 7, width = 1, doc = "The filter process is stuck." },
   { name = "imu_clock_fault", at = 4, size = 1, mask = 1, shift = 0, width = 1, doc = "The inertial sensor clock failed." },
   { name = "imu_comm_fault", at = 4, size = 1, mask = 2, shift = 1, width = 1, doc = "No communication with the inertial sensors." },
-  { name = "imu_timing_overrun", at = 4, size = 1, mask = 4, shift = 2, width = 1, doc = "An inertial sensor cycle exceeded its time slot." },
-  { name = "imu_calibration_error_accel", at = 4, size = 1, mask = 16, shift = 4, width = 1, doc = "Accelerometer calibration error." },
-  { name = "imu_calibration_error_gyro", at = 4, size = 1, mask = 32, shift = 5, width = 1, doc = "Gyroscope calibration error." },
-  { name = "imu_calibration_error_mag", at = 4, size = 1, mask = 64, shift = 6, width = 1, doc = "Magnetometer calibration error." },
-  { name = "accel_general_fault", at = 5, size = 1, mask = 1, shift = 0, width = 1, doc = "Accelerometer fault." },
-  { name = "accel_over_range", at = 5, size = 1, mask = 2, shift = 1, width = 1, doc = "The accelerometer measures near or beyond its range." },
-  { name = "accel_self_test_fail", at = 5, size = 1, mask = 4, shift = 2, width = 1, doc = "The accelerometer self-test failed." },
-  { name = "gyro_general_fault", at = 5, size = 1, mask = 16, shift = 4, width = 1, doc = "Gyroscope fault." },
-  { name = "gyro_over_range", at = 5, size = 1, mask = 32, shift = 5, width = 1, doc = "The gyroscope measures near or beyond its range." },
-  { name = "gyro_self_test_fail", at = 5, size = 1, mask = 64, shift = 6, width = 1, doc = "The gyroscope self-test failed." },
-  { name = "mag_general_fault", at = 6, size = 1, mask = 1, shift = 0, width = 1, doc = "Magnetometer fault." },
-  { name = "mag_over_range", at = 6, size = 1, mask = 2, shift = 1, width = 1, doc = "The magnetometer measures near or beyond its range." },
-  { name = "mag_self_test_fail", at = 6, size = 1, mask = 4, shift = 2, width = 1, doc = "The magnetometer self-test failed." },
-  { name = "pressure_sensor_general_fault", at = 6, size = 1, mask = 16, shift = 4, width = 1, doc = "Pressure sensor fault." },
-  { name = "pressure_sensor_over_range", at = 6, size = 1, mask = 32, shift = 5, width = 1, doc = "The pressure sensor measures near or beyond its range." },
-  { name = "pressure_sensor_self_test_fail", at = 6, size = 1, mask = 64, shift = 6, width = 1, doc = "The pressure sensor self-test failed." },
-  { name = "factory_bits_invalid", at = 7, size = 1, mask = 1, shift = 0, width = 1, doc = "Factory settings are invalid." },
-  { name = "filter_fault", at = 8, size = 1, mask = 1, shift = 0, width = 1, doc = "Filter fault." },
-  { name = "filter_timing_overrun", at = 8, size = 1, mask = 4, shift = 2, width = 1, doc = "A filter cycle exceeded its time slot." },
-  { name = "filter_timing_underrun", at = 8, size = 1, mask = 8, shift = 3, width = 1, doc = "A filter cycle started too late." },
+  { name = "imu_timing_overrun", at = 4, size = 1, mask = 4, shift = 2, width = 1, doc = "Inertial sensor processes take longer than their time slot." },
+  { name = "imu_calibration_error_accel", at = 4, size = 1, mask = 16, shift = 4, width = 1, doc = "Fault of the accelerometer calibration." },
+  { name = "imu_calibration_error_gyro", at = 4, size = 1, mask = 32, shift = 5, width = 1, doc = "Fault of the gyroscope calibration." },
+  { name = "imu_calibration_error_mag", at = 4, size = 1, mask = 64, shift = 6, width = 1, doc = "Fault of the magnetometer calibration." },
+  { name = "accel_general_fault", at = 5, size = 1, mask = 1, shift = 0, width = 1, doc = "The accelerometer failed to initialize." },
+  { name = "accel_over_range", at = 5, size = 1, mask = 2, shift = 1, width = 1, doc = "The acceleration along an axis is near or outside the selected range." },
+  { name = "accel_self_test_fail", at = 5, size = 1, mask = 4, shift = 2, width = 1, doc = "The accelerometer self-test failed; the commanded built-in test updates this bit." },
+  { name = "gyro_general_fault", at = 5, size = 1, mask = 16, shift = 4, width = 1, doc = "The gyroscope failed to initialize." },
+  { name = "gyro_over_range", at = 5, size = 1, mask = 32, shift = 5, width = 1, doc = "The angular rate about an axis is near or outside the selected range." },
+  { name = "gyro_self_test_fail", at = 5, size = 1, mask = 64, shift = 6, width = 1, doc = "The gyroscope self-test failed; the commanded built-in test updates this bit." },
+  { name = "mag_general_fault", at = 6, size = 1, mask = 1, shift = 0, width = 1, doc = "The magnetometer failed to initialize." },
+  { name = "mag_over_range", at = 6, size = 1, mask = 2, shift = 1, width = 1, doc = "The magnetic field along an axis is near or outside the supported range." },
+  { name = "mag_self_test_fail", at = 6, size = 1, mask = 4, shift = 2, width = 1, doc = "The magnetometer self-test failed; the commanded built-in test updates this bit." },
+  { name = "pressure_sensor_general_fault", at = 6, size = 1, mask = 16, shift = 4, width = 1, doc = "The pressure sensor failed to initialize." },
+  { name = "pressure_sensor_over_range", at = 6, size = 1, mask = 32, shift = 5, width = 1, doc = "The pressure is outside the supported range." },
+  { name = "pressure_sensor_self_test_fail", at = 6, size = 1, mask = 64, shift = 6, width = 1, doc = "The pressure sensor self-test failed; the commanded built-in test updates this bit." },
+  { name = "factory_bits_invalid", at = 7, size = 1, mask = 1, shift = 0, width = 1, doc = "The device has lost its factory configuration." },
+  { name = "filter_fault", at = 8, size = 1, mask = 1, shift = 0, width = 1, doc = "The filter does not work normally." },
+  { name = "filter_timing_overrun", at = 8, size = 1, mask = 4, shift = 2, width = 1, doc = "Filter processes take longer than their time slot." },
+  { name = "filter_timing_underrun", at = 8, size = 1, mask = 8, shift = 3, width = 1, doc = "Filter processes are skipped." },
 }
 F["gq7_continuous_built_in_test"] = {
-  { name = "system_clock_failure", at = 0, size = 1, mask = 1, shift = 0, width = 1, doc = "The system clock failed." },
-  { name = "power_fault", at = 0, size = 1, mask = 2, shift = 1, width = 1, doc = "Power supply fault." },
-  { name = "firmware_fault", at = 0, size = 1, mask = 16, shift = 4, width = 1, doc = "Firmware fault." },
+  { name = "system_clock_failure", at = 0, size = 1, mask = 1, shift = 0, width = 1, doc = "The system clock does not work properly." },
+  { name = "power_fault", at = 0, size = 1, mask = 2, shift = 1, width = 1, doc = "The supply voltage is out of range, or an internal supply has failed." },
+  { name = "firmware_fault", at = 0, size = 1, mask = 16, shift = 4, width = 1, doc = "The firmware encountered an unexpected condition." },
   { name = "timing_overload", at = 0, size = 1, mask = 32, shift = 5, width = 1, doc = "The processor cannot keep up." },
-  { name = "buffer_overrun", at = 0, size = 1, mask = 64, shift = 6, width = 1, doc = "A data buffer overflowed; data may be lost." },
+  { name = "buffer_overrun", at = 0, size = 1, mask = 64, shift = 6, width = 1, doc = "A data buffer was full and data may be lost." },
   { name = "imu_ipc_fault", at = 2, size = 1, mask = 15, shift = 0, width = 4, doc = "System to inertial sensor processor link faults." },
   { name = "filter_ipc_fault", at = 2, size = 1, mask = 240, shift = 4, width = 4, doc = "System to filter processor link faults." },
   { name = "gnss_ipc_fault", at = 3, size = 1, mask = 15, shift = 0, width = 4, doc = "System to GNSS processor link faults." },
   { name = "imu_clock_fault", at = 4, size = 1, mask = 1, shift = 0, width = 1, doc = "The inertial sensor clock failed." },
   { name = "imu_comm_fault", at = 4, size = 1, mask = 2, shift = 1, width = 1, doc = "No communication with the inertial sensors." },
-  { name = "imu_timing_overrun", at = 4, size = 1, mask = 4, shift = 2, width = 1, doc = "An inertial sensor cycle exceeded its time slot." },
-  { name = "imu_calibration_error_accel", at = 4, size = 1, mask = 16, shift = 4, width = 1, doc = "Accelerometer calibration error." },
-  { name = "imu_calibration_error_gyro", at = 4, size = 1, mask = 32, shift = 5, width = 1, doc = "Gyroscope calibration error." },
-  { name = "imu_calibration_error_mag", at = 4, size = 1, mask = 64, shift = 6, width = 1, doc = "Magnetometer calibration error." },
-  { name = "accel_general_fault", at = 5, size = 1, mask = 1, shift = 0, width = 1, doc = "Accelerometer fault." },
-  { name = "accel_over_range", at = 5, size = 1, mask = 2, shift = 1, width = 1, doc = "The accelerometer measures near or beyond its range." },
-  { name = "accel_self_test_fail", at = 5, size = 1, mask = 4, shift = 2, width = 1, doc = "The accelerometer self-test failed." },
-  { name = "gyro_general_fault", at = 5, size = 1, mask = 16, shift = 4, width = 1, doc = "Gyroscope fault." },
-  { name = "gyro_over_range", at = 5, size = 1, mask = 32, shift = 5, width = 1, doc = "The gyroscope measures near or beyond its range." },
-  { name = "gyro_self_test_fail", at = 5, size = 1, mask = 64, shift = 6, width = 1, doc = "The gyroscope self-test failed." },
-  { name = "mag_general_fault", at = 6, size = 1, mask = 1, shift = 0, width = 1, doc = "Magnetometer fault." },
-  { name = "mag_over_range", at = 6, size = 1, mask = 2, shift = 1, width = 1, doc = "The magnetometer measures near or beyond its range." },
-  { name = "mag_self_test_fail", at = 6, size = 1, mask = 4, shift = 2, width = 1, doc = "The magnetometer self-test failed." },
-  { name = "pressure_sensor_general_fault", at = 6, size = 1, mask = 16, shift = 4, width = 1, doc = "Pressure sensor fault." },
-  { name = "pressure_sensor_over_range", at = 6, size = 1, mask = 32, shift = 5, width = 1, doc = "The pressure sensor measures near or beyond its range." },
-  { name = "pressure_sensor_self_test_fail", at = 6, size = 1, mask = 64, shift = 6, width = 1, doc = "The pressure sensor self-test failed." },
+  { name = "imu_timing_overrun", at = 4, size = 1, mask = 4, shift = 2, width = 1, doc = "Inertial sensor processes take longer than their time slot." },
+  { name = "imu_calibration_error_accel", at = 4, size = 1, mask = 16, shift = 4, width = 1, doc = "Fault of the accelerometer calibration." },
+  { name = "imu_calibration_error_gyro", at = 4, size = 1, mask = 32, shift = 5, width = 1, doc = "Fault of the gyroscope calibration." },
+  { name = "imu_calibration_error_mag", at = 4, size = 1, mask = 64, shift = 6, width = 1, doc = "Fault of the magnetometer calibration." },
+  { name = "accel_general_fault", at = 5, size = 1, mask = 1, shift = 0, width = 1, doc = "The accelerometer failed to initialize." },
+  { name = "accel_over_range", at = 5, size = 1, mask = 2, shift = 1, width = 1, doc = "The acceleration along an axis is near or outside the selected range." },
+  { name = "accel_self_test_fail", at = 5, size = 1, mask = 4, shift = 2, width = 1, doc = "The accelerometer self-test failed; the commanded built-in test updates this bit." },
+  { name = "gyro_general_fault", at = 5, size = 1, mask = 16, shift = 4, width = 1, doc = "The gyroscope failed to initialize." },
+  { name = "gyro_over_range", at = 5, size = 1, mask = 32, shift = 5, width = 1, doc = "The angular rate about an axis is near or outside the selected range." },
+  { name = "gyro_self_test_fail", at = 5, size = 1, mask = 64, shift = 6, width = 1, doc = "The gyroscope self-test failed; the commanded built-in test updates this bit." },
+  { name = "mag_general_fault", at = 6, size = 1, mask = 1, shift = 0, width = 1, doc = "The magnetometer failed to initialize." },
+  { name = "mag_over_range", at = 6, size = 1, mask = 2, shift = 1, width = 1, doc = "The magnetic field along an axis is near or outside the supported range." },
+  { name = "mag_self_test_fail", at = 6, size = 1, mask = 4, shift = 2, width = 1, doc = "The magnetometer self-test failed; the commanded built-in test updates this bit." },
+  { name = "pressure_sensor_general_fault", at = 6, size = 1, mask = 16, shift = 4, width = 1, doc = "The pressure sensor failed to initialize." },
+  { name = "pressure_sensor_over_range", at = 6, size = 1, mask = 32, shift = 5, width = 1, doc = "The pressure is outside the supported range." },
+  { name = "pressure_sensor_self_test_fail", at = 6, size = 1, mask = 64, shift = 6, width = 1, doc = "The pressure sensor self-test failed; the commanded built-in test updates this bit." },
   { name = "filter_clock_fault", at = 8, size = 1, mask = 1, shift = 0, width = 1, doc = "The filter clock failed." },
   { name = "filter_hardware_fault", at = 8, size = 1, mask = 2, shift = 1, width = 1, doc = "Filter processor fault." },
-  { name = "filter_timing_overrun", at = 8, size = 1, mask = 4, shift = 2, width = 1, doc = "A filter cycle exceeded its time slot." },
-  { name = "filter_timing_underrun", at = 8, size = 1, mask = 8, shift = 3, width = 1, doc = "A filter cycle started too late." },
+  { name = "filter_timing_overrun", at = 8, size = 1, mask = 4, shift = 2, width = 1, doc = "Filter processes take longer than their time slot." },
+  { name = "filter_timing_underrun", at = 8, size = 1, mask = 8, shift = 3, width = 1, doc = "Filter processes are skipped." },
   { name = "filter_comm_error", at = 8, size = 1, mask = 240, shift = 4, width = 4, doc = "Filter communication errors." },
   { name = "gnss_clock_fault", at = 12, size = 1, mask = 1, shift = 0, width = 1, doc = "The GNSS processor clock failed." },
   { name = "gnss_hardware_fault", at = 12, size = 1, mask = 2, shift = 1, width = 1, doc = "GNSS processor fault." },
@@ -154,12 +154,12 @@ F["gq7_continuous_built_in_test"] = {
   { name = "gps_time_fault", at = 12, size = 1, mask = 32, shift = 5, width = 1, doc = "GPS time fault." },
   { name = "gnss_timing_overrun", at = 12, size = 1, mask = 64, shift = 6, width = 1, doc = "A GNSS processor cycle exceeded its time slot." },
   { name = "receiver_1_power_fault", at = 13, size = 1, mask = 1, shift = 0, width = 1, doc = "Receiver 1 power supply fault." },
-  { name = "receiver_1_fault", at = 13, size = 1, mask = 2, shift = 1, width = 1, doc = "Receiver 1 fault." },
+  { name = "receiver_1_fault", at = 13, size = 1, mask = 2, shift = 1, width = 1, doc = "No communication with internal receiver 1." },
   { name = "antenna_1_shorted", at = 13, size = 1, mask = 4, shift = 2, width = 1, doc = "Antenna 1 is shorted." },
   { name = "antenna_1_open", at = 13, size = 1, mask = 8, shift = 3, width = 1, doc = "Antenna 1 is not connected." },
   { name = "receiver_1_solution_fault", at = 13, size = 1, mask = 16, shift = 4, width = 1, doc = "Receiver 1 has no solution." },
   { name = "receiver_2_power_fault", at = 13, size = 1, mask = 32, shift = 5, width = 1, doc = "Receiver 2 power supply fault." },
-  { name = "receiver_2_fault", at = 13, size = 1, mask = 64, shift = 6, width = 1, doc = "Receiver 2 fault." },
+  { name = "receiver_2_fault", at = 13, size = 1, mask = 64, shift = 6, width = 1, doc = "No communication with internal receiver 2." },
   { name = "antenna_2_shorted", at = 13, size = 1, mask = 128, shift = 7, width = 1, doc = "Antenna 2 is shorted." },
   { name = "antenna_2_open", at = 14, size = 1, mask = 1, shift = 0, width = 1, doc = "Antenna 2 is not connected." },
   { name = "receiver_2_solution_fault", at = 14, size = 1, mask = 2, shift = 1, width = 1, doc = "Receiver 2 has no solution." },
@@ -171,7 +171,7 @@ E["event_action_type"] = { [0] = "none", [1] = "gpio", [2] = "message", }
 E["event_trigger_mode"] = { [0] = "disabled", [1] = "enabled", [2] = "test", [3] = "test_pulse", }
 F["event_trigger_status"] = {
   { name = "active", at = 0, size = 1, mask = 1, shift = 0, width = 1, doc = "Active now, by its condition or by a test mode." },
-  { name = "enabled", at = 0, size = 1, mask = 2, shift = 1, width = 1, doc = "Enabled." },
+  { name = "enabled", at = 0, size = 1, mask = 2, shift = 1, width = 1, doc = "The trigger is enabled." },
   { name = "test", at = 0, size = 1, mask = 4, shift = 2, width = 1, doc = "In a test mode." },
 }
 E["event_trigger_gpio_mode"] = { [0] = "disabled", [1] = "while_high", [2] = "while_low", [4] = "edge", }
@@ -199,7 +199,7 @@ F["rtk_status_flags"] = {
   { name = "modem_state", at = 0, size = 4, mask = 15, shift = 0, width = 4, doc = "State of the modem." },
   { name = "connection_type", at = 0, size = 4, mask = 240, shift = 4, width = 4, doc = "Kind of the cellular connection." },
   { name = "rssi", at = 0, size = 4, mask = 65280, shift = 8, width = 8, doc = "Received signal strength." },
-  { name = "signal_quality", at = 0, size = 4, mask = 983040, shift = 16, width = 4, doc = "Signal quality." },
+  { name = "signal_quality", at = 0, size = 4, mask = 983040, shift = 16, width = 4, doc = "Quality of the modem's radio signal." },
   { name = "tower_change_indicator", at = 0, size = 4, mask = 15728640, shift = 20, width = 4, doc = "Changes of the cell tower." },
   { name = "nmea_timeout", at = 0, size = 4, mask = 16777216, shift = 24, width = 1, doc = "No NMEA was received from the device in time." },
   { name = "server_timeout", at = 0, size = 4, mask = 33554432, shift = 25, width = 1, doc = "The server did not answer in time." },
@@ -214,7 +214,7 @@ F["rtk_status_flags_legacy"] = {
   { name = "controller_status_code", at = 0, size = 4, mask = 1792, shift = 8, width = 3, doc = "Status code of the controller." },
   { name = "platform_status_code", at = 0, size = 4, mask = 14336, shift = 11, width = 3, doc = "Status code of the platform." },
   { name = "reset_code", at = 0, size = 4, mask = 49152, shift = 14, width = 2, doc = "Reason of the last reset." },
-  { name = "signal_quality", at = 0, size = 4, mask = 983040, shift = 16, width = 4, doc = "Signal quality." },
+  { name = "signal_quality", at = 0, size = 4, mask = 983040, shift = 16, width = 4, doc = "Quality of the modem's radio signal." },
   { name = "rssi", at = 0, size = 4, mask = 66060288, shift = 20, width = 6, doc = "Received signal strength." },
   { name = "rsrp", at = 0, size = 4, mask = 201326592, shift = 26, width = 2, doc = "Received power of the reference signal." },
   { name = "rsrq", at = 0, size = 4, mask = 805306368, shift = 28, width = 2, doc = "Received quality of the reference signal." },
@@ -283,9 +283,9 @@ E["filter.gnss_aiding_source"] = { [1] = "all_internal", [2] = "external", [3] =
 E["filter.heading_type"] = { [1] = "true_heading", [2] = "magnetic_heading", }
 E["filter.heading_update_source"] = { [0] = "none", [1] = "mag", [2] = "gnss_velocity", [3] = "external", [4] = "gnss_velocity_and_mag", [5] = "gnss_velocity_and_external", [6] = "mag_and_external", [7] = "all", }
 F["filter.tare_axes"] = {
-  { name = "roll", at = 0, size = 1, mask = 1, shift = 0, width = 1, doc = "Tare roll." },
-  { name = "pitch", at = 0, size = 1, mask = 2, shift = 1, width = 1, doc = "Tare pitch." },
-  { name = "yaw", at = 0, size = 1, mask = 4, shift = 2, width = 1, doc = "Tare yaw." },
+  { name = "roll", at = 0, size = 1, mask = 1, shift = 0, width = 1, doc = "The present roll becomes zero." },
+  { name = "pitch", at = 0, size = 1, mask = 2, shift = 1, width = 1, doc = "The present pitch becomes zero." },
+  { name = "yaw", at = 0, size = 1, mask = 4, shift = 2, width = 1, doc = "The present yaw becomes zero." },
 }
 F["filter.measurement_flags"] = {
   { name = "accel", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Accelerometer measurements." },
@@ -312,22 +312,22 @@ E["filter.relative_position_source"] = { [0] = "auto", [1] = "manual", }
 E["filter.reference_point"] = { [1] = "vehicle", }
 F["gnss.gps_signals"] = {
   { name = "l1ca", at = 0, size = 1, mask = 1, shift = 0, width = 1, doc = "L1 C/A." },
-  { name = "l2c", at = 0, size = 1, mask = 2, shift = 1, width = 1, doc = "L2C." },
-  { name = "l5", at = 0, size = 1, mask = 4, shift = 2, width = 1, doc = "L5." },
+  { name = "l2c", at = 0, size = 1, mask = 2, shift = 1, width = 1, doc = "" },
+  { name = "l5", at = 0, size = 1, mask = 4, shift = 2, width = 1, doc = "" },
 }
 F["gnss.glonass_signals"] = {
-  { name = "l1of", at = 0, size = 1, mask = 1, shift = 0, width = 1, doc = "L1OF." },
-  { name = "l2of", at = 0, size = 1, mask = 2, shift = 1, width = 1, doc = "L2OF." },
+  { name = "l1of", at = 0, size = 1, mask = 1, shift = 0, width = 1, doc = "" },
+  { name = "l2of", at = 0, size = 1, mask = 2, shift = 1, width = 1, doc = "" },
 }
 F["gnss.galileo_signals"] = {
-  { name = "e1", at = 0, size = 1, mask = 1, shift = 0, width = 1, doc = "E1." },
-  { name = "e5b", at = 0, size = 1, mask = 2, shift = 1, width = 1, doc = "E5b." },
-  { name = "e5a", at = 0, size = 1, mask = 4, shift = 2, width = 1, doc = "E5a." },
+  { name = "e1", at = 0, size = 1, mask = 1, shift = 0, width = 1, doc = "" },
+  { name = "e5b", at = 0, size = 1, mask = 2, shift = 1, width = 1, doc = "" },
+  { name = "e5a", at = 0, size = 1, mask = 4, shift = 2, width = 1, doc = "" },
 }
 F["gnss.beidou_signals"] = {
-  { name = "b1", at = 0, size = 1, mask = 1, shift = 0, width = 1, doc = "B1." },
-  { name = "b2", at = 0, size = 1, mask = 2, shift = 1, width = 1, doc = "B2." },
-  { name = "b2a", at = 0, size = 1, mask = 4, shift = 2, width = 1, doc = "B2a." },
+  { name = "b1", at = 0, size = 1, mask = 1, shift = 0, width = 1, doc = "" },
+  { name = "b2", at = 0, size = 1, mask = 2, shift = 1, width = 1, doc = "" },
+  { name = "b2a", at = 0, size = 1, mask = 4, shift = 2, width = 1, doc = "" },
 }
 E["gnss.receiver_id"] = { [0] = "all", [1] = "internal_receiver_1", [2] = "internal_receiver_2", [4] = "user_receiver_1", [5] = "user_receiver_2", }
 E["gnss.receiver_reset_type"] = { [1] = "hardware", [2] = "cold", [3] = "warm", [4] = "hot", }
@@ -349,12 +349,12 @@ F["aiding.axis_flags"] = {
   { name = "z", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Third axis." },
 }
 F["aiding.llh_axis_flags"] = {
-  { name = "latitude", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Latitude and its uncertainty." },
-  { name = "longitude", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Longitude and its uncertainty." },
-  { name = "height", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Height and its uncertainty." },
+  { name = "latitude", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Latitude and its uncertainty are valid." },
+  { name = "longitude", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Longitude and its uncertainty are valid." },
+  { name = "height", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Height and its uncertainty are valid." },
 }
 F["system.comm_protocols"] = {
-  { name = "mip", at = 0, size = 4, mask = 1, shift = 0, width = 1, doc = "MIP." },
+  { name = "mip", at = 0, size = 4, mask = 1, shift = 0, width = 1, doc = "" },
   { name = "nmea", at = 0, size = 4, mask = 256, shift = 8, width = 1, doc = "NMEA-0183." },
   { name = "rtcm", at = 0, size = 4, mask = 512, shift = 9, width = 1, doc = "RTCM corrections." },
   { name = "spartn", at = 0, size = 4, mask = 16777216, shift = 24, width = 1, doc = "SPARTN corrections." },
@@ -374,113 +374,113 @@ F["sensor.overrange_flags"] = {
   { name = "pressure", at = 0, size = 2, mask = 4096, shift = 12, width = 1, doc = "Pressure sensor." },
 }
 F["sensor.odometer_flags"] = {
-  { name = "odometer", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "The odometer is configured." },
+  { name = "odometer", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Set if an odometer is configured; its values are then valid." },
 }
 F["gnss_data.llh_position_flags"] = {
-  { name = "lat_lon", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Latitude and longitude." },
-  { name = "ellipsoid_height", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Height above the ellipsoid." },
-  { name = "msl_height", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Height above mean sea level." },
+  { name = "lat_lon", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "`latitude` and `longitude` are valid." },
+  { name = "ellipsoid_height", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "`ellipsoid_height` is valid." },
+  { name = "msl_height", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "`msl_height` is valid." },
   { name = "horizontal_accuracy", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "`horizontal_accuracy` is valid." },
   { name = "vertical_accuracy", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "`vertical_accuracy` is valid." },
-  { name = "flags", at = 0, size = 2, mask = 31, shift = 0, width = 5, doc = "All of them." },
+  { name = "flags", at = 0, size = 2, mask = 31, shift = 0, width = 5, doc = "All values are valid." },
 }
 F["gnss_data.ecef_position_flags"] = {
   { name = "position", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "`position` is valid." },
-  { name = "position_accuracy", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Accuracy of the position." },
-  { name = "flags", at = 0, size = 2, mask = 3, shift = 0, width = 2, doc = "All of them." },
+  { name = "position_accuracy", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "`position_accuracy` is valid." },
+  { name = "flags", at = 0, size = 2, mask = 3, shift = 0, width = 2, doc = "All values are valid." },
 }
 F["gnss_data.ned_velocity_flags"] = {
-  { name = "velocity", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Velocity vector." },
-  { name = "speed_3d", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Speed in space." },
-  { name = "ground_speed", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Speed over ground." },
+  { name = "velocity", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "`velocity` is valid." },
+  { name = "speed_3d", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "`speed` is valid." },
+  { name = "ground_speed", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "`ground_speed` is valid." },
   { name = "heading", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "`heading` is valid." },
-  { name = "speed_accuracy", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "Accuracy of the speed." },
-  { name = "heading_accuracy", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "Accuracy of the heading." },
-  { name = "flags", at = 0, size = 2, mask = 63, shift = 0, width = 6, doc = "All of them." },
+  { name = "speed_accuracy", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "`speed_accuracy` is valid." },
+  { name = "heading_accuracy", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "`heading_accuracy` is valid." },
+  { name = "flags", at = 0, size = 2, mask = 63, shift = 0, width = 6, doc = "All values are valid." },
 }
 F["gnss_data.ecef_velocity_flags"] = {
   { name = "velocity", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "`velocity` is valid." },
-  { name = "velocity_accuracy", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Accuracy of the velocity." },
-  { name = "flags", at = 0, size = 2, mask = 3, shift = 0, width = 2, doc = "All of them." },
+  { name = "velocity_accuracy", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "`velocity_accuracy` is valid." },
+  { name = "flags", at = 0, size = 2, mask = 3, shift = 0, width = 2, doc = "All values are valid." },
 }
 F["gnss_data.dop_flags"] = {
-  { name = "gdop", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Geometric." },
-  { name = "pdop", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Position." },
-  { name = "hdop", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Horizontal." },
-  { name = "vdop", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Vertical." },
-  { name = "tdop", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "Time." },
-  { name = "ndop", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "Northing." },
-  { name = "edop", at = 0, size = 2, mask = 64, shift = 6, width = 1, doc = "Easting." },
-  { name = "flags", at = 0, size = 2, mask = 127, shift = 0, width = 7, doc = "All of them." },
+  { name = "gdop", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "`gdop` is valid." },
+  { name = "pdop", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "`pdop` is valid." },
+  { name = "hdop", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "`hdop` is valid." },
+  { name = "vdop", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "`vdop` is valid." },
+  { name = "tdop", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "`tdop` is valid." },
+  { name = "ndop", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "`ndop` is valid." },
+  { name = "edop", at = 0, size = 2, mask = 64, shift = 6, width = 1, doc = "`edop` is valid." },
+  { name = "flags", at = 0, size = 2, mask = 127, shift = 0, width = 7, doc = "All values are valid." },
 }
 F["gnss_data.utc_time_flags"] = {
   { name = "gnss_date_time", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Date and time come from GNSS." },
   { name = "leap_seconds_known", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "The leap seconds between GPS time and UTC are known." },
-  { name = "flags", at = 0, size = 2, mask = 3, shift = 0, width = 2, doc = "All of them." },
+  { name = "flags", at = 0, size = 2, mask = 3, shift = 0, width = 2, doc = "All values are valid." },
 }
 F["gnss_data.gps_time_flags"] = {
-  { name = "tow", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Time of week." },
+  { name = "tow", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "`tow` is valid." },
   { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "`week_number` is valid." },
-  { name = "flags", at = 0, size = 2, mask = 3, shift = 0, width = 2, doc = "All of them." },
+  { name = "flags", at = 0, size = 2, mask = 3, shift = 0, width = 2, doc = "All values are valid." },
 }
 F["gnss_data.clock_info_flags"] = {
   { name = "bias", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "`bias` is valid." },
   { name = "drift", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "`drift` is valid." },
-  { name = "accuracy_estimate", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Accuracy." },
-  { name = "flags", at = 0, size = 2, mask = 7, shift = 0, width = 3, doc = "All of them." },
+  { name = "accuracy_estimate", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "`accuracy_estimate` is valid." },
+  { name = "flags", at = 0, size = 2, mask = 7, shift = 0, width = 3, doc = "All values are valid." },
 }
 F["gnss_data.fix_flags"] = {
   { name = "sbas_used", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Satellite based augmentation." },
   { name = "dgnss_used", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Differential corrections." },
 }
 F["gnss_data.fix_info_flags"] = {
-  { name = "fix_type", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Type of the fix." },
-  { name = "num_sv", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Number of satellites." },
+  { name = "fix_type", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "`fix_type` is valid." },
+  { name = "num_sv", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "`num_sv` is valid." },
   { name = "fix_flags", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "`fix_flags` is valid." },
-  { name = "flags", at = 0, size = 2, mask = 7, shift = 0, width = 3, doc = "All of them." },
+  { name = "flags", at = 0, size = 2, mask = 7, shift = 0, width = 3, doc = "All values are valid." },
 }
 F["gnss_data.sv_flags"] = {
   { name = "used_for_navigation", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "The position fix uses it." },
-  { name = "healthy", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "It is healthy." },
+  { name = "healthy", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "The satellite reports that its signals can be used." },
 }
 F["gnss_data.sv_info_flags"] = {
   { name = "channel", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "`channel` is valid." },
-  { name = "satellite_id", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Satellite." },
-  { name = "carrier_noise_ratio", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Carrier to noise density ratio." },
+  { name = "satellite_id", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "`satellite_id` is valid." },
+  { name = "carrier_noise_ratio", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "`carrier_noise_ratio` is valid." },
   { name = "azimuth", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "`azimuth` is valid." },
   { name = "elevation", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "`elevation` is valid." },
-  { name = "sv_flags", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "State of the satellite." },
-  { name = "flags", at = 0, size = 2, mask = 63, shift = 0, width = 6, doc = "All of them." },
+  { name = "sv_flags", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "`sv_flags` is valid." },
+  { name = "flags", at = 0, size = 2, mask = 63, shift = 0, width = 6, doc = "All values are valid." },
 }
 E["gnss_data.receiver_state"] = { [0] = "off", [1] = "on", [2] = "unknown", }
 E["gnss_data.antenna_state"] = { [1] = "init", [2] = "short", [3] = "open", [4] = "good", [5] = "unknown", }
 E["gnss_data.antenna_power"] = { [0] = "off", [1] = "on", [2] = "unknown", }
 F["gnss_data.hardware_status_flags"] = {
-  { name = "sensor_state", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "State of the receiver." },
-  { name = "antenna_state", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "State of the antenna." },
-  { name = "antenna_power", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Supply of the antenna." },
-  { name = "flags", at = 0, size = 2, mask = 7, shift = 0, width = 3, doc = "All of them." },
+  { name = "sensor_state", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "`receiver_state` is valid." },
+  { name = "antenna_state", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "`antenna_state` is valid." },
+  { name = "antenna_power", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "`antenna_power` is valid." },
+  { name = "flags", at = 0, size = 2, mask = 7, shift = 0, width = 3, doc = "All values are valid." },
 }
 F["gnss_data.dgps_info_flags"] = {
   { name = "age", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "`age` is valid." },
-  { name = "base_station_id", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Number of the base station." },
-  { name = "base_station_status", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "State of the base station." },
-  { name = "num_channels", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Number of channels." },
-  { name = "flags", at = 0, size = 2, mask = 15, shift = 0, width = 4, doc = "All of them." },
+  { name = "base_station_id", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "`base_station_id` is valid." },
+  { name = "base_station_status", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "`base_station_status` is valid." },
+  { name = "num_channels", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "`num_channels` is valid." },
+  { name = "flags", at = 0, size = 2, mask = 15, shift = 0, width = 4, doc = "All values are valid." },
 }
 F["gnss_data.dgps_channel_flags"] = {
-  { name = "satellite_id", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Satellite." },
+  { name = "satellite_id", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "`satellite_id` is valid." },
   { name = "age", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "`age` is valid." },
-  { name = "range_correction", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Correction of the range." },
-  { name = "range_rate_correction", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Correction of the range rate." },
-  { name = "flags", at = 0, size = 2, mask = 15, shift = 0, width = 4, doc = "All of them." },
+  { name = "range_correction", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "`range_correction` is valid." },
+  { name = "range_rate_correction", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "`range_rate_correction` is valid." },
+  { name = "flags", at = 0, size = 2, mask = 15, shift = 0, width = 4, doc = "All values are valid." },
 }
 F["gnss_data.clock_info_2_flags"] = {
   { name = "bias", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "`bias` is valid." },
   { name = "drift", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "`drift` is valid." },
-  { name = "bias_accuracy", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Accuracy of the bias." },
-  { name = "drift_accuracy", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Accuracy of the drift." },
-  { name = "flags", at = 0, size = 2, mask = 15, shift = 0, width = 4, doc = "All of them." },
+  { name = "bias_accuracy", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "`bias_accuracy_estimate` is valid." },
+  { name = "drift_accuracy", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "`drift_accuracy_estimate` is valid." },
+  { name = "flags", at = 0, size = 2, mask = 15, shift = 0, width = 4, doc = "All values are valid." },
 }
 F["gnss_data.gps_leap_seconds_flags"] = {
   { name = "leap_seconds", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "`leap_seconds` is valid." },
@@ -493,66 +493,66 @@ F["gnss_data.sbas_status"] = {
   { name = "test_mode", at = 0, size = 1, mask = 8, shift = 3, width = 1, doc = "The service is in test mode." },
 }
 F["gnss_data.sbas_info_flags"] = {
-  { name = "tow", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Time of week." },
+  { name = "tow", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "`tow` is valid." },
   { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "`week_number` is valid." },
-  { name = "sbas_system", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "System." },
-  { name = "sbas_id", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Satellite." },
-  { name = "count", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "Number of corrections." },
-  { name = "sbas_status", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "Status of the service." },
-  { name = "flags", at = 0, size = 2, mask = 63, shift = 0, width = 6, doc = "All of them." },
+  { name = "sbas_system", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "`sbas_system` is valid." },
+  { name = "sbas_id", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "`sbas_id` is valid." },
+  { name = "count", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "`count` is valid." },
+  { name = "sbas_status", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "`sbas_status` is valid." },
+  { name = "flags", at = 0, size = 2, mask = 63, shift = 0, width = 6, doc = "All values are valid." },
 }
 F["gnss_data.sbas_correction_flags"] = {
-  { name = "udrei", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Indicator of the range error." },
-  { name = "pseudorange_correction", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Correction of the pseudorange." },
-  { name = "iono_correction", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Correction of the ionospheric delay." },
-  { name = "flags", at = 0, size = 2, mask = 7, shift = 0, width = 3, doc = "All of them." },
+  { name = "udrei", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "`udrei` is valid." },
+  { name = "pseudorange_correction", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "`pseudorange_correction` is valid." },
+  { name = "iono_correction", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "`iono_correction` is valid." },
+  { name = "flags", at = 0, size = 2, mask = 7, shift = 0, width = 3, doc = "All values are valid." },
 }
 E["gnss_data.rf_band"] = { [0] = "unknown", [1] = "l1", [2] = "l2", [5] = "l5", }
 E["gnss_data.jamming_state"] = { [0] = "unknown", [1] = "none", [2] = "partial", [3] = "significant", }
 E["gnss_data.spoofing_state"] = { [0] = "unknown", [1] = "none", [2] = "partial", [3] = "significant", }
 F["gnss_data.rf_error_detection_flags"] = {
-  { name = "rf_band", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Band." },
-  { name = "jamming_state", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Jamming." },
-  { name = "spoofing_state", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Spoofing." },
+  { name = "rf_band", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "`rf_band` is valid." },
+  { name = "jamming_state", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "`jamming_state` is valid." },
+  { name = "spoofing_state", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "`spoofing_state` is valid." },
   { name = "frequency", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Frequency; only set by firmware that sends it." },
-  { name = "flags", at = 0, size = 2, mask = 15, shift = 0, width = 4, doc = "All of them." },
+  { name = "flags", at = 0, size = 2, mask = 15, shift = 0, width = 4, doc = "All values are valid." },
 }
 E["gnss_data.heading_fix_type"] = { [0] = "unknown", [1] = "float", [2] = "fixed", }
 F["gnss_data.heading_flags"] = {
   { name = "heading", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "`heading` is valid." },
-  { name = "uncertainty", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Uncertainty of the heading." },
-  { name = "fix_type", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Kind of the fix." },
-  { name = "flags", at = 0, size = 2, mask = 7, shift = 0, width = 3, doc = "All of them." },
+  { name = "uncertainty", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "`uncertainty` is valid." },
+  { name = "fix_type", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "`fix_type` is valid." },
+  { name = "flags", at = 0, size = 2, mask = 7, shift = 0, width = 3, doc = "All values are valid." },
 }
 F["gnss_data.satellite_status_flags"] = {
-  { name = "tow", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Time of week." },
+  { name = "tow", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "`tow` is valid." },
   { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "`week_number` is valid." },
-  { name = "gnss_id", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Constellation." },
-  { name = "satellite_id", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Satellite." },
+  { name = "gnss_id", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "`gnss_id` is valid." },
+  { name = "satellite_id", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "`satellite_id` is valid." },
   { name = "elevation", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "`elevation` is valid." },
   { name = "azimuth", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "`azimuth` is valid." },
   { name = "health", at = 0, size = 2, mask = 64, shift = 6, width = 1, doc = "`health` is valid." },
-  { name = "flags", at = 0, size = 2, mask = 127, shift = 0, width = 7, doc = "All of them." },
+  { name = "flags", at = 0, size = 2, mask = 127, shift = 0, width = 7, doc = "All values are valid." },
 }
 E["gnss_data.signal_quality"] = { [0] = "none", [1] = "searching", [2] = "acquired", [3] = "unusable", [4] = "time_locked", [5] = "fully_locked", }
 F["gnss_data.raw_flags"] = {
-  { name = "tow", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Time of week." },
+  { name = "tow", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "`tow` is valid." },
   { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "`week_number` is valid." },
-  { name = "receiver_id", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Receiver or reference station." },
+  { name = "receiver_id", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "`receiver_id` is valid." },
   { name = "tracking_channel", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "`tracking_channel` is valid." },
-  { name = "gnss_id", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "Constellation." },
-  { name = "satellite_id", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "Satellite." },
-  { name = "signal_id", at = 0, size = 2, mask = 64, shift = 6, width = 1, doc = "Signal." },
+  { name = "gnss_id", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "`gnss_id` is valid." },
+  { name = "satellite_id", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "`satellite_id` is valid." },
+  { name = "signal_id", at = 0, size = 2, mask = 64, shift = 6, width = 1, doc = "`signal_id` is valid." },
   { name = "signal_strength", at = 0, size = 2, mask = 128, shift = 7, width = 1, doc = "`signal_strength` is valid." },
-  { name = "quality", at = 0, size = 2, mask = 256, shift = 8, width = 1, doc = "Signal quality." },
+  { name = "quality", at = 0, size = 2, mask = 256, shift = 8, width = 1, doc = "`quality` is valid." },
   { name = "pseudorange", at = 0, size = 2, mask = 512, shift = 9, width = 1, doc = "`pseudorange` is valid." },
   { name = "carrier_phase", at = 0, size = 2, mask = 1024, shift = 10, width = 1, doc = "`carrier_phase` is valid." },
-  { name = "doppler", at = 0, size = 2, mask = 2048, shift = 11, width = 1, doc = "Doppler shift." },
-  { name = "range_uncertainty", at = 0, size = 2, mask = 4096, shift = 12, width = 1, doc = "Uncertainty of the pseudorange." },
-  { name = "carrier_phase_uncertainty", at = 0, size = 2, mask = 8192, shift = 13, width = 1, doc = "Uncertainty of the carrier phase." },
-  { name = "doppler_uncertainty", at = 0, size = 2, mask = 16384, shift = 14, width = 1, doc = "Uncertainty of the Doppler shift." },
+  { name = "doppler", at = 0, size = 2, mask = 2048, shift = 11, width = 1, doc = "`doppler` is valid." },
+  { name = "range_uncertainty", at = 0, size = 2, mask = 4096, shift = 12, width = 1, doc = "`range_uncertainty` is valid." },
+  { name = "carrier_phase_uncertainty", at = 0, size = 2, mask = 8192, shift = 13, width = 1, doc = "`phase_uncertainty` is valid." },
+  { name = "doppler_uncertainty", at = 0, size = 2, mask = 16384, shift = 14, width = 1, doc = "`doppler_uncertainty` is valid." },
   { name = "lock_time", at = 0, size = 2, mask = 32768, shift = 15, width = 1, doc = "`lock_time` is valid." },
-  { name = "flags", at = 0, size = 2, mask = 65535, shift = 0, width = 16, doc = "All of them." },
+  { name = "flags", at = 0, size = 2, mask = 65535, shift = 0, width = 16, doc = "All values are valid." },
 }
 F["gnss_data.base_station_indicators"] = {
   { name = "gps", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "GPS is supported." },
@@ -566,17 +566,17 @@ F["gnss_data.base_station_indicators"] = {
   { name = "quarter_cycle_bits", at = 0, size = 2, mask = 192, shift = 6, width = 2, doc = "Quarter cycle indicator." },
 }
 F["gnss_data.base_station_info_flags"] = {
-  { name = "tow", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Time of week." },
+  { name = "tow", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "`tow` is valid." },
   { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "`week_number` is valid." },
-  { name = "ecef_position", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Position." },
-  { name = "height", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Antenna height." },
-  { name = "station_id", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "Station." },
+  { name = "ecef_position", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "`ecef_position` is valid." },
+  { name = "height", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "`height` is valid." },
+  { name = "station_id", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "`station_id` is valid." },
   { name = "indicators", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "`indicators` is valid." },
-  { name = "flags", at = 0, size = 2, mask = 63, shift = 0, width = 6, doc = "All of them." },
+  { name = "flags", at = 0, size = 2, mask = 63, shift = 0, width = 6, doc = "All values are valid." },
 }
 F["gnss_data.rtk_epoch_status"] = {
-  { name = "antenna_location_received", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Antenna location." },
-  { name = "antenna_description_received", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Antenna description." },
+  { name = "antenna_location_received", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "The position of the base station's antenna has arrived." },
+  { name = "antenna_description_received", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "The description of the base station's antenna has arrived." },
   { name = "gps_received", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "GPS corrections." },
   { name = "glonass_received", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "GLONASS corrections." },
   { name = "galileo_received", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "Galileo corrections." },
@@ -586,21 +586,21 @@ F["gnss_data.rtk_epoch_status"] = {
   { name = "dongle_status_read_failed", at = 0, size = 2, mask = 256, shift = 8, width = 1, doc = "The status of the dongle could not be read." },
 }
 F["gnss_data.rtk_corrections_status_flags"] = {
-  { name = "tow", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Time of week." },
+  { name = "tow", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "`tow` is valid." },
   { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "`week_number` is valid." },
   { name = "epoch_status", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "`epoch_status` is valid." },
-  { name = "dongle_status", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Status of the dongle." },
-  { name = "gps_latency", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "Latency of GPS corrections." },
-  { name = "glonass_latency", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "Latency of GLONASS corrections." },
-  { name = "galileo_latency", at = 0, size = 2, mask = 64, shift = 6, width = 1, doc = "Latency of Galileo corrections." },
-  { name = "beidou_latency", at = 0, size = 2, mask = 128, shift = 7, width = 1, doc = "Latency of BeiDou corrections." },
-  { name = "flags", at = 0, size = 2, mask = 255, shift = 0, width = 8, doc = "All of them." },
+  { name = "dongle_status", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "`dongle_status` is valid." },
+  { name = "gps_latency", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "`gps_correction_latency` is valid." },
+  { name = "glonass_latency", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "`glonass_correction_latency` is valid." },
+  { name = "galileo_latency", at = 0, size = 2, mask = 64, shift = 6, width = 1, doc = "`galileo_correction_latency` is valid." },
+  { name = "beidou_latency", at = 0, size = 2, mask = 128, shift = 7, width = 1, doc = "`beidou_correction_latency` is valid." },
+  { name = "flags", at = 0, size = 2, mask = 255, shift = 0, width = 8, doc = "All values are valid." },
 }
 F["gnss_data.ephemeris_flags"] = {
   { name = "ephemeris", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "The ephemeris is valid." },
   { name = "modern_data", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "The data of the modernized navigation message are included." },
   { name = "isc_l5", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "`isc_l2c` is the correction for L5, not for L2." },
-  { name = "flags", at = 0, size = 2, mask = 7, shift = 0, width = 3, doc = "All of them." },
+  { name = "flags", at = 0, size = 2, mask = 7, shift = 0, width = 3, doc = "All values are valid." },
 }
 E["gnss_data.glonass_satellite_type"] = { [0] = "glonass", [1] = "glonass_m", }
 F["gnss_data.glonass_ephemeris_flags"] = {
@@ -608,26 +608,26 @@ F["gnss_data.glonass_ephemeris_flags"] = {
   { name = "flags", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "All of them." },
 }
 F["gnss_data.gps_iono_correction_flags"] = {
-  { name = "tow", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Time of week." },
+  { name = "tow", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "`tow` is valid." },
   { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "`week_number` is valid." },
-  { name = "alpha", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Coefficients alpha." },
-  { name = "beta", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Coefficients beta." },
-  { name = "flags", at = 0, size = 2, mask = 15, shift = 0, width = 4, doc = "All of them." },
+  { name = "alpha", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "`alpha` is valid." },
+  { name = "beta", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "`beta` is valid." },
+  { name = "flags", at = 0, size = 2, mask = 15, shift = 0, width = 4, doc = "All values are valid." },
 }
 F["gnss_data.galileo_iono_correction_flags"] = {
-  { name = "tow", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Time of week." },
+  { name = "tow", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "`tow` is valid." },
   { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "`week_number` is valid." },
-  { name = "alpha", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Coefficients." },
-  { name = "disturbance_flags", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Storm flags." },
-  { name = "flags", at = 0, size = 2, mask = 15, shift = 0, width = 4, doc = "All of them." },
+  { name = "alpha", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "`alpha` is valid." },
+  { name = "disturbance_flags", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "`disturbance_flags` is valid." },
+  { name = "flags", at = 0, size = 2, mask = 15, shift = 0, width = 4, doc = "All values are valid." },
 }
 F["gnss_data.beidou_iono_correction_flags"] = {
-  { name = "tow", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Time of week." },
+  { name = "tow", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "`tow` is valid." },
   { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "`week_number` is valid." },
-  { name = "alpha", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Coefficients alpha." },
-  { name = "beta", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Coefficients beta." },
-  { name = "alpha_correction", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "Further coefficients." },
-  { name = "flags", at = 0, size = 2, mask = 31, shift = 0, width = 5, doc = "All of them." },
+  { name = "alpha", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "`alpha` is valid." },
+  { name = "beta", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "`beta` is valid." },
+  { name = "alpha_correction", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "`alpha_correction` is valid." },
+  { name = "flags", at = 0, size = 2, mask = 31, shift = 0, width = 5, doc = "All values are valid." },
 }
 F["filter_data.valid_flags"] = {
   { name = "valid", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "All values of the field are valid." },
@@ -708,11 +708,14 @@ F["filter_data.cv7_status_flags"] = {
   { name = "time_sync_warning", at = 0, size = 2, mask = 1024, shift = 10, width = 1, doc = "No pulse per second is detected, or the time of an external heading is too old." },
   { name = "solution_error", at = 0, size = 2, mask = 61440, shift = 12, width = 4, doc = "Not 0 if the solution contains values that are not numbers; reset the filter." },
 }
+F["displacement_data.timestamp_flags"] = {
+  { name = "time", at = 0, size = 1, mask = 1, shift = 0, width = 1, doc = "The clock has been set; `time` is valid." },
+}
 F["system_data.gpio_pin_states"] = {
-  { name = "pin_1", at = 0, size = 1, mask = 1, shift = 0, width = 1, doc = "GPIO pin 1." },
-  { name = "pin_2", at = 0, size = 1, mask = 2, shift = 1, width = 1, doc = "GPIO pin 2." },
-  { name = "pin_3", at = 0, size = 1, mask = 4, shift = 2, width = 1, doc = "GPIO pin 3." },
-  { name = "pin_4", at = 0, size = 1, mask = 8, shift = 3, width = 1, doc = "GPIO pin 4." },
+  { name = "pin_1", at = 0, size = 1, mask = 1, shift = 0, width = 1, doc = "GPIO pin 1 is high." },
+  { name = "pin_2", at = 0, size = 1, mask = 2, shift = 1, width = 1, doc = "GPIO pin 2 is high." },
+  { name = "pin_3", at = 0, size = 1, mask = 4, shift = 2, width = 1, doc = "GPIO pin 3 is high." },
+  { name = "pin_4", at = 0, size = 1, mask = 8, shift = 3, width = 1, doc = "GPIO pin 4 is high." },
 }
 F["shared.gps_timestamp_flags"] = {
   { name = "tow", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "The whole seconds of the time of week have been set." },
@@ -775,9 +778,9 @@ S["descriptor_rate"] = {
 }
 S["base.base_device_info"] = {
   { kind = "scalar", name = "firmware_version", type = "u16", size = 2, doc = "Firmware version as one decimal number: 1202 means 1.2.02." },
-  { kind = "text", name = "model_name", count = 16, capacity = 16, doc = "Name of the model." },
+  { kind = "text", name = "model_name", count = 16, capacity = 16, doc = "What the model is called, such as 3DM-GQ7." },
   { kind = "text", name = "model_number", count = 16, capacity = 16, doc = "Part number of the model." },
-  { kind = "text", name = "serial_number", count = 16, capacity = 16, doc = "Serial number." },
+  { kind = "text", name = "serial_number", count = 16, capacity = 16, doc = "Number of this device, which begins with the model number." },
   { kind = "text", name = "lot_number", count = 16, capacity = 16, doc = "Lot number; reserved and blank on some devices." },
   { kind = "text", name = "device_options", count = 16, capacity = 16, doc = "Options of the unit, such as its sensor ranges." },
 }
@@ -834,13 +837,13 @@ SETS[0x0C] = { number = 0x0C, name = "3dm", title = "3DM", fields = {}, named = 
 SETS[0x0D] = { number = 0x0D, name = "filter", title = "Filter commands", fields = {}, named = { [0x0F] = "Select filter", [0x24] = "Auto heading update control", [0x25] = "Mag auto calibration control", [0x2A] = "Gravity noise minimum", [0x30] = "Low pass sensor filter", [0x48] = "Hot start control", [0x4A] = "Secondary velocity aiding control", [0x65] = "Sensor to vehicle calibration control", [0x8F] = "Select filter response", [0x91] = "Auto heading update control response", [0x92] = "Mag auto calibration control response", [0x95] = "Gravity noise minimum response", [0x98] = "Set initial heading response", [0xA0] = "Low pass sensor filter response", [0xB6] = "Mag angular rate error adaptive measurement control response", [0xB8] = "Hot start control response", [0xBA] = "Secondary velocity aiding control response", [0xE0] = "Speed measurement response", } }
 SETS[0x0E] = { number = 0x0E, name = "gnss", title = "GNSS commands", fields = {}, named = { [0x60] = "Receiver safe mode", } }
 SETS[0x0F] = { number = 0x0F, name = "rtk", title = "RTK commands", fields = {}, named = { } }
-SETS[0x11] = { number = 0x11, name = "displacement", title = "Displacement commands", fields = {}, named = { [0x01] = "Get analog displacement calibration", [0x02] = "Displacement output rate", [0x04] = "Displacement device time", } }
+SETS[0x11] = { number = 0x11, name = "displacement", title = "Displacement commands", fields = {}, named = { } }
 SETS[0x13] = { number = 0x13, name = "aiding", title = "Aiding commands", fields = {}, named = { [0x02] = "Sensor frame map", [0x03] = "Local frame", [0x20] = "Local position", [0x24] = "Relative height", [0x25] = "Pressure (old)", [0x2B] = "Wheel speed", [0x38] = "Delta position", [0x39] = "Delta attitude", [0x3A] = "Local angular rate", [0x82] = "Sensor frame map response", } }
 SETS[0x7F] = { number = 0x7F, name = "system", title = "System", fields = {}, named = { [0x01] = "MIPnet enumerate", [0x11] = "Hardware control", [0x12] = "Hardware control 2", [0x91] = "Hardware control response", [0x92] = "Hardware control 2 response", } }
 SETS[0x80] = { number = 0x80, name = "sensor", title = "Sensor data", fields = {}, named = { [0x15] = "Raw clip data", [0x81] = "ASPP packet of the sensor", [0x82] = "Single-byte protocol packet of the sensor", } }
 SETS[0x81] = { number = 0x81, name = "gnss_data", title = "GNSS data", fields = {}, named = { [0x01] = "NMEA sentence of the receiver", [0x02] = "UBX packet of the receiver", [0x21] = "Satellite signal status", [0x72] = "GLONASS ionospheric correction", } }
 SETS[0x82] = { number = 0x82, name = "filter_data", title = "Filter data", fields = {}, named = { [0x23] = "Magnetometer scale factor", [0x24] = "Magnetometer scale factor uncertainty", [0x27] = "Compensated magnetometer", [0x2B] = "Gravity covariance", [0x2D] = "Magnetometer filtered residual", } }
-SETS[0x90] = { number = 0x90, name = "displacement_data", title = "Displacement data", fields = {}, named = { [0x04] = "Displacement timestamp", } }
+SETS[0x90] = { number = 0x90, name = "displacement_data", title = "Displacement data", fields = {}, named = { } }
 SETS[0x91] = { number = 0x91, name = "gnss_1", title = "GNSS receiver 1 data", fields = {}, named = { [0x01] = "NMEA sentence of the receiver", [0x02] = "UBX packet of the receiver", [0x21] = "Satellite signal status", [0x72] = "GLONASS ionospheric correction", } }
 SETS[0x92] = { number = 0x92, name = "gnss_2", title = "GNSS receiver 2 data", fields = {}, named = { [0x01] = "NMEA sentence of the receiver", [0x02] = "UBX packet of the receiver", [0x21] = "Satellite signal status", [0x72] = "GLONASS ionospheric correction", } }
 SETS[0x93] = { number = 0x93, name = "gnss_corrections", title = "GNSS corrections data", fields = {}, named = { [0x01] = "NMEA sentence of the receiver", [0x02] = "UBX packet of the receiver", [0x21] = "Satellite signal status", [0x72] = "GLONASS ionospheric correction", } }
@@ -936,7 +939,7 @@ field({ descriptor = 0x83, name = "base.built_in_test_response", role = "respons
     doc = "", least = 4,
     always = 1,
     rows = {
-      { kind = "scalar", name = "result", type = "u32", size = 4, doc = "Failure flags, defined by each device. Zero means that every test passed. On the 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-GX5-10 and 3DM-GX5-25: values of gx5_built_in_test. Inferred: The 3DM-GX5-15 has it. On the 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: the values are not known. On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS and 3DM-RTK: values of cv7_built_in_test. Inferred: The 3DM-CV7-GNSS/INS has it. On the 3DM-CV7-GNSS/INS: values of cv7_built_in_test. On the 3DM-GX5-15: values of gx5_built_in_test.", readings = { {device = "3dm-cl5-10", flags = F["gx5_built_in_test"] }, {device = "3dm-cl5-15", flags = F["gx5_built_in_test"] }, {device = "3dm-cl5-25", flags = F["gx5_built_in_test"] }, {device = "3dm-cv5-10", flags = F["gx5_built_in_test"] }, {device = "3dm-cv5-15", flags = F["gx5_built_in_test"] }, {device = "3dm-cv5-25", flags = F["gx5_built_in_test"] }, {device = "3dm-cv7-ahrs", flags = F["cv7_built_in_test"] }, {device = "3dm-cv7-ar", flags = F["cv7_built_in_test"] }, {device = "3dm-cv7-gnss-ins", flags = F["cv7_built_in_test"] }, {device = "3dm-cv7-ins", flags = F["cv7_built_in_test"] }, {device = "3dm-cx5-10", flags = F["gx5_built_in_test"] }, {device = "3dm-cx5-15", flags = F["gx5_built_in_test"] }, {device = "3dm-cx5-25", flags = F["gx5_built_in_test"] }, {device = "3dm-cx7-ahrs", flags = F["cv7_built_in_test"] }, {device = "3dm-cx7-ar", flags = F["cv7_built_in_test"] }, {device = "3dm-cx7-ins", flags = F["cv7_built_in_test"] }, {device = "3dm-gq7", flags = F["cv7_built_in_test"] }, {device = "3dm-gv7-ahrs", flags = F["cv7_built_in_test"] }, {device = "3dm-gv7-ar", flags = F["cv7_built_in_test"] }, {device = "3dm-gv7-ins", flags = F["cv7_built_in_test"] }, {device = "3dm-gx5-10", flags = F["gx5_built_in_test"] }, {device = "3dm-gx5-15", flags = F["gx5_built_in_test"] }, {device = "3dm-gx5-25", flags = F["gx5_built_in_test"] }, {device = "3dm-rtk", flags = F["cv7_built_in_test"] }, } },
+      { kind = "scalar", name = "result", type = "u32", size = 4, doc = "Failure flags, defined by each device. Zero means that every test passed. On the 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-GX5-10 and 3DM-GX5-25: values of gx5_built_in_test. Inferred: The 3DM-GX5-15 has it. On the 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT, 3DM-RQ1-45-ST and 3DM-RQ1-IMU: the values are not known. On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS and 3DM-RTK: values of cv7_built_in_test. Inferred: The 3DM-CV7-GNSS/INS has it. On the 3DM-CV7-GNSS/INS: values of cv7_built_in_test. On the 3DM-GX5-15: values of gx5_built_in_test.", readings = { {device = "3dm-cl5-10", flags = F["gx5_built_in_test"] }, {device = "3dm-cl5-15", flags = F["gx5_built_in_test"] }, {device = "3dm-cl5-25", flags = F["gx5_built_in_test"] }, {device = "3dm-cv5-10", flags = F["gx5_built_in_test"] }, {device = "3dm-cv5-15", flags = F["gx5_built_in_test"] }, {device = "3dm-cv5-25", flags = F["gx5_built_in_test"] }, {device = "3dm-cv7-ahrs", flags = F["cv7_built_in_test"] }, {device = "3dm-cv7-ar", flags = F["cv7_built_in_test"] }, {device = "3dm-cv7-gnss-ins", flags = F["cv7_built_in_test"] }, {device = "3dm-cv7-ins", flags = F["cv7_built_in_test"] }, {device = "3dm-cx5-10", flags = F["gx5_built_in_test"] }, {device = "3dm-cx5-15", flags = F["gx5_built_in_test"] }, {device = "3dm-cx5-25", flags = F["gx5_built_in_test"] }, {device = "3dm-cx7-ahrs", flags = F["cv7_built_in_test"] }, {device = "3dm-cx7-ar", flags = F["cv7_built_in_test"] }, {device = "3dm-cx7-ins", flags = F["cv7_built_in_test"] }, {device = "3dm-gq7", flags = F["cv7_built_in_test"] }, {device = "3dm-gv7-ahrs", flags = F["cv7_built_in_test"] }, {device = "3dm-gv7-ar", flags = F["cv7_built_in_test"] }, {device = "3dm-gv7-ins", flags = F["cv7_built_in_test"] }, {device = "3dm-gx5-10", flags = F["gx5_built_in_test"] }, {device = "3dm-gx5-15", flags = F["gx5_built_in_test"] }, {device = "3dm-gx5-25", flags = F["gx5_built_in_test"] }, {device = "3dm-rtk", flags = F["cv7_built_in_test"] }, } },
     } }, { { set = 0x01, name = "base.built_in_test_response", title = "Built-in test response" }, })
 field({ descriptor = 0x84, name = "base.gps_time_update_week_number_response", role = "response", title = "GPS time update, week number",
     doc = "The current week number.", least = 4,
@@ -1115,7 +1118,7 @@ field({ descriptor = 0x23, name = "3dm.gnss_assisted_fix", role = "command", tit
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "option", type = "u8", size = 1, enum = E["3dm.assisted_fix_option"], doc = "Assisted fix. Default: none. On the 3DM-GX5-35: default none." }, } },
+      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "option", type = "u8", size = 1, enum = E["3dm.assisted_fix_option"], doc = "Whether the receiver keeps data for a faster first fix. Default: none. On the 3DM-GX5-35: default none." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "flags", type = "u8", size = 1, doc = "Reserved: send 255. On the 3DM-GX5-35: default 255." }, } },
     } }, { { set = 0x0C, name = "3dm.gnss_assisted_fix", title = "GNSS Assisted Fix" }, })
 field({ descriptor = 0x24, name = "3dm.gnss_time_assistance", role = "command", title = "GNSS Time Assistance",
@@ -1125,7 +1128,7 @@ field({ descriptor = 0x24, name = "3dm.gnss_time_assistance", role = "command", 
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number since 1980. Unit: week." }, } },
-      { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "accuracy", type = "float", size = 4, units = {"s", }, doc = "Accuracy of the time. Unit: s. Range: at least 0." }, } },
+      { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "accuracy", type = "float", size = 4, units = {"s", }, doc = "Estimated accuracy of the time that is sent. Unit: s. Range: at least 0." }, } },
     } }, { { set = 0x0C, name = "3dm.gnss_time_assistance", title = "GNSS Time Assistance" }, })
 field({ descriptor = 0x28, name = "3dm.pps_source_control", role = "command", title = "PPS Source Control",
     doc = "Where the device takes its pulse per second from.", least = 1,
@@ -1153,14 +1156,14 @@ field({ descriptor = 0x2C, name = "3dm.get_event_trigger_status", role = "comman
     always = 2,
     rows = {
       { kind = "counter", name = "requested_count", type = "u8", size = 1, doc = "Number of requested triggers; 0 requests all slots." },
-      { kind = "array", name = "requested_instances", counter = "requested_count", capacity = 252, size = 1, doc = "Trigger instances.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
+      { kind = "array", name = "requested_instances", counter = "requested_count", capacity = 252, size = 1, doc = "Numbers of the triggers to report; none for all.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
     } }, { { set = 0x0C, name = "3dm.get_event_trigger_status", title = "Get Event Trigger Status" }, })
 field({ descriptor = 0x2D, name = "3dm.get_event_action_status", role = "command", title = "Get Event Action Status",
     doc = "Gets the type and the trigger of event actions.", least = 1,
     always = 2,
     rows = {
       { kind = "counter", name = "requested_count", type = "u8", size = 1, doc = "Number of requested actions; 0 requests all slots." },
-      { kind = "array", name = "requested_instances", counter = "requested_count", capacity = 252, size = 1, doc = "Action instances.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
+      { kind = "array", name = "requested_instances", counter = "requested_count", capacity = 252, size = 1, doc = "Numbers of the actions to report; none for all.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
     } }, { { set = 0x0C, name = "3dm.get_event_action_status", title = "Get Event Action Status" }, })
 field({ descriptor = 0x2E, name = "3dm.event_trigger_config", role = "command", title = "Event Trigger Configuration",
     doc = "Kind and condition of an event trigger.", least = 1,
@@ -1236,7 +1239,7 @@ field({ descriptor = 0x35, name = "3dm.imu_signal_conditioning", role = "command
       { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "mag_filter_width", type = "u8", size = 1, doc = "Width of the filter of the magnetometer in samples. Unit: 1. Range: 1 to 32. Default: 17." }, } },
       { kind = "group", first = 5, last = 5, body = { { kind = "scalar", name = "up_compensation", type = "u16", size = 2, units = {"s", }, doc = "Time constant of the correction of pitch and roll. Unit: s. Range: 1 to 1000. Default: 10." }, } },
       { kind = "group", first = 6, last = 6, body = { { kind = "scalar", name = "north_compensation", type = "u16", size = 2, units = {"s", }, doc = "Time constant of the correction of the heading. Unit: s. Range: 1 to 1000. Default: 10." }, } },
-      { kind = "group", first = 7, last = 7, body = { { kind = "scalar", name = "mag_bandwidth", type = "u8", size = 1, enum = E["3dm.mag_bandwidth"], doc = "Bandwidth of the magnetometer." }, } },
+      { kind = "group", first = 7, last = 7, body = { { kind = "scalar", name = "mag_bandwidth", type = "u8", size = 1, enum = E["3dm.mag_bandwidth"], doc = "Bandwidth of the magnetometer of 3-series devices." }, } },
       { kind = "group", first = 8, last = 8, body = { { kind = "scalar", name = "reserved", type = "u16", size = 2, doc = "Reserved: send 0." }, } },
     } }, { { set = 0x0C, name = "3dm.imu_signal_conditioning", title = "IMU signal conditioning" }, })
 field({ descriptor = 0x36, name = "3dm.imu_timestamp", role = "command", title = "IMU timestamp",
@@ -1252,14 +1255,14 @@ field({ descriptor = 0x37, name = "3dm.accel_bias", role = "command", title = "A
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, [6] = 1, }, silent = { [6] = true, },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "bias", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"g", }, doc = "Accelerometer bias. Unit: g. Frame: sensor.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
+      { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "bias", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"g", }, doc = "Bias that the device subtracts from the measured acceleration. Unit: g. Frame: sensor.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
     } }, { { set = 0x0C, name = "3dm.accel_bias", title = "Accelerometer Bias Configuration" }, })
 field({ descriptor = 0x38, name = "3dm.gyro_bias", role = "command", title = "Gyroscope Bias Configuration",
     doc = "Bias that is subtracted from the scaled angular rate.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, [6] = 1, }, silent = { [6] = true, },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "bias", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad/s", }, doc = "Gyroscope bias. Unit: rad/s. Frame: sensor.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
+      { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "bias", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad/s", }, doc = "Bias that the device subtracts from the measured angular rate. Unit: rad/s. Frame: sensor.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
     } }, { { set = 0x0C, name = "3dm.gyro_bias", title = "Gyroscope Bias Configuration" }, })
 field({ descriptor = 0x39, name = "3dm.capture_gyro_bias", role = "command", title = "Capture Gyroscope Bias",
     doc = "Averages the angular rate of the device at rest and uses the result as the gyroscope bias.", least = 2,
@@ -1273,7 +1276,7 @@ field({ descriptor = 0x3A, name = "3dm.mag_hard_iron_offset", role = "command", 
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, [6] = 1, }, silent = { [6] = true, },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Hard iron offset. Unit: gauss. Frame: sensor. On the 3DM-GX5-45: default 0, 0, 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
+      { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Offset that the device subtracts from the measured magnetic field. Unit: gauss. Frame: sensor. On the 3DM-GX5-45: default 0, 0, 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
     } }, { { set = 0x0C, name = "3dm.mag_hard_iron_offset", title = "Magnetometer Hard Iron Offset" }, })
 field({ descriptor = 0x3B, name = "3dm.mag_soft_iron_matrix", role = "command", title = "Magnetometer Soft Iron Matrix",
     doc = "Matrix that corrects the scaled magnetic field for soft iron.", least = 1,
@@ -1294,7 +1297,7 @@ field({ descriptor = 0x40, name = "3dm.uart_baud_rate", role = "command", title 
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "baud", type = "u32", size = 4, units = {"Bd", }, doc = "Baud rate. Unit: Bd. On the 3DM-GX5-15 and 3DM-GX5-45: default 115200." }, } },
+      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "baud", type = "u32", size = 4, units = {"Bd", }, doc = "Baud rate, one of those that the port supports. Unit: Bd. On the 3DM-GX5-15 and 3DM-GX5-45: default 115200." }, } },
     } }, { { set = 0x0C, name = "3dm.uart_baud_rate", title = "UART Baud Rate" }, })
 field({ descriptor = 0x41, name = "3dm.gpio_config", role = "command", title = "GPIO Configuration",
     doc = "What a GPIO pin is used for.", least = 1,
@@ -1375,7 +1378,7 @@ field({ descriptor = 0x60, name = "3dm.data_stream_format", role = "command", ti
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "stream", type = "u8", size = 1, enum = E["3dm.internal_sensor"], doc = "Stream whose format is set or read." }, } },
-      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "format", type = "u8", size = 1, enum = E["3dm.stream_format"], doc = "Its format." }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "format", type = "u8", size = 1, enum = E["3dm.stream_format"], doc = "Format of a data stream." }, } },
     } }, { { set = 0x0C, name = "3dm.data_stream_format", title = "Data stream format" }, })
 field({ descriptor = 0x61, name = "3dm.device_power_state", role = "command", title = "Device power state",
     doc = "Sets the power state of an internal sensor.", least = 1,
@@ -1384,7 +1387,7 @@ field({ descriptor = 0x61, name = "3dm.device_power_state", role = "command", ti
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "device", type = "u8", size = 1, enum = E["3dm.internal_sensor"], doc = "The sensor." }, } },
-      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "state", type = "u8", size = 1, enum = E["3dm.sensor_power_state"], doc = "Its power state." }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "state", type = "u8", size = 1, enum = E["3dm.sensor_power_state"], doc = "Power state of an internal sensor." }, } },
     } }, { { set = 0x0C, name = "3dm.device_power_state", title = "Device power state" }, })
 field({ descriptor = 0x62, name = "3dm.gps_advanced_settings", role = "command", title = "GPS advanced settings",
     doc = "Saves, loads or resets the settings of the GNSS receiver that were made in direct mode.", least = 1,
@@ -1449,28 +1452,28 @@ field({ descriptor = 0x86, name = "3dm.imu_signal_conditioning_response", role =
       { kind = "scalar", name = "mag_filter_width", type = "u8", size = 1, doc = "Width of the filter of the magnetometer in samples. Unit: 1. Range: 1 to 32. Default: 17." },
       { kind = "scalar", name = "up_compensation", type = "u16", size = 2, units = {"s", }, doc = "Time constant of the correction of pitch and roll. Unit: s. Range: 1 to 1000. Default: 10." },
       { kind = "scalar", name = "north_compensation", type = "u16", size = 2, units = {"s", }, doc = "Time constant of the correction of the heading. Unit: s. Range: 1 to 1000. Default: 10." },
-      { kind = "scalar", name = "mag_bandwidth", type = "u8", size = 1, enum = E["3dm.mag_bandwidth"], doc = "Bandwidth of the magnetometer." },
+      { kind = "scalar", name = "mag_bandwidth", type = "u8", size = 1, enum = E["3dm.mag_bandwidth"], doc = "Bandwidth of the magnetometer of 3-series devices." },
       { kind = "scalar", name = "reserved", type = "u16", size = 2, doc = "Reserved." },
     } }, { { set = 0x0C, name = "3dm.imu_signal_conditioning_response", title = "IMU signal conditioning response" }, })
 field({ descriptor = 0x87, name = "3dm.uart_baud_rate_response", role = "response", title = "UART Baud Rate response",
     doc = "", least = 4,
     always = 1,
     rows = {
-      { kind = "scalar", name = "baud", type = "u32", size = 4, units = {"Bd", }, doc = "Baud rate. Unit: Bd." },
+      { kind = "scalar", name = "baud", type = "u32", size = 4, units = {"Bd", }, doc = "Baud rate, one of those that the port supports. Unit: Bd." },
     } }, { { set = 0x0C, name = "3dm.uart_baud_rate_response", title = "UART Baud Rate response" }, })
 field({ descriptor = 0x88, name = "3dm.data_stream_format_response", role = "response", title = "Data stream format response",
     doc = "", least = 2,
     always = 2,
     rows = {
       { kind = "scalar", name = "stream", type = "u8", size = 1, enum = E["3dm.internal_sensor"], doc = "Stream whose format is set or read." },
-      { kind = "scalar", name = "format", type = "u8", size = 1, enum = E["3dm.stream_format"], doc = "Its format." },
+      { kind = "scalar", name = "format", type = "u8", size = 1, enum = E["3dm.stream_format"], doc = "Format of a data stream." },
     } }, { { set = 0x0C, name = "3dm.data_stream_format_response", title = "Data stream format response" }, })
 field({ descriptor = 0x89, name = "3dm.device_power_state_response", role = "response", title = "Device power state response",
     doc = "", least = 2,
     always = 2,
     rows = {
       { kind = "scalar", name = "device", type = "u8", size = 1, enum = E["3dm.internal_sensor"], doc = "The sensor." },
-      { kind = "scalar", name = "state", type = "u8", size = 1, enum = E["3dm.sensor_power_state"], doc = "Its power state." },
+      { kind = "scalar", name = "state", type = "u8", size = 1, enum = E["3dm.sensor_power_state"], doc = "Power state of an internal sensor." },
     } }, { { set = 0x0C, name = "3dm.device_power_state_response", title = "Device power state response" }, })
 field({ descriptor = 0x8A, name = "3dm.get_filter_base_rate_response", role = "response", title = "Get Estimation Filter Data Base Rate response",
     doc = "", least = 2,
@@ -1510,6 +1513,16 @@ field({ descriptor = 0x8F, name = "3dm.message_format_response", role = "respons
       { kind = "counter", name = "num_descriptors", type = "u8", size = 1, doc = "Number of fields." },
       { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 83, size = 3, doc = "Fields and decimations. Refers to fields of descriptor_set.", item = { kind = "struct", name = "item", record = S["descriptor_rate"] } },
     } }, { { set = 0x0C, name = "3dm.message_format_response", title = "Message Format response" }, })
+field({ descriptor = 0x90, name = "3dm.device_status_basic_rq1_imu_response", role = "response", title = "Basic Device Status of the inertial sensor of the 3DM-RQ1-45",
+    doc = "Timer only, in microseconds.", least = 15,
+    always = 4,
+    constants = { { at = 0, value = "\24\94" }, { at = 2, value = "\1" }, },
+    rows = {
+      { kind = "constant", name = "model_number", type = "u16", size = 2, value = "\24\94", doc = "Model number of the inertial sensor." },
+      { kind = "constant", name = "status_selector", type = "u8", size = 1, value = "\1", doc = "Basic status." },
+      { kind = "scalar", name = "status_flags", type = "u32", size = 4, doc = "Reserved." },
+      { kind = "scalar", name = "system_timer", type = "u64", size = 8, units = {"us", }, doc = "Time since start-up. Unit: us." },
+    } }, { { set = 0x0C, name = "3dm.device_status_basic_rq1_imu_response", title = "Basic Device Status of the inertial sensor of the 3DM-RQ1-45" }, })
 field({ descriptor = 0x90, name = "3dm.device_status_basic_response", role = "response", title = "Basic Device Status",
     doc = "State and timer.", least = 13,
     always = 5,
@@ -1545,8 +1558,8 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_response", role 
       { kind = "scalar", name = "filter_stream_enabled", type = "bool", size = 1, doc = "Whether filter data is streamed." },
       { kind = "scalar", name = "imu_dropped_packets", type = "u32", size = 4, doc = "Sensor data packets that were not sent. Unit: 1." },
       { kind = "scalar", name = "filter_dropped_packets", type = "u32", size = 4, doc = "Filter data packets that were not sent. Unit: 1." },
-      { kind = "scalar", name = "comm_port_bytes_written", type = "u32", size = 4, units = {"byte", }, doc = "Bytes written to the port. Unit: byte." },
-      { kind = "scalar", name = "comm_port_bytes_read", type = "u32", size = 4, units = {"byte", }, doc = "Bytes read from the port. Unit: byte." },
+      { kind = "scalar", name = "comm_port_bytes_written", type = "u32", size = 4, units = {"byte", }, doc = "Bytes sent over the port. Unit: byte." },
+      { kind = "scalar", name = "comm_port_bytes_read", type = "u32", size = 4, units = {"byte", }, doc = "Bytes received over the port. Unit: byte." },
       { kind = "scalar", name = "comm_port_write_overruns", type = "u32", size = 4, doc = "Overruns while writing to the port. Unit: 1." },
       { kind = "scalar", name = "comm_port_read_overruns", type = "u32", size = 4, doc = "Overruns while reading from the port. Unit: 1." },
       { kind = "scalar", name = "imu_parser_errors", type = "u32", size = 4, doc = "Messages of the IMU that could not be parsed. Unit: 1." },
@@ -1572,8 +1585,8 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gnss_response", 
       { kind = "scalar", name = "imu_dropped_packets", type = "u32", size = 4, doc = "Sensor data packets that were not sent. Unit: 1." },
       { kind = "scalar", name = "gnss_dropped_packets", type = "u32", size = 4, doc = "GNSS data packets that were not sent. Unit: 1." },
       { kind = "scalar", name = "filter_dropped_packets", type = "u32", size = 4, doc = "Filter data packets that were not sent. Unit: 1." },
-      { kind = "scalar", name = "comm_port_bytes_written", type = "u32", size = 4, units = {"byte", }, doc = "Bytes written to the port. Unit: byte." },
-      { kind = "scalar", name = "comm_port_bytes_read", type = "u32", size = 4, units = {"byte", }, doc = "Bytes read from the port. Unit: byte." },
+      { kind = "scalar", name = "comm_port_bytes_written", type = "u32", size = 4, units = {"byte", }, doc = "Bytes sent over the port. Unit: byte." },
+      { kind = "scalar", name = "comm_port_bytes_read", type = "u32", size = 4, units = {"byte", }, doc = "Bytes received over the port. Unit: byte." },
       { kind = "scalar", name = "comm_port_write_overruns", type = "u32", size = 4, doc = "Overruns while writing to the port. Unit: 1." },
       { kind = "scalar", name = "comm_port_read_overruns", type = "u32", size = 4, doc = "Overruns while reading from the port. Unit: 1." },
       { kind = "scalar", name = "imu_parser_errors", type = "u32", size = 4, doc = "Messages of the IMU that could not be parsed. Unit: 1." },
@@ -1602,8 +1615,8 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gq4_45_response"
       { kind = "scalar", name = "imu_dropped_packets", type = "u32", size = 4, doc = "Sensor data packets that were not sent. Unit: 1." },
       { kind = "scalar", name = "gnss_dropped_packets", type = "u32", size = 4, doc = "GNSS data packets that were not sent. Unit: 1." },
       { kind = "scalar", name = "filter_dropped_packets", type = "u32", size = 4, doc = "Filter data packets that were not sent. Unit: 1." },
-      { kind = "scalar", name = "comm_port_bytes_written", type = "u32", size = 4, units = {"byte", }, doc = "Bytes written to the port. Unit: byte." },
-      { kind = "scalar", name = "comm_port_bytes_read", type = "u32", size = 4, units = {"byte", }, doc = "Bytes read from the port. Unit: byte." },
+      { kind = "scalar", name = "comm_port_bytes_written", type = "u32", size = 4, units = {"byte", }, doc = "Bytes sent over the port. Unit: byte." },
+      { kind = "scalar", name = "comm_port_bytes_read", type = "u32", size = 4, units = {"byte", }, doc = "Bytes received over the port. Unit: byte." },
       { kind = "scalar", name = "comm_port_write_overruns", type = "u32", size = 4, doc = "Overruns while writing to the port. Unit: 1." },
       { kind = "scalar", name = "comm_port_read_overruns", type = "u32", size = 4, doc = "Overruns while reading from the port. Unit: 1." },
       { kind = "scalar", name = "imu_parser_errors", type = "u32", size = 4, doc = "Messages of the IMU that could not be parsed. Unit: 1." },
@@ -1638,8 +1651,8 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_rq1_45_response"
       { kind = "scalar", name = "imu_dropped_packets", type = "u32", size = 4, doc = "Sensor data packets that were not sent. Unit: 1." },
       { kind = "scalar", name = "gnss_dropped_packets", type = "u32", size = 4, doc = "GNSS data packets that were not sent. Unit: 1." },
       { kind = "scalar", name = "filter_dropped_packets", type = "u32", size = 4, doc = "Filter data packets that were not sent. Unit: 1." },
-      { kind = "scalar", name = "comm_port_bytes_written", type = "u32", size = 4, units = {"byte", }, doc = "Bytes written to the port. Unit: byte." },
-      { kind = "scalar", name = "comm_port_bytes_read", type = "u32", size = 4, units = {"byte", }, doc = "Bytes read from the port. Unit: byte." },
+      { kind = "scalar", name = "comm_port_bytes_written", type = "u32", size = 4, units = {"byte", }, doc = "Bytes sent over the port. Unit: byte." },
+      { kind = "scalar", name = "comm_port_bytes_read", type = "u32", size = 4, units = {"byte", }, doc = "Bytes received over the port. Unit: byte." },
       { kind = "scalar", name = "comm_port_write_overruns", type = "u32", size = 4, doc = "Overruns while writing to the port. Unit: 1." },
       { kind = "scalar", name = "comm_port_read_overruns", type = "u32", size = 4, doc = "Overruns while reading from the port. Unit: 1." },
       { kind = "scalar", name = "imu_parser_errors", type = "u32", size = 4, doc = "Messages of the IMU that could not be parsed. Unit: 1." },
@@ -1664,12 +1677,12 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gx4_response", r
       { kind = "scalar", name = "filter_stream_enabled", type = "bool", size = 1, doc = "Whether filter data is streamed." },
       { kind = "scalar", name = "imu_dropped_packets", type = "u32", size = 4, doc = "Sensor data packets that were not sent. Unit: 1." },
       { kind = "scalar", name = "filter_dropped_packets", type = "u32", size = 4, doc = "Filter data packets that were not sent. Unit: 1." },
-      { kind = "scalar", name = "comm_port_bytes_written", type = "u32", size = 4, units = {"byte", }, doc = "Bytes written to the port. Unit: byte." },
-      { kind = "scalar", name = "comm_port_bytes_read", type = "u32", size = 4, units = {"byte", }, doc = "Bytes read from the port. Unit: byte." },
+      { kind = "scalar", name = "comm_port_bytes_written", type = "u32", size = 4, units = {"byte", }, doc = "Bytes sent over the port. Unit: byte." },
+      { kind = "scalar", name = "comm_port_bytes_read", type = "u32", size = 4, units = {"byte", }, doc = "Bytes received over the port. Unit: byte." },
       { kind = "scalar", name = "comm_port_write_overruns", type = "u32", size = 4, doc = "Overruns while writing to the port. Unit: 1." },
       { kind = "scalar", name = "comm_port_read_overruns", type = "u32", size = 4, doc = "Overruns while reading from the port. Unit: 1." },
-      { kind = "scalar", name = "usb_bytes_written", type = "u32", size = 4, units = {"byte", }, doc = "Bytes written to USB. Unit: byte." },
-      { kind = "scalar", name = "usb_bytes_read", type = "u32", size = 4, units = {"byte", }, doc = "Bytes read from USB. Unit: byte." },
+      { kind = "scalar", name = "usb_bytes_written", type = "u32", size = 4, units = {"byte", }, doc = "Bytes sent over USB. Unit: byte." },
+      { kind = "scalar", name = "usb_bytes_read", type = "u32", size = 4, units = {"byte", }, doc = "Bytes received over USB. Unit: byte." },
       { kind = "scalar", name = "usb_write_overruns", type = "u32", size = 4, doc = "Overruns while writing to USB. Unit: 1." },
       { kind = "scalar", name = "usb_read_overruns", type = "u32", size = 4, doc = "Overruns while reading from USB. Unit: 1." },
       { kind = "scalar", name = "imu_parser_errors", type = "u32", size = 4, doc = "Messages of the IMU that could not be parsed. Unit: 1." },
@@ -1688,7 +1701,7 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_imu_response", r
       { kind = "scalar", name = "has_mag", type = "bool", size = 1, doc = "Whether it has a magnetometer." },
       { kind = "scalar", name = "has_pressure", type = "bool", size = 1, doc = "Whether it has a pressure sensor." },
       { kind = "scalar", name = "power_state", type = "u8", size = 1, doc = "Power state of the sensors." },
-      { kind = "scalar", name = "gyro_range", type = "u16", size = 2, doc = "Range of the gyroscope." },
+      { kind = "scalar", name = "gyro_range", type = "u16", size = 2, doc = "Largest angular rate that can be measured." },
       { kind = "scalar", name = "accel_range", type = "u16", size = 2, doc = "Largest acceleration that can be measured." },
       { kind = "scalar", name = "reserved", type = "u32", size = 4, doc = "Reserved." },
       { kind = "scalar", name = "temperature", type = "float", size = 4, units = {"degC", }, doc = "Temperature of the board. Unit: degC." },
@@ -1698,11 +1711,63 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_imu_response", r
       { kind = "scalar", name = "pps_last_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last pulse. Unit: ms." },
       { kind = "scalar", name = "imu_stream_enabled", type = "bool", size = 1, doc = "Whether sensor data is streamed." },
       { kind = "scalar", name = "imu_dropped_packets", type = "u32", size = 4, doc = "Sensor data packets that were not sent. Unit: 1." },
-      { kind = "scalar", name = "comm_port_bytes_written", type = "u32", size = 4, units = {"byte", }, doc = "Bytes written to the port. Unit: byte." },
-      { kind = "scalar", name = "comm_port_bytes_read", type = "u32", size = 4, units = {"byte", }, doc = "Bytes read from the port. Unit: byte." },
+      { kind = "scalar", name = "comm_port_bytes_written", type = "u32", size = 4, units = {"byte", }, doc = "Bytes sent over the port. Unit: byte." },
+      { kind = "scalar", name = "comm_port_bytes_read", type = "u32", size = 4, units = {"byte", }, doc = "Bytes received over the port. Unit: byte." },
       { kind = "scalar", name = "comm_port_write_overruns", type = "u32", size = 4, doc = "Overruns while writing to the port. Unit: 1." },
       { kind = "scalar", name = "comm_port_read_overruns", type = "u32", size = 4, doc = "Overruns while reading from the port. Unit: 1." },
     } }, { { set = 0x0C, name = "3dm.device_status_diagnostic_imu_response", title = "Diagnostic Device Status of an IMU" }, })
+field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gx4_imu_response", role = "response", title = "Diagnostic Device Status of the inertial sensor of the 3DM-GX4-45",
+    doc = "Timer, available sensors and their ranges, temperature, and the counters of pulses, stream and port.", least = 62,
+    always = 21,
+    constants = { { at = 2, value = "\2" }, },
+    rows = {
+      { kind = "scalar", name = "model_number", type = "u16", size = 2, doc = "Model number of the inertial sensor." },
+      { kind = "constant", name = "status_selector", type = "u8", size = 1, value = "\2", doc = "Diagnostic status." },
+      { kind = "scalar", name = "status_flags", type = "u32", size = 4, doc = "Reserved." },
+      { kind = "scalar", name = "system_timer", type = "u32", size = 4, units = {"ms", }, doc = "Time since start-up. Unit: ms." },
+      { kind = "scalar", name = "has_mag", type = "bool", size = 1, doc = "Whether it has a magnetometer." },
+      { kind = "scalar", name = "has_pressure", type = "bool", size = 1, doc = "Whether it has a pressure sensor." },
+      { kind = "scalar", name = "gyro_range", type = "u16", size = 2, doc = "Largest angular rate that can be measured." },
+      { kind = "scalar", name = "accel_range", type = "u8", size = 1, doc = "Largest acceleration that can be measured." },
+      { kind = "scalar", name = "mag_range", type = "float", size = 4, doc = "Largest magnetic field that can be measured." },
+      { kind = "scalar", name = "pressure_range", type = "float", size = 4, doc = "Largest pressure that can be measured." },
+      { kind = "scalar", name = "temperature", type = "float", size = 4, units = {"degC", }, doc = "Temperature of the board. Unit: degC." },
+      { kind = "scalar", name = "temperature_last_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last temperature. Unit: ms." },
+      { kind = "scalar", name = "temperature_error", type = "u8", size = 1, doc = "State of the temperature measurement; 0 is normal." },
+      { kind = "scalar", name = "pps_count", type = "u32", size = 4, doc = "Pulses per second that were counted. Unit: 1." },
+      { kind = "scalar", name = "pps_last_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last pulse. Unit: ms." },
+      { kind = "scalar", name = "imu_stream_enabled", type = "bool", size = 1, doc = "Whether sensor data is streamed." },
+      { kind = "scalar", name = "imu_dropped_packets", type = "u32", size = 4, doc = "Sensor data packets that were not sent. Unit: 1." },
+      { kind = "scalar", name = "comm_port_bytes_written", type = "u32", size = 4, units = {"byte", }, doc = "Bytes sent over the port. Unit: byte." },
+      { kind = "scalar", name = "comm_port_bytes_read", type = "u32", size = 4, units = {"byte", }, doc = "Bytes received over the port. Unit: byte." },
+      { kind = "scalar", name = "comm_port_write_overruns", type = "u32", size = 4, doc = "Overruns while writing to the port. Unit: 1." },
+      { kind = "scalar", name = "comm_port_read_overruns", type = "u32", size = 4, doc = "Overruns while reading from the port. Unit: 1." },
+    } }, { { set = 0x0C, name = "3dm.device_status_diagnostic_gx4_imu_response", title = "Diagnostic Device Status of the inertial sensor of the 3DM-GX4-45" }, })
+field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_rq1_imu_response", role = "response", title = "Diagnostic Device Status of the inertial sensor of the 3DM-RQ1-45",
+    doc = "Timer, temperature and supply, and the counters of pulses, stream and port.", least = 61,
+    always = 19,
+    constants = { { at = 2, value = "\2" }, },
+    rows = {
+      { kind = "scalar", name = "model_number", type = "u16", size = 2, doc = "Model number of the inertial sensor." },
+      { kind = "constant", name = "status_selector", type = "u8", size = 1, value = "\2", doc = "Diagnostic status." },
+      { kind = "scalar", name = "status_flags", type = "u32", size = 4, doc = "Reserved." },
+      { kind = "scalar", name = "system_timer", type = "u64", size = 8, units = {"us", }, doc = "Time since start-up. Unit: us." },
+      { kind = "scalar", name = "temperature", type = "float", size = 4, units = {"degC", }, doc = "Temperature of the board. Unit: degC." },
+      { kind = "scalar", name = "temperature_last_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last temperature. Unit: ms." },
+      { kind = "scalar", name = "bad_temperature_sensor_detected", type = "bool", size = 1, doc = "Whether a temperature sensor is faulty." },
+      { kind = "scalar", name = "cold_temperature_detected", type = "bool", size = 1, doc = "Whether the temperature is too low." },
+      { kind = "scalar", name = "bad_voltage_detected", type = "bool", size = 1, doc = "Whether a supply voltage is out of range." },
+      { kind = "scalar", name = "pps_count", type = "u32", size = 4, doc = "Pulses per second that were counted. Unit: 1." },
+      { kind = "scalar", name = "pps_last_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last pulse. Unit: ms." },
+      { kind = "scalar", name = "imu_stream_enabled", type = "bool", size = 1, doc = "Whether sensor data is streamed." },
+      { kind = "scalar", name = "imu_dropped_packets", type = "u32", size = 4, doc = "Sensor data packets that were not sent. Unit: 1." },
+      { kind = "scalar", name = "comm_port_state", type = "u16", size = 2, doc = "State of the port; its values are not known." },
+      { kind = "scalar", name = "comm_port_baud_rate", type = "u32", size = 4, units = {"Bd", }, doc = "Present baud rate of the port. Unit: Bd." },
+      { kind = "scalar", name = "comm_port_bytes_written", type = "u32", size = 4, units = {"byte", }, doc = "Bytes sent over the port. Unit: byte." },
+      { kind = "scalar", name = "comm_port_bytes_read", type = "u32", size = 4, units = {"byte", }, doc = "Bytes received over the port. Unit: byte." },
+      { kind = "scalar", name = "comm_port_write_overruns", type = "u32", size = 4, doc = "Overruns while writing to the port. Unit: 1." },
+      { kind = "scalar", name = "comm_port_read_overruns", type = "u32", size = 4, doc = "Overruns while reading from the port. Unit: 1." },
+    } }, { { set = 0x0C, name = "3dm.device_status_diagnostic_rq1_imu_response", title = "Diagnostic Device Status of the inertial sensor of the 3DM-RQ1-45" }, })
 field({ descriptor = 0x90, name = "3dm.device_status_basic_gx3_response", role = "response", title = "Basic Device Status of the 3DM-GX3-35 and 3DM-GX3-45",
     doc = "State of the port.", least = 15,
     always = 7,
@@ -1712,8 +1777,8 @@ field({ descriptor = 0x90, name = "3dm.device_status_basic_gx3_response", role =
       { kind = "constant", name = "status_selector", type = "u8", size = 1, value = "\1", doc = "Basic status." },
       { kind = "scalar", name = "comm_mode", type = "u8", size = 1, doc = "Part of the device that the port talks to." },
       { kind = "scalar", name = "comm_device", type = "u8", size = 1, doc = "Port in use." },
-      { kind = "scalar", name = "settings_flags", type = "u32", size = 4, doc = "Flags of the settings." },
-      { kind = "scalar", name = "comm_state", type = "u16", size = 2, doc = "State of the port." },
+      { kind = "scalar", name = "settings_flags", type = "u32", size = 4, doc = "Settings of the data streams; their bits are not known." },
+      { kind = "scalar", name = "comm_state", type = "u16", size = 2, doc = "State of the port; its values are not known." },
       { kind = "scalar", name = "comm_baud_rate", type = "u32", size = 4, units = {"Bd", }, doc = "Baud rate of the port. Unit: Bd." },
     } }, { { set = 0x0C, name = "3dm.device_status_basic_gx3_response", title = "Basic Device Status of the 3DM-GX3-35 and 3DM-GX3-45" }, })
 field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gx3_response", role = "response", title = "Diagnostic Device Status of the 3DM-GX3-35 and 3DM-GX3-45",
@@ -1725,33 +1790,33 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gx3_response", r
       { kind = "constant", name = "status_selector", type = "u8", size = 1, value = "\2", doc = "Diagnostic status." },
       { kind = "scalar", name = "comm_mode", type = "u8", size = 1, doc = "Part of the device that the port talks to." },
       { kind = "scalar", name = "comm_device", type = "u8", size = 1, doc = "Port in use." },
-      { kind = "scalar", name = "settings_flags", type = "u32", size = 4, doc = "Flags of the settings." },
-      { kind = "scalar", name = "comm_state", type = "u16", size = 2, doc = "State of the port." },
+      { kind = "scalar", name = "settings_flags", type = "u32", size = 4, doc = "Settings of the data streams; their bits are not known." },
+      { kind = "scalar", name = "comm_state", type = "u16", size = 2, doc = "State of the port; its values are not known." },
       { kind = "scalar", name = "comm_baud_rate", type = "u32", size = 4, units = {"Bd", }, doc = "Baud rate of the port. Unit: Bd." },
-      { kind = "scalar", name = "comm_port_bytes_written", type = "u32", size = 4, units = {"byte", }, doc = "Bytes written to the port. Unit: byte." },
-      { kind = "scalar", name = "comm_port_bytes_read", type = "u32", size = 4, units = {"byte", }, doc = "Bytes read from the port. Unit: byte." },
+      { kind = "scalar", name = "comm_port_bytes_written", type = "u32", size = 4, units = {"byte", }, doc = "Bytes sent over the port. Unit: byte." },
+      { kind = "scalar", name = "comm_port_bytes_read", type = "u32", size = 4, units = {"byte", }, doc = "Bytes received over the port. Unit: byte." },
       { kind = "scalar", name = "comm_port_write_overruns", type = "u32", size = 4, doc = "Overruns while writing to the port. Unit: 1." },
       { kind = "scalar", name = "comm_port_read_overruns", type = "u32", size = 4, doc = "Overruns while reading from the port. Unit: 1." },
-      { kind = "scalar", name = "usb_state", type = "u16", size = 2, doc = "State of USB." },
-      { kind = "scalar", name = "usb_bytes_written", type = "u32", size = 4, units = {"byte", }, doc = "Bytes written to USB. Unit: byte." },
-      { kind = "scalar", name = "usb_bytes_read", type = "u32", size = 4, units = {"byte", }, doc = "Bytes read from USB. Unit: byte." },
+      { kind = "scalar", name = "usb_state", type = "u16", size = 2, doc = "State of the USB port; its values are not known." },
+      { kind = "scalar", name = "usb_bytes_written", type = "u32", size = 4, units = {"byte", }, doc = "Bytes sent over USB. Unit: byte." },
+      { kind = "scalar", name = "usb_bytes_read", type = "u32", size = 4, units = {"byte", }, doc = "Bytes received over USB. Unit: byte." },
       { kind = "scalar", name = "usb_write_overruns", type = "u32", size = 4, doc = "Overruns while writing to USB. Unit: 1." },
       { kind = "scalar", name = "usb_read_overruns", type = "u32", size = 4, doc = "Overruns while reading from USB. Unit: 1." },
-      { kind = "scalar", name = "gnss_driver_state", type = "u16", size = 2, doc = "State of the driver of the receiver." },
-      { kind = "scalar", name = "gnss_port_state", type = "u16", size = 2, doc = "State of the port of the receiver." },
-      { kind = "scalar", name = "gnss_bytes_written", type = "u32", size = 4, units = {"byte", }, doc = "Bytes written to the receiver. Unit: byte." },
-      { kind = "scalar", name = "gnss_bytes_read", type = "u32", size = 4, units = {"byte", }, doc = "Bytes read from the receiver. Unit: byte." },
+      { kind = "scalar", name = "gnss_driver_state", type = "u16", size = 2, doc = "State of the receiver's driver; its values are not known." },
+      { kind = "scalar", name = "gnss_port_state", type = "u16", size = 2, doc = "State of the port to the receiver; its values are not known." },
+      { kind = "scalar", name = "gnss_bytes_written", type = "u32", size = 4, units = {"byte", }, doc = "Bytes sent to the receiver. Unit: byte." },
+      { kind = "scalar", name = "gnss_bytes_read", type = "u32", size = 4, units = {"byte", }, doc = "Bytes received from the receiver. Unit: byte." },
       { kind = "scalar", name = "gnss_write_overruns", type = "u32", size = 4, doc = "Overruns while writing to the receiver. Unit: 1." },
       { kind = "scalar", name = "gnss_read_overruns", type = "u32", size = 4, doc = "Overruns while reading from the receiver. Unit: 1." },
-      { kind = "scalar", name = "gnss_message_count", type = "u32", size = 4, doc = "Messages of the receiver. Unit: 1." },
+      { kind = "scalar", name = "gnss_message_count", type = "u32", size = 4, doc = "Messages of the receiver that were read. Unit: 1." },
       { kind = "scalar", name = "gnss_delayed_message_count", type = "u32", size = 4, doc = "Messages of the receiver that came late. Unit: 1." },
-      { kind = "scalar", name = "imu_driver_state", type = "u16", size = 2, doc = "State of the driver of the IMU." },
-      { kind = "scalar", name = "imu_port_state", type = "u16", size = 2, doc = "State of the port of the IMU." },
-      { kind = "scalar", name = "imu_bytes_written", type = "u32", size = 4, units = {"byte", }, doc = "Bytes written to the IMU. Unit: byte." },
-      { kind = "scalar", name = "imu_bytes_read", type = "u32", size = 4, units = {"byte", }, doc = "Bytes read from the IMU. Unit: byte." },
+      { kind = "scalar", name = "imu_driver_state", type = "u16", size = 2, doc = "State of the IMU's driver; its values are not known." },
+      { kind = "scalar", name = "imu_port_state", type = "u16", size = 2, doc = "State of the port to the IMU; its values are not known." },
+      { kind = "scalar", name = "imu_bytes_written", type = "u32", size = 4, units = {"byte", }, doc = "Bytes sent to the IMU. Unit: byte." },
+      { kind = "scalar", name = "imu_bytes_read", type = "u32", size = 4, units = {"byte", }, doc = "Bytes received from the IMU. Unit: byte." },
       { kind = "scalar", name = "imu_write_overruns", type = "u32", size = 4, doc = "Overruns while writing to the IMU. Unit: 1." },
       { kind = "scalar", name = "imu_read_overruns", type = "u32", size = 4, doc = "Overruns while reading from the IMU. Unit: 1." },
-      { kind = "scalar", name = "imu_message_count", type = "u32", size = 4, doc = "Messages of the IMU. Unit: 1." },
+      { kind = "scalar", name = "imu_message_count", type = "u32", size = 4, doc = "Messages of the IMU that were read. Unit: 1." },
       { kind = "scalar", name = "imu_delayed_message_count", type = "u32", size = 4, doc = "Messages of the IMU that came late. Unit: 1." },
     } }, { { set = 0x0C, name = "3dm.device_status_diagnostic_gx3_response", title = "Diagnostic Device Status of the 3DM-GX3-35 and 3DM-GX3-45" }, })
 field({ descriptor = 0x92, name = "3dm.gps_dynamics_mode_response", role = "response", title = "GPS dynamics mode response",
@@ -1780,19 +1845,19 @@ field({ descriptor = 0x9A, name = "3dm.accel_bias_response", role = "response", 
     doc = "", least = 12,
     always = 1,
     rows = {
-      { kind = "array", name = "bias", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"g", }, doc = "Accelerometer bias. Unit: g. Frame: sensor.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "bias", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"g", }, doc = "Bias that the device subtracts from the measured acceleration. Unit: g. Frame: sensor.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x0C, name = "3dm.accel_bias_response", title = "Accelerometer Bias Configuration response" }, })
 field({ descriptor = 0x9B, name = "3dm.gyro_bias_response", role = "response", title = "Gyroscope Bias Configuration response",
     doc = "The bias in use.", least = 12,
     always = 1,
     rows = {
-      { kind = "array", name = "bias", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad/s", }, doc = "Gyroscope bias. Unit: rad/s. Frame: sensor.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "bias", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad/s", }, doc = "Bias that the device subtracts from the measured angular rate. Unit: rad/s. Frame: sensor.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x0C, name = "3dm.gyro_bias_response", title = "Gyroscope Bias Configuration response" }, })
 field({ descriptor = 0x9C, name = "3dm.mag_hard_iron_offset_response", role = "response", title = "Magnetometer Hard Iron Offset response",
     doc = "", least = 12,
     always = 1,
     rows = {
-      { kind = "array", name = "offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Hard iron offset. Unit: gauss. Frame: sensor.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Offset that the device subtracts from the measured magnetic field. Unit: gauss. Frame: sensor.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x0C, name = "3dm.mag_hard_iron_offset_response", title = "Magnetometer Hard Iron Offset response" }, })
 field({ descriptor = 0x9D, name = "3dm.mag_soft_iron_matrix_response", role = "response", title = "Magnetometer Soft Iron Matrix response",
     doc = "", least = 36,
@@ -1828,7 +1893,7 @@ field({ descriptor = 0xA2, name = "3dm.gnss_assisted_fix_response", role = "resp
     doc = "", least = 2,
     always = 2,
     rows = {
-      { kind = "scalar", name = "option", type = "u8", size = 1, enum = E["3dm.assisted_fix_option"], doc = "Assisted fix. Default: none." },
+      { kind = "scalar", name = "option", type = "u8", size = 1, enum = E["3dm.assisted_fix_option"], doc = "Whether the receiver keeps data for a faster first fix. Default: none." },
       { kind = "scalar", name = "flags", type = "u8", size = 1, doc = "Reserved." },
     } }, { { set = 0x0C, name = "3dm.gnss_assisted_fix_response", title = "GNSS Assisted Fix response" }, })
 field({ descriptor = 0xA3, name = "3dm.gnss_time_assistance_response", role = "response", title = "GNSS Time Assistance response",
@@ -1837,7 +1902,7 @@ field({ descriptor = 0xA3, name = "3dm.gnss_time_assistance_response", role = "r
     rows = {
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number since 1980. Unit: week." },
-      { kind = "scalar", name = "accuracy", type = "float", size = 4, units = {"s", }, doc = "Accuracy of the time. Unit: s. Range: at least 0." },
+      { kind = "scalar", name = "accuracy", type = "float", size = 4, units = {"s", }, doc = "Estimated accuracy of the time that is sent. Unit: s. Range: at least 0." },
     } }, { { set = 0x0C, name = "3dm.gnss_time_assistance_response", title = "GNSS Time Assistance response" }, })
 field({ descriptor = 0xA8, name = "3dm.pps_source_control_response", role = "response", title = "PPS Source Control response",
     doc = "", least = 1,
@@ -1878,7 +1943,7 @@ field({ descriptor = 0xB5, name = "3dm.event_control_response", role = "response
     doc = "", least = 2,
     always = 2,
     rows = {
-      { kind = "scalar", name = "instance", type = "u8", size = 1, doc = "Trigger instance." },
+      { kind = "scalar", name = "instance", type = "u8", size = 1, doc = "Number of the trigger." },
       { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["event_trigger_mode"], doc = "Mode of the trigger. Default: disabled." },
     } }, { { set = 0x0C, name = "3dm.event_control_response", title = "Event Control response" }, })
 field({ descriptor = 0xB6, name = "3dm.get_event_trigger_status_response", role = "response", title = "Get Event Trigger Status response",
@@ -1899,7 +1964,7 @@ field({ descriptor = 0xB8, name = "3dm.event_trigger_config_response", role = "r
     doc = "", least = 2,
     always = 3,
     rows = {
-      { kind = "scalar", name = "instance", type = "u8", size = 1, doc = "Trigger instance." },
+      { kind = "scalar", name = "instance", type = "u8", size = 1, doc = "Number of the trigger." },
       { kind = "scalar", name = "type", type = "u8", size = 1, enum = E["event_trigger_type"], doc = "Kind of trigger. Default: none." },
       { kind = "switch", name = "parameters", tag = "type", doc = "The condition.", cases = {
       [0] = { label = "none" },
@@ -1911,7 +1976,7 @@ field({ descriptor = 0xB9, name = "3dm.event_action_config_response", role = "re
     doc = "", least = 3,
     always = 4,
     rows = {
-      { kind = "scalar", name = "instance", type = "u8", size = 1, doc = "Action instance." },
+      { kind = "scalar", name = "instance", type = "u8", size = 1, doc = "Number of the action." },
       { kind = "scalar", name = "trigger", type = "u8", size = 1, doc = "Trigger instance that the action follows." },
       { kind = "scalar", name = "type", type = "u8", size = 1, enum = E["event_action_type"], doc = "Kind of action. Default: none." },
       { kind = "switch", name = "parameters", tag = "type", doc = "The effect.", cases = {
@@ -1963,7 +2028,7 @@ field({ descriptor = 0xD4, name = "3dm.low_pass_filter_response", role = "respon
     always = 5,
     rows = {
       { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Descriptor set of the field." },
-      { kind = "scalar", name = "field_descriptor", type = "u8", size = 1, doc = "Field descriptor. Refers to fields of descriptor_set." },
+      { kind = "scalar", name = "field_descriptor", type = "u8", size = 1, doc = "Descriptor of the field that is filtered. Refers to fields of descriptor_set." },
       { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "Whether the field is filtered." },
       { kind = "scalar", name = "manual", type = "bool", size = 1, doc = "True uses `frequency`; false uses half the rate of the field in the message format." },
       { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cutoff in use. Unit: Hz. Range: at least 0." },
@@ -2625,7 +2690,7 @@ field({ descriptor = 0xD0, name = "filter.aiding_measurement_enable_response", r
     doc = "", least = 3,
     always = 2,
     rows = {
-      { kind = "scalar", name = "aiding_source", type = "u16", size = 2, enum = E["filter.aiding_source"], doc = "The source." },
+      { kind = "scalar", name = "aiding_source", type = "u16", size = 2, enum = E["filter.aiding_source"], doc = "Aiding source that the setting is for." },
       { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "Whether the filter uses the source." },
     } }, { { set = 0x0D, name = "filter.aiding_measurement_enable_response", title = "Aiding measurement control response" }, })
 field({ descriptor = 0xD1, name = "filter.kinematic_constraint_response", role = "response", title = "Kinematic constraint response",
@@ -2676,7 +2741,7 @@ field({ descriptor = 0xD6, name = "filter.reference_point_lever_arm_response", r
     doc = "", least = 13,
     always = 2,
     rows = {
-      { kind = "scalar", name = "reference_point", type = "u8", size = 1, enum = E["filter.reference_point"], doc = "The point." },
+      { kind = "scalar", name = "reference_point", type = "u8", size = 1, enum = E["filter.reference_point"], doc = "Point whose lever arm follows." },
       { kind = "array", name = "lever_arm_offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "From the sensor to the point. Unit: m. Frame: vehicle. Range: magnitude at most 10.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x0D, name = "filter.reference_point_lever_arm_response", title = "Reference point lever arm response" }, })
 field({ descriptor = 0xE1, name = "filter.speed_lever_arm_response", role = "response", title = "Speed measurement lever arm response",
@@ -2832,10 +2897,10 @@ field({ descriptor = 0x06, name = "rtk.connected_device_type", role = "command",
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "device_type", type = "u8", size = 1, enum = E["rtk.connected_device"], doc = "Type of the device." }, } },
+      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "device_type", type = "u8", size = 1, enum = E["rtk.connected_device"], doc = "Device that the modem is connected to." }, } },
     } }, { { set = 0x0F, name = "rtk.connected_device_type", title = "Connected device type" }, })
 field({ descriptor = 0x07, name = "rtk.get_activation_code", role = "command", title = "Get activation code",
-    doc = "Gets the activation code.", least = 0,
+    doc = "Reads the code with which the modem is activated for its service.", least = 0,
     always = 0,
     rows = {
     } }, { { set = 0x0F, name = "rtk.get_activation_code", title = "Get activation code" }, })
@@ -2902,19 +2967,19 @@ field({ descriptor = 0x85, name = "rtk.get_rssi_response", role = "response", ti
     rows = {
       { kind = "scalar", name = "valid", type = "bool", size = 1, doc = "Whether the modem is connected." },
       { kind = "scalar", name = "rssi", type = "s32", size = 4, doc = "Received signal strength. Valid if valid is true." },
-      { kind = "scalar", name = "signal_quality", type = "s32", size = 4, doc = "Signal quality. Valid if valid is true." },
+      { kind = "scalar", name = "signal_quality", type = "s32", size = 4, doc = "Quality of the modem's radio signal. Valid if valid is true." },
     } }, { { set = 0x0F, name = "rtk.get_rssi_response", title = "Get RSSI response" }, })
 field({ descriptor = 0x86, name = "rtk.connected_device_type_response", role = "response", title = "Connected device type response",
     doc = "", least = 1,
     always = 1,
     rows = {
-      { kind = "scalar", name = "device_type", type = "u8", size = 1, enum = E["rtk.connected_device"], doc = "Type of the device." },
+      { kind = "scalar", name = "device_type", type = "u8", size = 1, enum = E["rtk.connected_device"], doc = "Device that the modem is connected to." },
     } }, { { set = 0x0F, name = "rtk.connected_device_type_response", title = "Connected device type response" }, })
 field({ descriptor = 0x87, name = "rtk.get_activation_code_response", role = "response", title = "Get activation code response",
     doc = "", least = 32,
     always = 1,
     rows = {
-      { kind = "text", name = "activation_code", count = 32, capacity = 32, doc = "Activation code." },
+      { kind = "text", name = "activation_code", count = 32, capacity = 32, doc = "Code with which the modem is activated for its service." },
     } }, { { set = 0x0F, name = "rtk.get_activation_code_response", title = "Get activation code response" }, })
 field({ descriptor = 0x88, name = "rtk.get_modem_firmware_version_response", role = "response", title = "Get modem firmware version response",
     doc = "", least = 32,
@@ -2927,10 +2992,41 @@ field({ descriptor = 0x8A, name = "rtk.service_status_response", role = "respons
     always = 4,
     rows = {
       { kind = "scalar", name = "flags", type = "u8", size = 1, flags = F["rtk.service_flags"], doc = "State of the service." },
-      { kind = "scalar", name = "received_bytes", type = "u32", size = 4, units = {"byte", }, doc = "Bytes received. Unit: byte." },
+      { kind = "scalar", name = "received_bytes", type = "u32", size = 4, units = {"byte", }, doc = "Bytes of corrections that the service has sent. Unit: byte." },
       { kind = "scalar", name = "last_bytes", type = "u32", size = 4, units = {"byte", }, doc = "Bytes of the last transfer. Unit: byte." },
       { kind = "scalar", name = "last_bytes_time", type = "u64", size = 8, doc = "Time of the last transfer." },
     } }, { { set = 0x0F, name = "rtk.service_status_response", title = "Service status response" }, })
+field({ descriptor = 0x01, name = "displacement.get_calibration", role = "command", title = "Get Analog to Displacement Calibration",
+    doc = "Reads the line by which the device converts the counts of its converter to a displacement.", least = 0,
+    always = 0,
+    rows = {
+    } }, { { set = 0x11, name = "displacement.get_calibration", title = "Get Analog to Displacement Calibration" }, })
+field({ descriptor = 0x02, name = "displacement.output_rate", role = "command", title = "Displacement Output Data Rate",
+    doc = "Reads the rate at which displacement is measured.", least = 1,
+    required = { [2] = 0, }, silent = { },
+    rows = {
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+    } }, { { set = 0x11, name = "displacement.output_rate", title = "Displacement Output Data Rate" }, })
+field({ descriptor = 0x04, name = "displacement.device_time", role = "command", title = "Displacement Device Time",
+    doc = "Sets the clock of the device, from which displacement_data.timestamp is taken.", least = 1,
+    required = { [1] = 1, }, silent = { },
+    rows = {
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "time", type = "u64", size = 8, units = {"ns", }, doc = "UTC since 1970-01-01, without leap seconds. Unit: ns." }, } },
+    } }, { { set = 0x11, name = "displacement.device_time", title = "Displacement Device Time" }, })
+field({ descriptor = 0x81, name = "displacement.get_calibration_response", role = "response", title = "Get Analog to Displacement Calibration response",
+    doc = "", least = 8,
+    always = 2,
+    rows = {
+      { kind = "scalar", name = "slope", type = "float", size = 4, doc = "Displacement for each count of the converter." },
+      { kind = "scalar", name = "offset", type = "float", size = 4, doc = "Displacement at zero counts." },
+    } }, { { set = 0x11, name = "displacement.get_calibration_response", title = "Get Analog to Displacement Calibration response" }, })
+field({ descriptor = 0x82, name = "displacement.output_rate_response", role = "response", title = "Displacement Output Data Rate response",
+    doc = "", least = 4,
+    always = 1,
+    rows = {
+      { kind = "scalar", name = "rate", type = "u32", size = 4, units = {"Hz", }, doc = "Rate of displacement data. Unit: Hz." },
+    } }, { { set = 0x11, name = "displacement.output_rate_response", title = "Displacement Output Data Rate response" }, })
 field({ descriptor = 0x01, name = "aiding.frame_config", role = "command", title = "Frame configuration",
     doc = "Where and how an external sensor is mounted on the vehicle.", least = 1,
     required = { [1] = 5, [2] = 2, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
@@ -3357,8 +3453,8 @@ field({ descriptor = 0x0D, name = "gnss_data.hardware_status", role = "data", ti
     doc = "State of the receiver and of its antenna.", least = 5,
     always = 4,
     rows = {
-      { kind = "scalar", name = "receiver_state", type = "u8", size = 1, enum = E["gnss_data.receiver_state"], doc = "State of the receiver. Valid if valid_flags.sensor_state is set." },
-      { kind = "scalar", name = "antenna_state", type = "u8", size = 1, enum = E["gnss_data.antenna_state"], doc = "State of the antenna. Valid if valid_flags.antenna_state is set." },
+      { kind = "scalar", name = "receiver_state", type = "u8", size = 1, enum = E["gnss_data.receiver_state"], doc = "Whether the receiver is powered and works. Valid if valid_flags.sensor_state is set." },
+      { kind = "scalar", name = "antenna_state", type = "u8", size = 1, enum = E["gnss_data.antenna_state"], doc = "Electrical condition of the antenna. Valid if valid_flags.antenna_state is set." },
       { kind = "scalar", name = "antenna_power", type = "u8", size = 1, enum = E["gnss_data.antenna_power"], doc = "Supply of the antenna. Valid if valid_flags.antenna_power is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.hardware_status_flags"], doc = "Which parts of the hardware status are valid." },
     } }, { { set = 0x81, name = "gnss_data.hardware_status", title = "GNSS hardware status" }, { set = 0x91, name = "gnss_1.hardware_status", title = "GNSS hardware status" }, { set = 0x92, name = "gnss_2.hardware_status", title = "GNSS hardware status" }, { set = 0x93, name = "gnss_corrections.hardware_status", title = "GNSS hardware status" }, { set = 0x94, name = "gnss_external.hardware_status", title = "GNSS hardware status" }, { set = 0x95, name = "gnss_external_2.hardware_status", title = "GNSS hardware status" }, })
@@ -3378,8 +3474,8 @@ field({ descriptor = 0x0E, name = "gnss_data.dgps_info_satellite", role = "data"
     rows = {
       { kind = "scalar", name = "satellite_id", type = "u8", size = 1, doc = "Number of the satellite." },
       { kind = "scalar", name = "age", type = "float", size = 4, units = {"s", }, doc = "Age of the correction. Unit: s. Range: at least 0. Valid if valid_flags.age is set." },
-      { kind = "scalar", name = "range_correction", type = "float", size = 4, units = {"m", }, doc = "Correction of the range. Unit: m." },
-      { kind = "scalar", name = "range_rate_correction", type = "float", size = 4, units = {"m/s", }, doc = "Correction of the range rate. Unit: m/s." },
+      { kind = "scalar", name = "range_correction", type = "float", size = 4, units = {"m", }, doc = "Differential correction of the pseudorange. Unit: m." },
+      { kind = "scalar", name = "range_rate_correction", type = "float", size = 4, units = {"m/s", }, doc = "How fast the correction changes. Unit: m/s." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.dgps_info_flags"], doc = "Which parts of the state of the corrections are valid." },
     } }, { { set = 0x81, name = "gnss_data.dgps_info_satellite", title = "DGPS info with a satellite" }, { set = 0x91, name = "gnss_1.dgps_info_satellite", title = "DGPS info with a satellite" }, { set = 0x92, name = "gnss_2.dgps_info_satellite", title = "DGPS info with a satellite" }, { set = 0x93, name = "gnss_corrections.dgps_info_satellite", title = "DGPS info with a satellite" }, { set = 0x94, name = "gnss_external.dgps_info_satellite", title = "DGPS info with a satellite" }, { set = 0x95, name = "gnss_external_2.dgps_info_satellite", title = "DGPS info with a satellite" }, })
 field({ descriptor = 0x0F, name = "gnss_data.dgps_channel", role = "data", title = "DGPS channel",
@@ -3388,8 +3484,8 @@ field({ descriptor = 0x0F, name = "gnss_data.dgps_channel", role = "data", title
     rows = {
       { kind = "scalar", name = "satellite_id", type = "u8", size = 1, doc = "Number of the satellite. Valid if valid_flags.satellite_id is set." },
       { kind = "scalar", name = "age", type = "float", size = 4, units = {"s", }, doc = "Age of the correction. Unit: s. Range: at least 0. Valid if valid_flags.age is set." },
-      { kind = "scalar", name = "range_correction", type = "float", size = 4, units = {"m", }, doc = "Correction of the range. Unit: m. Valid if valid_flags.range_correction is set." },
-      { kind = "scalar", name = "range_rate_correction", type = "float", size = 4, units = {"m/s", }, doc = "Correction of the range rate. Unit: m/s. Valid if valid_flags.range_rate_correction is set." },
+      { kind = "scalar", name = "range_correction", type = "float", size = 4, units = {"m", }, doc = "Differential correction of the pseudorange. Unit: m. Valid if valid_flags.range_correction is set." },
+      { kind = "scalar", name = "range_rate_correction", type = "float", size = 4, units = {"m/s", }, doc = "How fast the correction changes. Unit: m/s. Valid if valid_flags.range_rate_correction is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.dgps_channel_flags"], doc = "Which parts of a differential correction are valid." },
     } }, { { set = 0x81, name = "gnss_data.dgps_channel", title = "DGPS channel" }, { set = 0x91, name = "gnss_1.dgps_channel", title = "DGPS channel" }, { set = 0x92, name = "gnss_2.dgps_channel", title = "DGPS channel" }, { set = 0x93, name = "gnss_corrections.dgps_channel", title = "DGPS channel" }, { set = 0x94, name = "gnss_external.dgps_channel", title = "DGPS channel" }, { set = 0x95, name = "gnss_external_2.dgps_channel", title = "DGPS channel" }, })
 field({ descriptor = 0x10, name = "gnss_data.clock_info_2", role = "data", title = "Clock info 2",
@@ -3432,7 +3528,7 @@ field({ descriptor = 0x13, name = "gnss_data.sbas_correction", role = "data", ti
       { kind = "scalar", name = "gnss_id", type = "u8", size = 1, enum = E["gnss_constellation"], doc = "Constellation." },
       { kind = "scalar", name = "satellite_id", type = "u8", size = 1, doc = "Satellite within the constellation." },
       { kind = "scalar", name = "udrei", type = "u8", size = 1, doc = "Indicator of the range error that remains after fast and long-term corrections, not counting the atmosphere; 14 is not monitored, 15 not usable. Range: 0 to 15. Valid if valid_flags.udrei is set." },
-      { kind = "scalar", name = "pseudorange_correction", type = "float", size = 4, units = {"m", }, doc = "Correction of the pseudorange. Unit: m. Valid if valid_flags.pseudorange_correction is set." },
+      { kind = "scalar", name = "pseudorange_correction", type = "float", size = 4, units = {"m", }, doc = "Correction of the pseudorange by the augmentation system. Unit: m. Valid if valid_flags.pseudorange_correction is set." },
       { kind = "scalar", name = "iono_correction", type = "float", size = 4, units = {"m", }, doc = "Correction of the ionospheric delay. Unit: m. Valid if valid_flags.iono_correction is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.sbas_correction_flags"], doc = "Which parts of an SBAS correction are valid." },
     } }, { { set = 0x81, name = "gnss_data.sbas_correction", title = "SBAS correction" }, { set = 0x91, name = "gnss_1.sbas_correction", title = "SBAS correction" }, { set = 0x92, name = "gnss_2.sbas_correction", title = "SBAS correction" }, { set = 0x93, name = "gnss_corrections.sbas_correction", title = "SBAS correction" }, { set = 0x94, name = "gnss_external.sbas_correction", title = "SBAS correction" }, { set = 0x95, name = "gnss_external_2.sbas_correction", title = "SBAS correction" }, })
@@ -3441,8 +3537,8 @@ field({ descriptor = 0x14, name = "gnss_data.rf_error_detection", role = "data",
     always = 6,
     rows = {
       { kind = "scalar", name = "rf_band", type = "u8", size = 1, enum = E["gnss_data.rf_band"], doc = "Band that the states are about. Valid if valid_flags.rf_band is set." },
-      { kind = "scalar", name = "jamming_state", type = "u8", size = 1, enum = E["gnss_data.jamming_state"], doc = "Jamming. Valid if valid_flags.jamming_state is set." },
-      { kind = "scalar", name = "spoofing_state", type = "u8", size = 1, enum = E["gnss_data.spoofing_state"], doc = "Spoofing. Valid if valid_flags.spoofing_state is set." },
+      { kind = "scalar", name = "jamming_state", type = "u8", size = 1, enum = E["gnss_data.jamming_state"], doc = "Whether signals are jammed in this band. Valid if valid_flags.jamming_state is set." },
+      { kind = "scalar", name = "spoofing_state", type = "u8", size = 1, enum = E["gnss_data.spoofing_state"], doc = "Whether false signals are detected in this band. Valid if valid_flags.spoofing_state is set." },
       { kind = "scalar", name = "frequency", type = "u16", size = 2, units = {"MHz", }, doc = "Centre frequency of the band. Unit: MHz. Valid if valid_flags.frequency is set." },
       { kind = "array", name = "reserved", count = 2, capacity = 2, size = 1, doc = "Reserved.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.rf_error_detection_flags"], doc = "Which parts of the detection are valid." },
@@ -3822,7 +3918,7 @@ field({ descriptor = 0x10, name = "filter_data.status", role = "data", title = "
     doc = "State, dynamics mode, condition and warnings of the filter.", least = 6,
     always = 3,
     rows = {
-      { kind = "scalar", name = "filter_state", type = "u16", size = 2, doc = "State of the filter. On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45: values of gx5_filter_state. Inferred: The 3DM-GX5-15 has them, and the SDK gives the same states for all generations up to the fifth. On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of cv7_filter_state. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK gives the same states for its generation. On the 3DM-CV7-GNSS/INS: values of cv7_filter_state. On the 3DM-GX5-15: values of gx5_filter_state.", readings = { {device = "3dm-cl5-15", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-cl5-25", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-cv5-15", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-cv5-25", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-cv5-45", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-cv7-ahrs", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-cv7-ar", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-cv7-gnss-ins", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-cv7-ins", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-cx5-15", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-cx5-25", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-cx5-45", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-cx7-ahrs", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-cx7-ar", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-cx7-ins", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-gq7", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-gv7-ahrs", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-gv7-ar", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-gv7-ins", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-gx4-15", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-gx4-25", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-gx4-45", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-gx5-15", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-gx5-25", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-gx5-45", enum = E["filter_data.gx5_filter_state"] }, } },
+      { kind = "scalar", name = "filter_state", type = "u16", size = 2, doc = "How far the filter has come, from start-up to its full solution. On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45: values of gx5_filter_state. Inferred: The 3DM-GX5-15 has them, and the SDK gives the same states for all generations up to the fifth. On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of cv7_filter_state. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK gives the same states for its generation. On the 3DM-CV7-GNSS/INS: values of cv7_filter_state. On the 3DM-GX5-15: values of gx5_filter_state.", readings = { {device = "3dm-cl5-15", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-cl5-25", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-cv5-15", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-cv5-25", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-cv5-45", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-cv7-ahrs", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-cv7-ar", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-cv7-gnss-ins", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-cv7-ins", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-cx5-15", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-cx5-25", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-cx5-45", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-cx7-ahrs", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-cx7-ar", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-cx7-ins", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-gq7", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-gv7-ahrs", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-gv7-ar", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-gv7-ins", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-gx4-15", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-gx4-25", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-gx4-45", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-gx5-15", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-gx5-25", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-gx5-45", enum = E["filter_data.gx5_filter_state"] }, } },
       { kind = "scalar", name = "dynamics_mode", type = "u16", size = 2, doc = "Motion for which the filter is configured. On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45: values of gx5_dynamics_mode. Inferred: The 3DM-GX5-15 has them, and the SDK gives the same states for all generations up to the fifth. On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of cv7_dynamics_mode. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK gives the same states for its generation. On the 3DM-CV7-GNSS/INS: values of cv7_dynamics_mode. On the 3DM-GX5-15: values of gx5_dynamics_mode.", readings = { {device = "3dm-cl5-15", enum = E["filter_data.gx5_dynamics_mode"] }, {device = "3dm-cl5-25", enum = E["filter_data.gx5_dynamics_mode"] }, {device = "3dm-cv5-15", enum = E["filter_data.gx5_dynamics_mode"] }, {device = "3dm-cv5-25", enum = E["filter_data.gx5_dynamics_mode"] }, {device = "3dm-cv5-45", enum = E["filter_data.gx5_dynamics_mode"] }, {device = "3dm-cv7-ahrs", enum = E["filter_data.cv7_dynamics_mode"] }, {device = "3dm-cv7-ar", enum = E["filter_data.cv7_dynamics_mode"] }, {device = "3dm-cv7-gnss-ins", enum = E["filter_data.cv7_dynamics_mode"] }, {device = "3dm-cv7-ins", enum = E["filter_data.cv7_dynamics_mode"] }, {device = "3dm-cx5-15", enum = E["filter_data.gx5_dynamics_mode"] }, {device = "3dm-cx5-25", enum = E["filter_data.gx5_dynamics_mode"] }, {device = "3dm-cx5-45", enum = E["filter_data.gx5_dynamics_mode"] }, {device = "3dm-cx7-ahrs", enum = E["filter_data.cv7_dynamics_mode"] }, {device = "3dm-cx7-ar", enum = E["filter_data.cv7_dynamics_mode"] }, {device = "3dm-cx7-ins", enum = E["filter_data.cv7_dynamics_mode"] }, {device = "3dm-gq7", enum = E["filter_data.cv7_dynamics_mode"] }, {device = "3dm-gv7-ahrs", enum = E["filter_data.cv7_dynamics_mode"] }, {device = "3dm-gv7-ar", enum = E["filter_data.cv7_dynamics_mode"] }, {device = "3dm-gv7-ins", enum = E["filter_data.cv7_dynamics_mode"] }, {device = "3dm-gx4-15", enum = E["filter_data.gx5_dynamics_mode"] }, {device = "3dm-gx4-25", enum = E["filter_data.gx5_dynamics_mode"] }, {device = "3dm-gx4-45", enum = E["filter_data.gx5_dynamics_mode"] }, {device = "3dm-gx5-15", enum = E["filter_data.gx5_dynamics_mode"] }, {device = "3dm-gx5-25", enum = E["filter_data.gx5_dynamics_mode"] }, {device = "3dm-gx5-45", enum = E["filter_data.gx5_dynamics_mode"] }, } },
       { kind = "scalar", name = "status_flags", type = "u16", size = 2, doc = "Condition and warnings. On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45: values of gx5_status_flags. Inferred: The 3DM-GX5-15 has them, and the SDK gives the same states for all generations up to the fifth. On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of cv7_status_flags. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK gives the same states for its generation. On the 3DM-CV7-GNSS/INS: values of cv7_status_flags. On the 3DM-GX5-15: values of gx5_status_flags.", readings = { {device = "3dm-cl5-15", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-cl5-25", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-cv5-15", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-cv5-25", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-cv5-45", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-cv7-ahrs", flags = F["filter_data.cv7_status_flags"] }, {device = "3dm-cv7-ar", flags = F["filter_data.cv7_status_flags"] }, {device = "3dm-cv7-gnss-ins", flags = F["filter_data.cv7_status_flags"] }, {device = "3dm-cv7-ins", flags = F["filter_data.cv7_status_flags"] }, {device = "3dm-cx5-15", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-cx5-25", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-cx5-45", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-cx7-ahrs", flags = F["filter_data.cv7_status_flags"] }, {device = "3dm-cx7-ar", flags = F["filter_data.cv7_status_flags"] }, {device = "3dm-cx7-ins", flags = F["filter_data.cv7_status_flags"] }, {device = "3dm-gq7", flags = F["filter_data.cv7_status_flags"] }, {device = "3dm-gv7-ahrs", flags = F["filter_data.cv7_status_flags"] }, {device = "3dm-gv7-ar", flags = F["filter_data.cv7_status_flags"] }, {device = "3dm-gv7-ins", flags = F["filter_data.cv7_status_flags"] }, {device = "3dm-gx4-15", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-gx4-25", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-gx4-45", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-gx5-15", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-gx5-25", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-gx5-45", flags = F["filter_data.gx5_status_flags"] }, } },
     } }, { { set = 0x82, name = "filter_data.status", title = "Filter status" }, })
@@ -3948,7 +4044,7 @@ field({ descriptor = 0x25, name = "filter_data.mag_offset", role = "data", title
     doc = "Estimated hard iron offset of the magnetometer.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "hard_iron", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Hard iron offset. Unit: gauss. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "hard_iron", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Estimated constant field of magnetized parts near the magnetometer. Unit: gauss. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.mag_offset", title = "Magnetometer offset" }, })
 field({ descriptor = 0x26, name = "filter_data.mag_matrix", role = "data", title = "Magnetometer matrix",
@@ -3983,14 +4079,14 @@ field({ descriptor = 0x2C, name = "filter_data.mag_residual_vector", role = "dat
     doc = "Residual of the magnetometer measurement.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "residual", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Residual. Unit: gauss. Frame: vehicle. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "residual", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Difference between the measured magnetic field and the one that the filter expects. Unit: gauss. Frame: vehicle. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.mag_residual_vector", title = "Magnetometer residual vector" }, })
 field({ descriptor = 0x30, name = "filter_data.antenna_offset_correction", role = "data", title = "Antenna offset correction",
     doc = "Estimated error of the offset of the GNSS antenna.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Correction of the offset. Unit: m. Frame: vehicle. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Estimated correction of the antenna offset that was set. Unit: m. Frame: vehicle. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.antenna_offset_correction", title = "Antenna offset correction" }, })
 field({ descriptor = 0x31, name = "filter_data.antenna_offset_correction_uncertainty", role = "data", title = "Antenna offset correction uncertainty",
@@ -4023,7 +4119,7 @@ field({ descriptor = 0x34, name = "filter_data.multi_antenna_offset_correction",
     always = 3,
     rows = {
       { kind = "scalar", name = "receiver_id", type = "u8", size = 1, doc = "Receiver that the antenna belongs to." },
-      { kind = "array", name = "offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Correction of the offset. Unit: m. Frame: vehicle. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Estimated correction of the antenna offset that was set. Unit: m. Frame: vehicle. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.multi_antenna_offset_correction", title = "Multi-antenna offset correction" }, })
 field({ descriptor = 0x35, name = "filter_data.multi_antenna_offset_correction_uncertainty", role = "data", title = "Multi-antenna offset correction uncertainty",
@@ -4148,15 +4244,22 @@ field({ descriptor = 0x01, name = "displacement_data.displacement_raw", role = "
     doc = "Displacement in counts of the converter.", least = 4,
     always = 1,
     rows = {
-      { kind = "scalar", name = "counts", type = "u32", size = 4, doc = "Displacement in counts. Unit: 1." },
+      { kind = "scalar", name = "counts", type = "u32", size = 4, doc = "Output of the analog-to-digital converter. Unit: 1." },
     } }, { { set = 0x90, name = "displacement_data.displacement_raw", title = "Raw displacement" }, })
 field({ descriptor = 0x02, name = "displacement_data.displacement", role = "data", title = "Displacement",
-    doc = "Calibrated displacement of the sensor.", least = 4,
+    doc = "Displacement of the sensor, computed with its calibration.", least = 4,
     always = 1,
     plain = true,
     rows = {
-      { kind = "scalar", name = "displacement", type = "float", size = 4, units = {"mm", }, doc = "Displacement. Unit: mm." },
+      { kind = "scalar", name = "displacement", type = "float", size = 4, units = {"mm", }, doc = "Position of the sensor along its axis. Unit: mm." },
     } }, { { set = 0x90, name = "displacement_data.displacement", title = "Displacement" }, })
+field({ descriptor = 0x04, name = "displacement_data.timestamp", role = "data", title = "Displacement Device Timestamp",
+    doc = "Time of the measurement by the clock of the device.", least = 9,
+    always = 2,
+    rows = {
+      { kind = "scalar", name = "flags", type = "u8", size = 1, flags = F["displacement_data.timestamp_flags"], doc = "Whether the time of displacement data is valid." },
+      { kind = "scalar", name = "time", type = "u64", size = 8, units = {"ns", }, doc = "UTC since 1970-01-01, without leap seconds, if the clock was set so. Unit: ns. Valid if flags.time is set." },
+    } }, { { set = 0x90, name = "displacement_data.timestamp", title = "Displacement Device Timestamp" }, })
 field({ descriptor = 0x01, name = "system_data.built_in_test", role = "data", title = "Built-in test",
     doc = "Flags of the tests that run all the time.", least = 16,
     always = 1,
@@ -4194,13 +4297,13 @@ field({ descriptor = 0xD1, name = "shared.ticks", role = "data", title = "Ticks"
     always = 1,
     plain = true,
     rows = {
-      { kind = "scalar", name = "ticks", type = "u32", size = 4, doc = "Ticks. Unit: 1." },
+      { kind = "scalar", name = "ticks", type = "u32", size = 4, doc = "Base periods since the device started, modulo 2^32. Unit: 1." },
     } }, { { set = 0xFF, name = "shared.ticks", title = "Ticks" }, })
 field({ descriptor = 0xD2, name = "shared.delta_ticks", role = "data", title = "Delta ticks",
     doc = "Base periods that have passed from the previous field of this kind to this one.", least = 4,
     always = 1,
     rows = {
-      { kind = "scalar", name = "ticks", type = "u32", size = 4, doc = "Ticks. Unit: 1." },
+      { kind = "scalar", name = "ticks", type = "u32", size = 4, doc = "Base periods since the previous field of this kind. Unit: 1." },
     } }, { { set = 0xFF, name = "shared.delta_ticks", title = "Delta ticks" }, })
 field({ descriptor = 0xD3, name = "shared.gps_timestamp", role = "data", title = "GPS timestamp",
     doc = "External time of the data as GPS time of week and week number.", least = 12,

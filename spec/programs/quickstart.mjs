@@ -1,14 +1,16 @@
-import { buildPacket, fromHex, Parser, Protocol, toHex } from "./mip/index.mjs";
-import model from "./model.mjs";
+import { Parser, fromHex, toHex } from "mip-protocol";
+import { MessageFormat } from "mip-protocol/3dm";
+import { ScaledAccel } from "mip-protocol/sensor";
 
-const protocol = new Protocol(model);
-const command = buildPacket(protocol, 0x01, [{ descriptor: 0x03, name: "base.get_device_info", values: {} }]);
-console.log(toHex(command.bytes, " "));
+// A command: 100 Hz of acceleration, from a device whose base rate is 1000 Hz.
+const items = [{ descriptor: ScaledAccel.DESCRIPTOR, decimation: 10 }];
+const command = MessageFormat.write({ descriptorSet: ScaledAccel.SET, descriptors: items });
+console.log(toHex(command.packet().bytes, " "));
 
-const parser = new Parser(protocol);
+// Data, among anything else and in pieces of any size.
+const parser = new Parser();
 parser.feed(new TextEncoder().encode("$GPGGA noise\r\n"));
-for (const packet of parser.feed(fromHex("7565800e0e043e7a63a0bb8e3b297fe5bf7f84ee"))) {
-    for (const { field, values } of packet.decode()) {
-        if (field?.name === "sensor.scaled_accel") console.log(`${values.scaled_accel[0].toFixed(4)} g along x`);
-    }
+for (const packet of parser.feed(fromHex("75 65 80 0e 0e 04 3e 7a 63 a0 bb 8e 3b 29 7f e5 bf 7f 84 ee"))) {
+    const accel = packet.find(ScaledAccel);
+    if (accel) console.log(`${accel.scaledAccel[0].toFixed(4)} g along x`);
 }

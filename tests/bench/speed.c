@@ -94,7 +94,7 @@ static bool registry(const struct mip_field *field) {
 }
 
 /** Counts the packets, or the fields that could be decoded. */
-static inline size_t parse(const uint8_t *data, size_t size, size_t chunk,
+static inline __attribute__((always_inline)) size_t parse(const uint8_t *data, size_t size, size_t chunk,
                            bool (*decode)(const struct mip_field *)) {
     struct mip_parser parser;
     size_t count = 0;

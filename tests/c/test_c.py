@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import shutil
 import subprocess
+from collections import Counter
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
@@ -491,6 +492,10 @@ def device_checks(d: m.Device, of: m.Model) -> Iterator[str]:
         limit = f"{name}.limits[{i}]"
         yield f'CHECK(strcmp({limit}.unit, "{x.unit or ""}") == 0);'
         yield f"CHECK(!({limit}.value < {x.value}) && !({limit}.value > {x.value}));"
+        yield f'CHECK(strcmp({limit}.firmware, "{x.firmware or ""}") == 0);'
+    for s in d.supports:
+        firmware = f"mip_profile_firmware_of(&{name}, {s.set}, {s.field.descriptor})"
+        yield f'CHECK(strcmp({firmware}, "{s.firmware}") == 0);' if s.firmware else f"CHECK({firmware} == NULL);"
     readings = [v for v in d.variants if v.variant.type is not None]
     yield f"CHECK({name}.reading_count == {len(readings)});"
     for v in readings:
@@ -672,12 +677,13 @@ def test_readme_shows_programs_that_run(tmp_path: Path) -> None:
 
 
 def long_names(folder: Path) -> set[str]:
-    """The identifiers of which C99 does not look at all characters."""
+    """The identifiers of which C99 does not look at all characters, and that are the same in those."""
     found = set()
     for path in sorted((folder / "src/mip").glob("*.[ch]")):
         code = re.sub(r'/\*.*?\*/|"(?:\\.|[^"\\])*"', "", path.read_text("utf-8"), flags=re.S)
         found |= set(re.findall(rf"\b[A-Za-z_]\w{{{names.GRAMMAR.longest},}}", code))
-    return found
+    begins = Counter(name[: names.GRAMMAR.longest] for name in found)
+    return {name for name in found if begins[name[: names.GRAMMAR.longest]] > 1}
 
 
 @both

@@ -16,6 +16,7 @@ from mipgen.lower import codec
 
 Event = dict[str, Any]
 TIMEOUT = 1000  # milliseconds, unless a command is known to take longer
+BARRIERS = 62  # they have 2 to 63 commands, whose acknowledges still fit into one packet
 
 
 @dataclass
@@ -26,6 +27,7 @@ class Waiting:
     command: m.Field
     wanted: list[m.Field]  # the response that it asks for, in each of its layouts
     deadline: int
+    behind: int  # the size of a barrier that must be answered first; 0: none
 
 
 @dataclass
@@ -34,6 +36,10 @@ class Client:
     now: int = 0
     count: int = 0  # of commands sent
     waiting: list[Waiting] = field(default_factory=list)
+    missed: int = 0  # commands without an answer, since a barrier was answered
+    behind: int = 0  # the size of the last barrier, until it is answered
+    acknowledged: int = 0  # commands of barriers
+    opened: dict[int, int] = field(default_factory=dict)  # how many events there were when a command could be answered
     buffer: bytes = b""
     skipped: int = 0
     events: list[Event] = field(default_factory=list)
@@ -51,7 +57,7 @@ class Client:
             return
         numbers = list(range(self.count, self.count + len(commands)))
         self.count += len(commands)
-        self.happens("sent", packet=answer["packet"], commands=numbers)
+        self.happens("sent", packet=self.barrier().hex() + answer["packet"], commands=numbers)
         for number, command, f in zip(numbers, commands, step["fields"], strict=True):
             assert command is not None
             if is_silent(command, f["values"]):
@@ -59,7 +65,42 @@ class Client:
             else:
                 wanted = wanted_responses(self.of, command, f["values"])
                 allowed = max(TIMEOUT, round(1000 * (command.timeout or 0)))
-                self.waiting.append(Waiting(number, command, wanted, self.now + allowed))
+                if not self.behind:
+                    self.opened[number] = len(self.events)
+                self.waiting.append(Waiting(number, command, wanted, self.now + allowed, self.behind))
+
+    def barrier(self) -> bytes:
+        """After a command without an answer: a packet whose answer can be no other, by its number of acknowledges."""
+        number, descriptor = self.of.protocol.barrier
+        if not number or not self.missed or self.behind == self.missed + 1:
+            return b""
+        for _ in self.waiting:
+            self.miss()
+        self.behind = self.missed + 1
+        return codec.build(self.of, number, [(descriptor, b"")] * self.behind)
+
+    def miss(self) -> None:
+        self.missed = self.missed % BARRIERS + 1
+
+    def passes(self, packet: bytes) -> bool:
+        """Is it the answer of the last barrier? Because answers are in order, what came before has none any more."""
+        number, descriptor = self.of.protocol.barrier
+        fields = list(walk(packet))
+        acknowledges = all(d == self.of.protocol.acknowledge.descriptor and len(data) == 2 for d, data in fields)
+        if packet[2] != number or not fields or not acknowledges or any(data[0] != descriptor for _, data in fields):
+            return False
+        if self.behind != len(fields):
+            return False
+        while self.waiting and self.waiting[0].behind != self.behind:
+            self.happens("timed_out", command=self.waiting.pop(0).number)
+        if self.missed + 1 == self.behind:
+            self.missed = 0
+        self.behind = 0
+        self.acknowledged += len(fields)
+        for w in self.waiting:
+            w.behind = 0
+            self.opened[w.number] = len(self.events)
+        return True
 
     def command(self, number: int, entry: dict[str, Any]) -> m.Field | None:
         known = self.of.candidates(number, entry["descriptor"])
@@ -95,6 +136,7 @@ class Client:
             self.take_packets()
         for w in [w for w in self.waiting if w.deadline <= self.now]:
             self.waiting.remove(w)
+            self.miss()
             self.happens("timed_out", command=w.number)
 
     # ---------------------------------------------------------------- packets
@@ -118,6 +160,8 @@ class Client:
                 self.packet(b[:size])
 
     def packet(self, packet: bytes) -> None:
+        if self.passes(packet):
+            return
         fields = list(walk(packet))
         others: list[Event] = []
         answered = False
@@ -144,7 +188,8 @@ class Client:
         if number >= 0x80 or descriptor != ack.descriptor or len(data) < 2:
             return None
         answered, code = data[0], data[1]
-        asked = [w for w in self.waiting if w.command.set == number and w.command.descriptor == answered]
+        waiting = [w for w in self.waiting if not w.behind]
+        asked = [w for w in waiting if w.command.set == number and w.command.descriptor == answered]
         bare = [w for w in asked if not behind or behind[0] not in descriptors(self.of, w.command)]
         if code != 0:
             return self.done(asked[0], "refused", code=code) if asked else None

@@ -103,6 +103,10 @@ class Words:
     def ack(self, command: m.Field, code: int = 0) -> Wire:
         return self.of.protocol.acknowledge.descriptor, bytes((command.descriptor, code))
 
+    def barrier(self, size: int, code: int = 0) -> bytes:
+        """The answer of a barrier."""
+        return self.reply(*[self.ack(self.plain, code)] * size)
+
     def send(self, *commands: m.Field | Entry) -> Step:
         entries = [(c, values_of(c)) if isinstance(c, m.Field) else c for c in commands]
         fields = [{"descriptor": f.descriptor, "name": f.full_name, "values": values} for f, values in entries]
@@ -127,8 +131,10 @@ END: Step = {"step": "end"}
 def brief(event: dict[str, Any]) -> str:
     """An event in a few words, to compare with what a rule says."""
     match event:
-        case {"event": "sent", "commands": commands}:
-            return f"sent {' '.join(map(str, commands))}"
+        case {"event": "sent", "packet": packet, "commands": commands}:
+            first = bytes.fromhex(packet)
+            behind = f" behind {first[3] // 2}" if len(first) > first[3] + 6 else ""
+            return f"sent {' '.join(map(str, commands))}{behind}"
         case {"event": "received", "fields": fields}:
             return f"received {len(fields)}"
         case {"event": "refused", "command": command, "code": code}:
@@ -231,15 +237,9 @@ def scenarios(of: m.Model) -> Iterator[Scenario]:
         "sent 0 1; undecodable 0 truncated; acknowledged 1",
     )
     yield (
-        "a late response is not the write's",
-        [
-            w.send(read),
-            time(TIMEOUT),
-            w.send(write),
-            receive(w.reply(ok(setting), data)),
-            receive(w.reply(ok(setting))),
-        ],
-        "sent 0; timed_out 0; sent 1; received 2; acknowledged 1",
+        "a response for somebody else is not the write's",
+        [w.send(write), receive(w.reply(ok(setting), data)), receive(w.reply(ok(setting)))],
+        "sent 0; received 2; acknowledged 0",
     )
     yield (
         "the answer of the read, though that of the write is lost",
@@ -305,6 +305,158 @@ def scenarios(of: m.Model) -> Iterator[Scenario]:
         "a selector that nobody knows",
         [w.send((setting, values_of(setting, "R") | {"function": 99})), receive(w.reply(ok(setting)))],
         "sent 0; acknowledged 0",
+    )
+
+    # After a command without an answer, a barrier: what comes before its own answer is late.
+    late = w.reply(ok(setting))
+    missed = [w.send(write), time(TIMEOUT)]
+    yield (
+        "a late acknowledge is not that of the next command",
+        [*missed, w.send(write), receive(late), receive(w.barrier(2)), receive(late)],
+        "sent 0; timed_out 0; sent 1 behind 2; received 1; acknowledged 1",
+    )
+    yield (
+        "a late refusal, a late response, and one for another command",
+        [
+            w.send(read, plain),
+            time(TIMEOUT),
+            w.send(read, plain, asking),
+            receive(w.reply(ok(setting), data, ok(plain, 3))),
+            receive(w.barrier(3), w.reply(ok(setting, 5), ok(plain), ok(asking), w.response(asking))),
+        ],
+        "sent 0 1; timed_out 0; timed_out 1; sent 2 3 4 behind 3; received 3; "
+        "refused 2 5; acknowledged 3; acknowledged 4 with data",
+    )
+    yield (
+        "once it is answered, there is no other",
+        [
+            *missed,
+            w.send(plain),
+            receive(w.barrier(2), w.reply(ok(plain))),
+            w.send(read),
+            receive(w.reply(ok(setting), data)),
+        ],
+        "sent 0; timed_out 0; sent 1 behind 2; acknowledged 1; sent 2; acknowledged 2 with data",
+    )
+    yield (
+        "one barrier for what follows",
+        [*missed, w.send(write), w.send(plain), receive(late), receive(w.barrier(2), late, w.reply(ok(plain)))],
+        "sent 0; timed_out 0; sent 1 behind 2; sent 2; received 1; acknowledged 1; acknowledged 2",
+    )
+    yield (
+        "it is not answered, though the command is",
+        [*missed, w.send(write), receive(late), time(TIMEOUT), w.send(write), receive(w.barrier(3), late)],
+        "sent 0; timed_out 0; sent 1 behind 2; received 1; timed_out 1; sent 2 behind 3; acknowledged 2",
+    )
+    yield (
+        "the answer of an earlier one is late, too",
+        [
+            *missed,
+            w.send(write),
+            time(TIMEOUT),
+            w.send(write),
+            receive(late, w.barrier(2), late),
+            receive(w.barrier(3), late),
+        ],
+        "sent 0; timed_out 0; sent 1 behind 2; timed_out 1; sent 2 behind 3; received 1; received 2; received 1; "
+        "acknowledged 2",
+    )
+    yield (
+        "late acknowledges of its own command do not make up its answer",
+        [
+            w.send(plain, plain),
+            time(TIMEOUT),
+            w.send(plain),
+            receive(w.reply(ok(plain), ok(plain)), w.reply(ok(plain)), w.reply(ok(plain), ok(plain), ok(setting))),
+            receive(w.barrier(3), w.reply(ok(plain))),
+        ],
+        "sent 0 1; timed_out 0; timed_out 1; sent 2 behind 3; received 2; received 1; received 3; acknowledged 2",
+    )
+    yield (
+        "nor do those that may still come",
+        [
+            *missed,
+            w.send(plain),
+            time(TIMEOUT // 2),
+            w.send(plain, plain),
+            receive(w.barrier(2)),
+            time(TIMEOUT // 2),
+            w.send(plain),
+            receive(w.reply(ok(plain), ok(plain))),
+        ],
+        "sent 0; timed_out 0; sent 1 behind 2; sent 2 3; timed_out 1; sent 4 behind 4; acknowledged 2; acknowledged 3",
+    )
+    yield (
+        "a device that refuses it has answered it",
+        [*missed, w.send(plain), receive(w.barrier(2, 1), w.reply(ok(plain)))],
+        "sent 0; timed_out 0; sent 1 behind 2; acknowledged 1",
+    )
+    yield (
+        "what comes with its answer spoils it",
+        [*missed, w.send(plain), receive(w.reply(ok(plain), ok(plain), foreign), w.reply(ok(plain))), time(TIMEOUT)],
+        "sent 0; timed_out 0; sent 1 behind 2; received 3; received 1; timed_out 1",
+    )
+    yield (
+        "what was sent before it is not answered any more",
+        [
+            w.send(plain),
+            time(TIMEOUT // 2),
+            w.send(read),
+            time(TIMEOUT // 2),
+            w.send(read),
+            receive(w.barrier(3), w.reply(ok(setting), data)),
+        ],
+        "sent 0; sent 1; timed_out 0; sent 2 behind 3; timed_out 1; acknowledged 2 with data",
+    )
+    yield (
+        "what was sent before it is answered until then",
+        [
+            w.send(plain),
+            time(TIMEOUT // 2),
+            w.send(read),
+            time(TIMEOUT // 2),
+            w.send(read),
+            receive(w.reply(ok(setting), data), w.barrier(3), w.reply(ok(setting), data)),
+        ],
+        "sent 0; sent 1; timed_out 0; sent 2 behind 3; acknowledged 1 with data; acknowledged 2 with data",
+    )
+    yield (
+        "a further one takes the place of one that is not answered",
+        [
+            *missed,
+            w.send(write),
+            time(TIMEOUT // 2),
+            w.send(plain),
+            time(TIMEOUT // 2),
+            w.send(write),
+            receive(w.barrier(2), w.reply(ok(plain)), late),
+            receive(w.barrier(4), late),
+            w.send(plain),
+        ],
+        "sent 0; timed_out 0; sent 1 behind 2; sent 2; timed_out 1; sent 3 behind 4; received 2; received 1; "
+        "received 1; timed_out 2; acknowledged 3; sent 4",
+    )
+    yield (
+        "answered when nothing waits behind it any more",
+        [
+            *missed,
+            w.send(write),
+            time(TIMEOUT),
+            receive(w.barrier(2), late),
+            w.send(write),
+            receive(late, w.barrier(3), late),
+        ],
+        "sent 0; timed_out 0; sent 1 behind 2; timed_out 1; received 1; sent 2 behind 3; received 1; acknowledged 2",
+    )
+    yield (
+        "the sizes of barriers begin again",
+        [step for _ in range(63) for step in (w.send(plain), time(TIMEOUT))],
+        "sent 0; timed_out 0; " + "; ".join(f"sent {i} behind {(i - 1) % 62 + 2}; timed_out {i}" for i in range(1, 63)),
+    )
+    yield (
+        "none before what cannot be sent",
+        [*missed, w.send(*[plain] * 128), w.send(plain), receive(w.barrier(2), w.reply(ok(plain)))],
+        "sent 0; timed_out 0; not_sent length; sent 1 behind 2; acknowledged 1",
     )
 
     # Several commands in one packet, answers in several packets.
@@ -440,7 +592,7 @@ def scenarios(of: m.Model) -> Iterator[Scenario]:
             time(TIMEOUT),
             END,
         ],
-        f"sent 0; timed_out 0; sent 1; received 1; timed_out 1; end [] {len(LONG)}",
+        f"sent 0; timed_out 0; sent 1 behind 2; received 1; timed_out 1; end [] {len(LONG)}",
     )
     yield (
         "noise, and nothing behind it",
@@ -522,6 +674,9 @@ def part(chance: Random, w: Words, number: int, waiting: list[Waiting], commands
     """A reply, mostly to what waits; or data, or noise."""
     if chance.random() < 0.25:
         return chance.choice([w.data, w.data, NMEA, LONG, b"u", b"ue", b"ueue", b"ue\0\0"])
+    sizes = [x.behind for x in waiting if x.behind]
+    if sizes and chance.random() < 0.4:
+        return w.barrier(chance.choice([*sizes, *sizes, *sizes, chance.randint(1, 5)]), chance.choice([0, 0, 3]))
     fields: list[Wire] = []
     for _ in range(chance.randint(1, 3)):
         some = chance.choice(waiting) if waiting and chance.random() < 0.8 else None

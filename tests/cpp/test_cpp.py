@@ -170,7 +170,7 @@ def test_the_node_publishes_what_a_device_sends(tmp_path: Path) -> None:
     assert (done.returncode, done.stderr) == (1, f"no connection to {host}:{port}\n")
 
 
-@pytest.mark.parametrize("how", ["subdirectory", pytest.param("installed", marks=heavy("g++"))])
+@pytest.mark.parametrize("how", ["subdirectory", "fetched", pytest.param("installed", marks=heavy("g++"))])
 def test_cmake(how: str, tmp_path: Path) -> None:
     project, prefix = tmp_path / "project", tmp_path / "prefix"
     project.mkdir()
@@ -178,7 +178,14 @@ def test_cmake(how: str, tmp_path: Path) -> None:
     if how == "installed":
         run(need("cmake"), "-S", folder("real"), "-B", tmp_path / "mip", f"-DCMAKE_INSTALL_PREFIX={prefix}", *fast)
         run(need("cmake"), "--build", tmp_path / "mip", "--target", "install")
-    found = "find_package(mip REQUIRED)" if how == "installed" else f"add_subdirectory({folder('real')} mip)"
+    found = {
+        "subdirectory": f"add_subdirectory({folder('real')} mip)",
+        "fetched": f"include(FetchContent)\nFetchContent_Declare(mip URL {tmp_path}/mip.tar.gz)\n"
+        "FetchContent_MakeAvailable(mip)",
+        "installed": "find_package(mip REQUIRED)",
+    }[how]
+    if how == "fetched":
+        shutil.make_archive(str(tmp_path / "mip"), "gztar", folder("real").parent, folder("real").name)
     (project / "CMakeLists.txt").write_text(
         "cmake_minimum_required(VERSION 3.14)\nproject(user LANGUAGES C CXX)\nadd_executable(main main.cpp)\n"
         f"{found}\ntarget_link_libraries(main mip::mip_cpp)\n"

@@ -26,8 +26,9 @@ from reference import (
 )
 from support import model
 
-#: Facts about a field that have a line each.
-LISTED = ("affects", "may_affect", "affected", "flags", "note")
+#: Facts about a field that have sections of their own, with a line each.
+RELATIONS = ("affects", "may_affect", "affected", "flags")
+DEVICES = ("devices", "perhaps", "refused", "deprecation", "firmware", "support")
 
 #: Which column of the table of parameters has which facts.
 COLUMNS = {
@@ -48,17 +49,29 @@ def paragraphs(section: str) -> list[str]:
 
 
 def test_every_fact_of_a_field(manual: Manual) -> None:
-    """A heading, what it is, a paragraph of facts, relations, notes; functions and answers are in a table."""
+    """A heading, what it is, a paragraph of facts, notes; devices and relations. Functions, replies: in tables."""
     for f in manual.model.fields:
         first, what, *rest = paragraphs(manual.field(f))
         level = "###" if f.role == m.RESPONSE else "#"
         assert first == f"{level} {f.title} {number(f)}"
         assert what == f"{f.full_name}, {f.role}. {prose(f.description, manual.model)}".strip(), f.full_name
         facts = [x for x in describe.field(f, manual.model) if x.topic not in ("functions", "responses")]
-        said = " ".join(sentences([x for x in facts if x.topic not in LISTED]))
-        notes = sentences(describe.topics(facts, *LISTED))
+        said = " ".join(sentences([x for x in facts if x.topic not in (*RELATIONS, *DEVICES, "note")]))
+        notes = sentences(describe.topics(facts, "note"))
         wanted = [x for x in (said, "\n".join(f"- {n}" for n in notes)) if x]
         assert rest[: len(wanted)] == wanted, f.full_name
+        of_devices, relations = (sentences(describe.topics(facts, *topics)) for topics in (DEVICES, RELATIONS))
+        if f.role != m.RESPONSE:
+            assert (
+                listed(manual.field(f), "Devices") == of_devices and listed(manual.field(f), "Relations") == relations
+            )
+        elif of_devices != listed(manual.page(path_of(f)), "Devices"):  # those of the command stand there
+            assert set(of_devices + relations) <= {*bullets(manual.field(f))}, f.full_name
+
+
+def listed(page: str, title: str) -> list[str]:
+    """The lines of a section; none if it is missing."""
+    return bullets(page.partition(f"\n## {title}\n")[2].partition("\n## ")[0])
 
 
 def test_layouts_of_other_devices_are_not_listed() -> None:
@@ -66,7 +79,7 @@ def test_layouts_of_other_devices_are_not_listed() -> None:
     manual = manual_of("real")
     gq4 = manual.model.field("3dm.device_status_diagnostic_gq4_45_response")
     assert gq4 is not None
-    assert "Supported by 3DM-GQ4-45. Uncertain:" in words(manual.field(gq4))
+    assert "Supported by 3DM-GQ4-45." in bullets(manual.field(gq4))
     page = manual.pages["docs/devices/3dm-gx5-15.md"]
     (row,) = (line for line in page.splitlines() if "[Device Status]" in line and line.startswith("| `0x64`"))
     assert re.findall(r"#3dm\.device_status_(\w+)_response", row) == ["basic", "diagnostic"]
@@ -257,7 +270,7 @@ def test_a_response_of_two_commands(manual: Manual) -> None:
         ("fields/tools/", "| `fast` (1) | What to do.", "|  | What to do."),  # a default
         ("fields/tools/", "Always 4711.", ""),  # a constant
         ("fields/tools/", "Reserved: send 1.", "Reserved."),  # a reserved value
-        ("fields/tools/", "Not acknowledged if `suppress_ack` is true. ", ""),  # silence
+        ("fields/tools/", "Not acknowledged if `suppress_ack` is true.", ""),  # silence
         ("fields/tools/", "`write` and `read` only", "`write` only"),  # functions on a device
         ("fields/3d/", "`fast` (1)", "`slow` (2)"),  # the setting of another command
         ("fields/measurements/", "x: [`valid_flags.ready`]", "x: [`valid_flags.hot`]"),  # a valid flag

@@ -103,6 +103,8 @@ def test_question_answer_and_sources(manual: Manual) -> None:
         text = words(page_of(manual, guide))
         for said in (guide.question, guide.answer, *guide.before, *guide.notes):
             assert prose(said, manual.model) in text, said
+        for q in guide.questions:
+            assert words(q.question) in text and prose(q.answer, manual.model) in text, q.question
         for source in guide.sources:
             assert f"{source.manual}: {source.section}" in text
 

@@ -52,6 +52,9 @@ PAGES = (
     "compare/commands.html", "compare/rates.html", "indexes/descriptors.html", "indexes/c.html",
 )  # fmt: skip
 
+#: A page with headings of three levels below the title.
+DEEP = {"real": "guides/aiding.html", "invented": "guides/first_steps.html"}
+
 
 @cache
 def built(spec: str, tools: bool = True) -> Path:
@@ -122,6 +125,19 @@ def test_pages_load_nothing_from_elsewhere(spec: str) -> None:
         for address in loaded:
             there = posixpath.normpath(path.parent / unquote(address.partition("#")[0].partition("?")[0]))
             assert Path(there).is_file() or Path(there).is_dir(), (path.name, address)
+
+
+@each_spec
+def test_contents_of_a_page_are_its_sections(spec: str) -> None:
+    """Those of two levels below the title; each heading links to itself."""
+    for page in ("packets.html", DEEP[spec]):
+        text = (built(spec) / page).read_text("utf-8")
+        contents = text.partition('class="md-nav md-nav--secondary"')[2].partition('<div class="md-content"')[0]
+        headings = re.findall(r'<h([1-6]) id="([^"]+)"', text)
+        assert re.findall(r'class="headerlink" href="#([^"]+)"', text) == [place for _, place in headings]
+        listed = dict.fromkeys(re.findall(r'<a href="#([^"]+)" class="md-nav__link"', contents))  # it is there twice
+        assert [*listed] == [place for level, place in headings if level in "23"]
+    assert any(level > "3" for level, _ in headings)
 
 
 @each_spec

@@ -92,31 +92,32 @@ def test_responses_are_with_their_command(manual: Manual) -> None:
         at = {a: page.index(f'<a id="{a}"></a>') for a in ANCHOR.findall(page)}
         for response in manual.model.responses(command):
             if response.command == command.name:
-                assert page.index("\n## Answer\n") < at[response.full_name] < page.index("\n## Examples\n")
+                assert page.index("\n## Reply\n") < at[response.full_name] < page.index("\n## Examples\n")
             else:
                 assert f"#{response.full_name})" in manual.field(command)
                 assert f"#{command.full_name})" in manual.field(response)
 
 
 def test_answers(manual: Manual) -> None:
-    """A packet for each way in which a command may be answered: acknowledged, with a response, or refused."""
+    """A packet for each way in which a command may be answered: acknowledged, with a response, or rejected."""
     of = manual.model
-    codes = {v.name: v.value for v in of.protocol.ack_code.values}
+    ok, first = of.protocol.ack_code.values[:2]
     for f in (f for f in of.fields if f.role == m.COMMAND):
-        rows = table_with(manual.field(f), "Answer", "Packet")
+        rows = table_with(manual.field(f), "Reply", "Packet")
         assert bool(rows) == (not f.functions or any(x.reply for x in f.functions)), f.full_name
-        shown, responses = set(), set()
+        responses = set()
         for row in rows:
             (_, ack), *rest = codec.split(of, bytes.fromhex(words(row["Packet"])))
-            name, value = re.fullmatch(r"(\w+) \(0x(..)\)", words(row["Code"])).groups()  # type: ignore[union-attr]
-            assert ack == bytes([f.descriptor, codes[name]]) and codes[name] == int(value, 16)
-            assert words(row["Answer"]).startswith("Refusal" if codes[name] else "Acknowledge")
-            shown.add(name)
+            assert ack == bytes([f.descriptor, ok.value]) and words(row["Reply"]).startswith("Acknowledge")
             for descriptor, data in rest:
-                (answer,) = [r for r in of.responses(f) if f"#{r.full_name})" in row["Answer"]]
+                (answer,) = [r for r in of.responses(f) if f"#{r.full_name})" in row["Reply"]]
                 assert descriptor == answer.descriptor and codec.decode(answer, data)[1] == 0
                 responses.add(answer.full_name)
-        assert not rows or shown == set(codes)
+        rejected = re.search(rf"{first.name} \(0x{first.value:02X}\): ([0-9A-F ]+)\.", words(manual.field(f)))
+        assert bool(rejected) == bool(rows), f.full_name
+        if rejected:
+            (_, ack), *rest = codec.split(of, bytes.fromhex(rejected[1]))
+            assert ack == bytes([f.descriptor, first.value]) and not rest
         assert not rows or responses == {r.full_name for r in of.responses(f)}, f.full_name
 
 

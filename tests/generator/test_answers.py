@@ -91,10 +91,14 @@ def test_layouts_of_one_device_in_the_model() -> None:
     status = field(INVENTED, "tools.status")
     assert [r.name for r in INVENTED.answers(status, "model-a")] == ["status_short", "status_old"]
     assert [r.name for r in INVENTED.answers(status, "model-b")] == ["status_short", "status_long"]
-    assert [r.name for r in INVENTED.answers(status, "model-c")] == ["status_short", "status_full"]
+    assert [r.name for r in INVENTED.answers(status, "model-c")] == ["status_paged", "status_full"]
     assert said(INVENTED, "tools.status_full", "devices") == ["Supported by <Model C>."]
     (behavior,) = (b for b in INVENTED.simulation.behaviors if b.command == status)
-    assert behavior.answers == (("status_old", ("model-a",)), ("status_full", ("model-c",)))
+    assert behavior.answers == (
+        ("status_paged", ("model-c",)),
+        ("status_old", ("model-a",)),
+        ("status_full", ("model-c",)),
+    )
 
 
 def test_the_layouts_that_a_device_sends() -> None:
@@ -105,7 +109,7 @@ def test_the_layouts_that_a_device_sends() -> None:
         return [f.name for f in of.answers(status, device)]
 
     assert sent(INVENTED, "model-a") == ["status_short", "status_old"]
-    assert sent(INVENTED, "model-c") == ["status_short", "status_full"]
+    assert sent(INVENTED, "model-c") == ["status_paged", "status_full"]
     assert sent(INVENTED, "model-b") == ["status_short", "status_long"]
 
     def bound(f: m.Field) -> m.Field:

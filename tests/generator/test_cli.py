@@ -480,6 +480,17 @@ def test_a_folder_that_is_too_large_is_not_remembered(tmp_path: Path, monkeypatc
     assert stamp.key([tmp_path]) is None
 
 
+def test_the_same_files_in_other_folders_are_another_input(tmp_path: Path) -> None:
+    """A file moves from a specification to the overlay behind it."""
+    first, second = tmp_path / "first", tmp_path / "second"
+    for name in ("first/a", "first/b", "second/c"):
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).write_text(name)
+    before = stamp.key([first, second])
+    (first / "b").rename(second / "b")
+    assert stamp.key([first, second]) != before
+
+
 def test_a_file_that_was_valid_once_is_judged_when_it_changes(tmp_path: Path) -> None:
     shutil.copytree(INVENTED, tmp_path / "spec")
     assert cli.main(["validate", "--spec", str(tmp_path / "spec")]) == 0

@@ -142,7 +142,7 @@ STATUS = MODEL.candidates(1, 0x90)
 @pytest.mark.parametrize(
     ("head", "chosen"),
     [
-        ("126701", {0: "status_short"}),
+        ("126701", {0: "status_paged", 4: "status_short"}),
         ("126702", {0: "status_old", 15: "status_long", 16: "status_full"}),
         ("126703", {0: None}),
         ("126802", {0: None}),
@@ -151,10 +151,12 @@ STATUS = MODEL.candidates(1, 0x90)
 def test_layouts_are_told_apart_by_their_constants_then_by_size(head: str, chosen: dict[int, str | None]) -> None:
     """`chosen`: the size of data from which on it is that layout."""
     for size in range(3, m.MAX_FIELD_DATA + 1):
-        f = codec.choose(STATUS, bytes.fromhex(head).ljust(size, b"\0"))
+        data = bytes.fromhex(head).ljust(size, b"\0")
+        f = codec.choose(STATUS, data)
         assert (f.name if f else None) == chosen[max(n for n in chosen if n <= size)], size
-        values = [(0, bytes.fromhex(head[:4])), (2, bytes.fromhex(head[4:]))]
-        assert [g for g in STATUS if list(g.signature) == values and size in MODEL.sizes(g)] == ([f] if f else [])
+        fitting = [g for g in STATUS if all(data[at : at + len(c)] in (c, b"") for at, c in g.signature)]
+        fitting = [g for g in fitting if size in MODEL.sizes(g)] if len(fitting) > 1 else fitting
+        assert f in (fitting or [None])
 
 
 def test_one_layout_has_all_sizes() -> None:

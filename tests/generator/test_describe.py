@@ -74,8 +74,8 @@ A, BOTH = "Supported by <Model A> and <Model C>.", "Supported by <Model A>, <Mod
             "tools.status",
             {
                 "advanced": "For advanced use.",
-                "responses": "Answered by <tools.status_short>, <tools.status_long>, <tools.status_old> or "
-                "<tools.status_full>.",
+                "responses": "Answered by <tools.status_paged>, <tools.status_short>, <tools.status_long>, "
+                "<tools.status_old> or <tools.status_full>.",
                 "timeout": "The device may take 2.5 s to answer.",
                 "devices": BOTH,
             },

@@ -351,7 +351,7 @@ def test_candidates() -> None:
     names = {n: [f.name for f in INVENTED.candidates(*n)] for n in ((1, 0xF1), (1, 0x90), (0x80, 0xD3), (1, 0xD3))}
     assert names == {
         (1, 0xF1): ["acknowledge"],
-        (1, 0x90): ["status_short", "status_long", "status_old", "status_full"],
+        (1, 0x90): ["status_paged", "status_short", "status_long", "status_old", "status_full"],
         (0x80, 0xD3): ["timestamp"],
         (1, 0xD3): [],
     }

@@ -18,7 +18,18 @@ from mipgen.lower import codec
 from support import model
 
 #: What the real specification does not state, and why a simple number is right there.
-MADE_UP: dict[str, str] = {}
+_COUNTERS = "no source shows a value; counters of a device that was just switched on"
+MADE_UP: dict[str, str] = {
+    **{
+        f"3dm.device_status_diagnostic_{sensor}_response.{name}": _COUNTERS
+        for sensor in ("gx4_imu", "rq1_imu")
+        for name in (
+            "imu_stream_enabled", "comm_port_bytes_written", "comm_port_bytes_read", "comm_port_write_overruns",
+        )
+    },
+    "3dm.device_status_diagnostic_gx4_imu_response.system_timer": _COUNTERS,
+    "displacement_data.timestamp.flags": "no source says what its bits mean",
+}  # fmt: skip
 
 
 @cache

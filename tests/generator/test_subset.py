@@ -43,7 +43,7 @@ def whole(part: m.Model) -> None:
         assert all(layouts[name] == devices for name, devices in b.answers), b.command.full_name
     assert all(part.field(s.field.full_name) is s.field for s in part.simulation.sources)
     for g in part.guides:
-        assert g.sequences or g.migration
+        assert g.sequences or g.migration or g.questions
         assert all(part.field(name) or any(name == other.name for other in part.guides) for name in g.see)
         for s in g.sequences:
             assert s.devices and all(part.device(d.id) is d for d in s.devices)
@@ -109,7 +109,7 @@ def test_of_a_field_in_one_of_its_sets() -> None:
 def test_of_a_field(f: m.Field) -> None:
     part = select(INVENTED, Selection(fields=(f.full_name,)))
     whole(part)
-    assert f.full_name in names(part) and len(names(part)) < 6
+    assert f.full_name in names(part) and len(names(part)) < 7
 
 
 def test_a_response_comes_with_its_commands() -> None:
@@ -169,7 +169,7 @@ def test_guides_of_a_device() -> None:
     """What is left of them: sequences of the device, and no migration to another one."""
     part = select(REAL, Selection(devices=("3dm-gx5-15",)))
     assert [g.name for g in part.guides] == [
-        g.name for g in REAL.guides if any(d.id == "3dm-gx5-15" for s in g.sequences for d in s.devices)
+        g.name for g in REAL.guides if g.questions or any(d.id == "3dm-gx5-15" for s in g.sequences for d in s.devices)
     ]
     assert all(g.migration is None for g in part.guides) and len(part.guides) > 3
 
@@ -203,7 +203,10 @@ NUMBERS = ", ".join(f"0x{number:02X}" for number in sorted(s.number for s in REA
         (Selection(devices=("GX5-15",)), "unknown device 'GX5-15', did you mean '3dm-gx5-15'?"),
         (Selection(devices=("3DM-GX5-AR",)), "unknown device '3DM-GX5-AR', did you mean '3dm-gx5-15'?"),
         (Selection(devices=("6254",)), "unknown device '6254', did you mean '3dm-gx5-15'?"),
-        (Selection(devices=("RQ1",)), "unknown device 'RQ1', did you mean '3dm-rq1-45-lt' or '3dm-rq1-45-st'?"),
+        (
+            Selection(devices=("RQ1",)),
+            "unknown device 'RQ1', did you mean '3dm-rq1-45-lt' or '3dm-rq1-45-st' or '3dm-rq1-imu'?",
+        ),
         (Selection(devices=("3DM-GXX-15",)), "unknown device '3DM-GXX-15', did you mean '3dm-gx5-15'?"),
         (Selection(certain=True), "--certain is about devices; name one with --device"),
         (Selection(sets=("0x7E",)), f"no set has the number 0x7E; known: {NUMBERS}"),
@@ -216,7 +219,7 @@ NUMBERS = ", ".join(f"0x{number:02X}" for number in sorted(s.number for s in REA
         ),
         (
             Selection(devices=("3dm-gx5-15", "3dm-gx5-10"), sets=("sensor", "displacement")),
-            "the set 'displacement' is of no selected device; leave it out, or select no device",
+            "the set 'displacement' is of no selected device; leave it out, or name a device that has it: demod-dc",
         ),
     ],
 )

@@ -1,15 +1,21 @@
 // The conformance driver for JavaScript: one JSON request per line in, one JSON answer per line out.
 //
 //     driver.mjs GENERATED_FOLDER
+//
+// Values have the names of the specification: classes read and write them in the plain form, which tools use. That their
+// objects hold the same is checked for each field: they must encode to the bytes from which they were decoded.
 import path from "node:path";
 import readline from "node:readline";
 import { pathToFileURL } from "node:url";
 
 const folder = path.resolve(process.argv[2]);
 const load = (name) => import(pathToFileURL(path.join(folder, name)));
+const { Client, Command, fromHex, MipError, Packet, packetOf, Parser, toHex } = await load("mip/index.mjs");
+const { encoded, Reader } = await load("mip/codec.mjs");
+const { registry } = await load("registry.mjs");
+const { nameIn, Protocol } = await load("mip/tools.mjs");
 const { default: model } = await load("model.mjs");
-const { MipError, Packet, Parser, Protocol, buildPacket, fromHex, nameIn, toHex } = await load("mip/index.mjs");
-const protocol = new Protocol(model);
+const protocol = new Protocol(model); // for names only: what a field is called in one of several sets
 
 class BadRequest extends Error {}
 
@@ -22,10 +28,14 @@ const bytesOf = (text) => {
     return fromHex(text);
 };
 
+const nameOf = (kind, set) => nameIn(protocol.field(kind.NAME), set);
+
+// ---------------------------------------------------------------------------------------------------- the codec
+
 function parse({ stream, chunk }) {
     const bytes = bytesOf(stream);
     check(Number.isInteger(chunk) && chunk > 0);
-    const parser = new Parser(protocol);
+    const parser = new Parser();
     const packets = [];
     for (let at = 0; at < bytes.length; at += chunk) packets.push(...parser.feed(bytes.subarray(at, at + chunk)));
     packets.push(...parser.flush());
@@ -33,29 +43,168 @@ function parse({ stream, chunk }) {
 }
 
 function decode({ packet }) {
-    const found = Packet.from(protocol, bytesOf(packet));
-    const fields = found.decode({ floatBits: true }).map(({ descriptor, data, field, values, trailing, error }) => {
-        if (descriptor === undefined) return { error: error.kind };
-        if (!field) return { descriptor, raw: toHex(data) };
-        if (error) return { descriptor, error: error.kind, raw: toHex(data) };
-        return { descriptor, name: nameIn(field, found.set), role: field.role, values, trailing };
-    });
-    return { set: found.set, fields };
+    const found = Packet.from(bytesOf(packet));
+    return { set: found.set, fields: fieldsOf(found) };
+}
+
+/** The fields of a packet; the last is the error of a wrong length. */
+function fieldsOf(packet) {
+    const shown = [];
+    try {
+        for (const raw of packet.fields()) shown.push(decoded(raw));
+    } catch (error) {
+        if (!(error instanceof MipError)) throw error;
+        shown.push({ error: error.kind });
+    }
+    const listed = registry.decode(packet);
+    if (listed.length !== shown.filter(({ descriptor }) => descriptor !== undefined).length) throw new Error("fields are missing");
+    return shown;
+}
+
+function decoded({ set, descriptor, data }) {
+    const kind = registry.typeOf(set, descriptor, data);
+    if (!kind) return { descriptor, raw: toHex(data) };
+    try {
+        const reader = new Reader(data, { plain: true, floatBits: true });
+        const values = {};
+        kind.layout.read(reader, values, kind.requiredBy(reader));
+        const { field, trailing } = kind.decodeWithTrailing(data);
+        const again = field.encode();
+        if (trailing !== reader.left || toHex(again) !== toHex(data.subarray(0, again.length)) || again.length + trailing !== data.length)
+            throw new Error(`${kind.NAME} is not the same again: ${toHex(data)} ${toHex(again)}`);
+        return { descriptor, name: nameOf(kind, set), role: kind.ROLE, values, trailing };
+    } catch (error) {
+        if (!(error instanceof MipError)) throw error;
+        return { descriptor, error: error.kind, raw: toHex(data) };
+    }
 }
 
 function encode({ set, fields }) {
     check(Number.isInteger(set) && set > 0 && set < 255 && Array.isArray(fields));
-    for (const { descriptor, raw, values } of fields) {
+    const parts = fields.map(({ descriptor, name, raw, values }) => {
         check(Number.isInteger(descriptor) && descriptor >= 0 && descriptor < 256);
         check(typeof raw === "string" || (typeof values === "object" && values !== null));
-    }
-    return { packet: toHex(buildPacket(protocol, set, fields).bytes) };
+        return { descriptor, data: raw === undefined ? dataOf(kindOf(set, descriptor, name), values) : bytesOf(raw) };
+    });
+    return { packet: toHex(Packet.build(set, parts).bytes) };
 }
+
+function kindOf(set, descriptor, name) {
+    const kind = registry.types(set, descriptor).find((one) => nameOf(one, set) === name);
+    if (!kind) throw new MipError("unknown", name);
+    return kind;
+}
+
+function dataOf(kind, values) {
+    const required = kind.REQUIRED && 1 + (kind.REQUIRED[Number(values.function)] ?? 0);
+    return encoded(kind.layout, kind.NAME, values, { plain: true, required });
+}
+
+// ---------------------------------------------------------------------------------------------------- the client
+
+function client({ steps }) {
+    check(Array.isArray(steps));
+    return { events: new Session().play(steps) };
+}
+
+/** A client, what it has sent, and what has happened. */
+class Session {
+    client = new Client();
+    now = 0; // milliseconds
+    sent = [];
+    events = [];
+
+    play(steps) {
+        for (const step of steps) {
+            check(["send", "receive", "time", "end"].includes(step?.step));
+            this[step.step](step);
+        }
+        return this.events;
+    }
+
+    happens(event, what) {
+        this.events.push({ event, ...what });
+    }
+
+    send({ set, fields }) {
+        check(Number.isInteger(set) && set > 0 && set < 256 && Array.isArray(fields) && fields.length > 0);
+        let commands;
+        let bytes;
+        try {
+            commands = [];
+            for (const entry of fields) {
+                commands.push(commandOf(set, entry));
+                packetOf(commands, set); // of several mistakes the first one is told
+            }
+            bytes = this.client.send(commands, this.now / 1000);
+        } catch (error) {
+            if (!(error instanceof MipError)) throw error;
+            this.happens("not_sent", { error: error.kind });
+            return;
+        }
+        const numbers = commands.map((command) => this.sent.push(command) - 1);
+        this.happens("sent", { packet: toHex(bytes), commands: numbers });
+        this.write(bytes);
+        const { pending } = this.client;
+        for (const number of numbers) if (!pending.includes(this.sent[number])) this.happens("silent", { command: number });
+    }
+
+    write() {} // a live request has a port
+
+    receive({ bytes, chunk }) {
+        const data = bytesOf(bytes);
+        check(chunk === undefined || (Number.isInteger(chunk) && chunk > 0));
+        const size = chunk ?? (data.length || 1);
+        for (let at = 0; at < data.length; at += size) this.show(this.client.receive(data.subarray(at, at + size), this.now / 1000));
+    }
+
+    time({ milliseconds }) {
+        check(Number.isInteger(milliseconds) && milliseconds >= 0);
+        this.now += milliseconds;
+        this.show(this.client.poll(this.now / 1000));
+    }
+
+    end() {
+        this.show(this.client.flush(this.now / 1000));
+        const waiting = this.client.pending.map((command) => this.sent.indexOf(command));
+        this.happens("end", { waiting, skipped: this.client.skipped });
+    }
+
+    show(events) {
+        for (const event of events) {
+            const command = this.sent.indexOf(event.command);
+            if (event.type === "timedOut") this.happens("timed_out", { command });
+            else if (event.type === "answer") this.answer(command, event);
+            else {
+                const fields = event.fields.map(decoded);
+                if (event.error) fields.push({ error: event.error.kind });
+                this.happens("received", { set: event.packet.set, fields });
+            }
+        }
+    }
+
+    answer(command, { accepted, code, error, raw }) {
+        if (!accepted) this.happens("refused", { command, code });
+        else if (error && !raw) this.happens(error.kind, { command });
+        else if (!raw) this.happens("acknowledged", { command });
+        else this.happens(error ? "undecodable" : "acknowledged", { command, response: decoded(raw) });
+    }
+}
+
+/** A command of values with the names of the specification: its object is made of its bytes. */
+function commandOf(set, { descriptor, name, values }) {
+    check(typeof values === "object" && values !== null);
+    const kind = registry.types(set, descriptor).find((one) => one.prototype instanceof Command && one.NAME === name);
+    if (!kind) throw new MipError("unknown", name);
+    return kind.decode(dataOf(kind, values));
+}
+
+// ---------------------------------------------------------------------------------------------------- requests
 
 function answer(line) {
     try {
         const request = fromJson(line);
-        const operation = { parse, decode, encode }[request?.op];
+        const operation = { parse, decode, encode, client }[request?.op];
         check(operation);
         return operation(request);
     } catch (error) {
@@ -64,7 +213,6 @@ function answer(line) {
         throw error;
     }
 }
-
 // JSON with integers of any size, and without characters that could end a line.
 const STRING_OR_NUMBER = /"(?:[^"\\]|\\.)*"|-?\d+(?:\.\d+)?(?:[eE][-+]?\d+)?/g;
 

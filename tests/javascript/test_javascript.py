@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import re
 import shutil
@@ -9,7 +10,7 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from support import ROOT, SPECS, heavy, need
+from support import ROOT, SPECS, heavy, need, simulated
 
 pytestmark = [] if shutil.which("node") else heavy("node")
 specs = pytest.mark.parametrize("spec", sorted(SPECS))
@@ -30,10 +31,71 @@ def test_unit(spec: str) -> None:
     assert int(re.findall(r"^# pass (\d+)", said, re.M)[0]) > 0
 
 
+def test_devices_at_their_worst() -> None:
+    said = node("--test", ROOT / "tests/javascript/device.test.mjs", FOLDER=str(GENERATED))
+    assert int(re.findall(r"^# pass (\d+)", said, re.M)[0]) > 10
+
+
 def test_the_quickstart_runs() -> None:
     quickstart = (GENERATED / "quickstart.mjs").read_text("utf-8")
     assert f"```javascript\n{quickstart}```" in (GENERATED / "README.md").read_text("utf-8")
-    assert node(GENERATED / "quickstart.mjs") == "75 65 01 02 02 03 e2 c8\n0.2445 g along x\n"
+    assert node(GENERATED / "quickstart.mjs") == "75 65 0c 08 08 0f 01 80 01 04 00 0a 95 dc\n0.2445 g along x\n"
+
+
+def program(folder: Path, name: str) -> Path:
+    """A program of the README, in a folder where the package is installed."""
+    text = (ROOT / "spec/programs" / name).read_text("utf-8")
+    assert f"```javascript\n{text}```" in (GENERATED / "README.md").read_text("utf-8")
+    package = folder / "node_modules/mip-protocol"
+    package.parent.mkdir()
+    package.symlink_to(GENERATED)
+    path = folder / name
+    path.write_text(text, "utf-8")
+    return path
+
+
+@pytest.mark.parametrize("device", ["3dm-cv7-gnss-ins", "3dm-gx5-15"])
+def test_a_program_talks_to_a_device(device: str, tmp_path: Path) -> None:
+    """Of two generations, which have other commands; only the older one does not have the command that is refused."""
+    path = program(tmp_path, "live.mjs")
+    with simulated("--tcp", "0", device=device) as place:
+        host, _, port = place.rpartition(":")
+        text = path.read_text("utf-8")
+        assert '"localhost", 5744' in text
+        path.write_text(text.replace('"localhost", 5744', f'"{host}", {port}'), "utf-8")
+        name, *rest = node(path).splitlines()
+    assert name == {"3dm-cv7-gnss-ins": "3DM-CV7-GNSS/INS", "3dm-gx5-15": "3DM-GX5-15"}[device]
+    refused = ["3dm.pps_source_control refused: UNKNOWN_COMMAND"] if device == "3dm-gx5-15" else []
+    assert rest[: len(refused)] == refused
+    angles = rest[len(refused) :]
+    assert len(angles) == 10
+    assert all(re.fullmatch(r"(-?\d+\.\d{3} ?){3}", line) for line in angles)
+
+
+def test_a_program_reads_a_log(tmp_path: Path) -> None:
+    path = program(tmp_path, "decode_log.mjs")
+    packet = bytes.fromhex("7565800e0e043e7a63a0bb8e3b297fe5bf7f84ee")
+    (tmp_path / "log.bin").write_bytes(b"$GPGGA\r\n" + 3 * packet)
+    said = subprocess.run([need("node"), path], cwd=tmp_path, capture_output=True, text=True, check=True).stdout
+    assert said.count("128 ScaledAccel {") == 3
+    assert said.endswith("8 bytes between packets\n")
+
+
+def test_typescript_of_the_readme() -> None:
+    """`test_types.py` compiles it."""
+    typed = (ROOT / "spec/programs/typed.mts").read_text("utf-8")
+    assert f"```typescript\n{typed}```" in (GENERATED / "README.md").read_text("utf-8")
+
+
+def test_the_package_is_complete() -> None:
+    about = json.loads((GENERATED / "package.json").read_text("utf-8"))
+    assert about["engines"] == {"node": ">=18"}
+    assert about["sideEffects"] is False
+    assert "IMU" in about["keywords"]
+    for name, paths in about["exports"].items():
+        for path in paths.values() if isinstance(paths, dict) else (paths,):
+            assert (GENERATED / path).is_file(), name
+    assert (GENERATED / about["types"]).is_file()
 
 
 @specs
@@ -46,8 +108,9 @@ def test_every_file_is_javascript(spec: str) -> None:
 
 def test_every_export_is_in_the_readme() -> None:
     readme = (GENERATED / "README.md").read_text("utf-8")
-    index = (GENERATED / "mip/index.mjs").read_text("utf-8")
-    names = {name.strip() for inner in re.findall(r"export \{([^}]*)\}", index) for name in inner.split(",")}
+    index = (GENERATED / "mip/index.mjs").read_text("utf-8") + (GENERATED / "mip/tools.mjs").read_text("utf-8")
+    listed = (name.strip() for inner in re.findall(r"export \{([^}]*)\}", index) for name in inner.split(","))
+    names = set(filter(None, listed))
     assert len(names) > 10
     for name in names:
         assert re.search(rf"\b{name}\b", readme), name
@@ -60,7 +123,7 @@ def test_the_package_exports_what_the_readme_names(tmp_path: Path) -> None:
     package.symlink_to(GENERATED)
     program = tmp_path / "use.mjs"
     program.write_text(
-        "import { Protocol } from 'mip-protocol'; import model from 'mip-protocol/model';"
+        "import { Protocol } from 'mip-protocol/tools'; import model from 'mip-protocol/model';"
         " console.log(new Protocol(model).field('base.ping').title);",
         "utf-8",
     )

@@ -11,14 +11,14 @@ import vm from "node:vm";
 const script = path.resolve(process.env.WORKBENCH, "workbench.js");
 const load = (name) => import(pathToFileURL(path.resolve(process.env.FOLDER, name)));
 await import(pathToFileURL(script));
-const { Protocol, bytesOfText, find, indexOf, initialValues, model, toHex } = globalThis.mip;
+const { Protocol, bytesOfText, find, indexOf, initialValues, inspect, model, toHex } = globalThis.mip;
 const protocol = new Protocol(model);
 
 test("the script has all of the codec and the model, and nothing is global but `mip`", async () => {
     const context = vm.createContext({ TextEncoder });
     vm.runInContext(fs.readFileSync(script, "utf8"), context);
     assert.deepEqual(Object.keys(context), ["TextEncoder", "mip"]);
-    const codec = await load("mip/index.mjs");
+    const codec = await load("mip/tools.mjs");
     assert.deepEqual(
         Object.keys(codec).filter((name) => !(name in context.mip)),
         [],
@@ -29,8 +29,9 @@ test("the script has all of the codec and the model, and nothing is global but `
     const theirs = new context.mip.Protocol(context.mip.model);
     const text = (value) => JSON.stringify(value, (_, v) => (typeof v === "bigint" ? `${v}` : v));
     for (const { packet } of wanted.examples) {
-        const one = context.mip.Packet.from(theirs, context.mip.fromHex(packet)).decode({ floatBits: true });
-        assert.equal(text(one), text(codec.Packet.from(of, codec.fromHex(packet)).decode({ floatBits: true })), packet);
+        const bits = { floatBits: true };
+        const one = context.mip.decodePacket(theirs, context.mip.Packet.from(context.mip.fromHex(packet)), bits);
+        assert.equal(text(one), text(codec.decodePacket(of, codec.Packet.from(codec.fromHex(packet)), bits)), packet);
     }
 });
 
@@ -166,6 +167,17 @@ test("what is left out of a pasted text is listed", () => {
     ]) {
         assert.deepEqual(bytesOfText(text).ignored, ignored, text);
     }
+});
+
+// ------------------------------------------------------------------------------------------- what bytes mean
+
+test("of the beginning of a packet, the fields are shown that are whole", () => {
+    const fieldsOf = (text) => inspect(protocol, text).parts[0].fields ?? [];
+    const { packet } = model.examples.find((one) => fieldsOf(one.packet).length > 1);
+    const begun = packet.slice(0, -6); // without the checksum and the last byte of the last field
+    assert.equal(inspect(protocol, begun).parts[0].kind, "incomplete");
+    const bytes = (fields) => fields.map((one) => toHex(one.bytes));
+    assert.deepEqual(bytes(fieldsOf(begun)), bytes(fieldsOf(packet)).slice(0, -1));
 });
 
 // ------------------------------------------------------------------------------------------- values to begin with

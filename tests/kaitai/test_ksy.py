@@ -49,6 +49,12 @@ def test_every_descriptor_is_a_kind_with_a_type(spec: str) -> None:
 
 
 @specs
+def test_a_packet_begins_with_the_sync_bytes(spec: str) -> None:
+    first, second = model(spec).protocol.sync
+    assert f"sync == 0x{first:02x}{second:02x} " in re.sub(r"\s+", " ", file(spec).read_text("utf-8")).lower()
+
+
+@specs
 def test_what_is_referred_to_exists(spec: str) -> None:
     tree = ksy(file(spec))
     known = set(tree["types"])

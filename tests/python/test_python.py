@@ -508,8 +508,9 @@ def test_devices(spec: str) -> None:
         assert [(p.name, p.id, p.baud_rates, p.receives, p.sends) for p in device.ports] == [
             (p.name, p.id, p.baud_rates, p.receives, p.sends) for p in d.ports
         ]
-        assert {k: (x.value, x.unit, x.description) for k, x in device.limits.items()} == {
-            x.name: (x.value, x.unit, x.description) for x in d.limits
+        assert device.firmware == {key: s.firmware for key, s in keys.items() if s.firmware}
+        assert {k: (x.value, x.unit, x.description, x.firmware) for k, x in device.limits.items()} == {
+            x.name: (x.value, x.unit, x.description, x.firmware) for x in d.limits
         }
         assert {k: (x.title, x.description, x.rows) for k, x in device.notes.items()} == {
             x.name: (x.title, x.description, x.rows) for x in d.notes

@@ -1,4 +1,4 @@
-"""What the README shows is what runs."""
+"""What the README and the page about specifications show is what runs."""
 
 from __future__ import annotations
 
@@ -14,11 +14,14 @@ import pytest
 from support import BUILD, ROOT, driver, need
 
 README = (ROOT / "README.md").read_text("utf-8")
+TOOLS = {**os.environ, "PYTHONPATH": os.pathsep.join((f"{ROOT}/tools", f"{ROOT}/generated/python"))}
+CONTRIBUTING = (ROOT / "CONTRIBUTING.md").read_text("utf-8")
+SPECIFICATIONS = (ROOT / "docs/specifications.md").read_text("utf-8")
 
 
 def block(language: str, section: str = "") -> str:
-    """The one example in a language; of a section, if several have one."""
-    text = README.partition(f"## {section}\n")[2].partition("\n## ")[0] if section else README
+    """The one example in a language; of a section of the page about specifications, or of the README."""
+    text = SPECIFICATIONS.partition(f"## {section}\n")[2].partition("\n## ")[0] if section else README
     found = re.findall(rf"```{language}\n(.*?)```", text, re.S)
     assert len(found) == 1, (language, section)
     return str(found[0])
@@ -26,7 +29,7 @@ def block(language: str, section: str = "") -> str:
 
 def commands(section: str) -> list[list[str]]:
     """The commands of a section, without comments."""
-    text = README.partition(f"## {section}\n")[2].partition("\n## ")[0]
+    text = SPECIFICATIONS.partition(f"## {section}\n")[2].partition("\n## ")[0]
     return [line.partition("#")[0].split() for line in re.findall(r"^    (mipgen .*)$", text, re.M)]
 
 
@@ -36,9 +39,7 @@ def run(*command: str | Path, **environment: str) -> str:
     return done.stdout
 
 
-def test_c(tmp_path: Path) -> None:
-    source = (ROOT / "generated/c/quickstart.c").read_text("utf-8")
-    assert source.partition("*/\n")[2].rstrip() == block("c").rstrip()
+def test_quickstart_in_c(tmp_path: Path) -> None:
     sources = sorted((ROOT / "generated/c/src/mip").glob("*.c"))
     run(
         need("cc"),
@@ -52,18 +53,14 @@ def test_c(tmp_path: Path) -> None:
     assert run(tmp_path / "quickstart") == "8 bytes to send\n0.2445 g along x\n"
 
 
-def test_python() -> None:
-    source = (ROOT / "generated/python/quickstart.py").read_text("utf-8")
-    assert source.partition('"""\n\n')[2] == block("python")
+def test_quickstart_in_python() -> None:
     printed = run(sys.executable, ROOT / "generated/python/quickstart.py", PYTHONDONTWRITEBYTECODE="1")
     assert printed == "75 65 01 02 02 03 e2 c8\n0.2445 g along x\n"
 
 
 @pytest.mark.xdist_group("values-real")  # where the driver is
-def test_rust() -> None:
+def test_quickstart_in_rust() -> None:
     """With the library that the driver is made of: to build it takes longest of all that `make test` does."""
-    source = (ROOT / "generated/rust/examples/quickstart.rs").read_text("utf-8")
-    assert source == block("rust")
     of = driver("rust", "real")
     built = Path(of.command[0]).parents[2]
     folder = BUILD / "readme"
@@ -75,22 +72,55 @@ def test_rust() -> None:
     assert printed == "8 bytes to send\n0.2445 g along x\n"
 
 
+def test_first_program_in_python() -> None:
+    """On a virtual device, until it has printed a few lines."""
+    device = subprocess.Popen(
+        [sys.executable, "-m", "mip_tools", "simulate", "3dm-cv7-gnss-ins", "--tcp", "0"],
+        stdout=subprocess.PIPE, text=True, env=TOOLS,
+    )  # fmt: skip
+    try:
+        assert device.stdout is not None
+        program = block("python").replace("/dev/ttyACM0", device.stdout.readline().strip())
+        first = subprocess.Popen([sys.executable, "-u", "-c", program], stdout=subprocess.PIPE, text=True, env=TOOLS)
+        assert first.stdout is not None
+        lines = [first.stdout.readline() for _ in range(3)]
+        first.kill()
+        first.wait()
+    finally:
+        device.kill()
+        device.wait()
+    assert all(re.fullmatch(r"\S.* -?[\d.e-]+ g\n", line) for line in lines), lines
+
+
+@pytest.mark.parametrize("language", ["c", "cpp", "rust"])
+def test_first_programs_are_parts_of_examples(language: str) -> None:
+    """Of the file that is linked below each, which the tests of its language run."""
+    shown, link = re.findall(rf"```{language}\n(.*?)```\n\nThe whole program: \[[^]]+\]\(([^)]+)\)", README, re.S)[0]
+    lines = iter([line.strip() for line in (ROOT / link).read_text("utf-8").splitlines()])
+    for line in filter(None, map(str.strip, shown.splitlines())):
+        assert line in lines, line  # in this order
+
+
+def test_first_page_is_short() -> None:
+    prose = re.sub(r"```.*?```", "", README, flags=re.S)
+    assert len(prose.split()) < 700
+
+
 def test_every_target_of_make_is_there() -> None:
     makefile = (ROOT / "Makefile").read_text("utf-8")
-    for name in set(re.findall(r"(?:`|^    )make ([a-z-]+)", README, re.M)):
+    for name in set(re.findall(r"(?:`|^    )make ([a-z-]+)", README + SPECIFICATIONS + CONTRIBUTING, re.M)):
         assert re.search(rf"^{name}:", makefile, re.M), name
 
 
 def test_every_path_is_there() -> None:
-    for path in re.findall(r"\]\(([^)#]+)\)", README):
-        assert path.startswith("http") or (ROOT / path).exists(), path
-    for folder in re.findall(r"^\| `(generated/\w+)` ", README, re.M):
-        assert (ROOT / folder / "README.md").is_file(), folder
+    for page in ("README.md", "CONTRIBUTING.md", "SECURITY.md", "docs/specifications.md"):
+        for path in re.findall(r"\]\(([^)#]+)[^)]*\)", (ROOT / page).read_text("utf-8")):
+            assert path.startswith("http") or ((ROOT / page).parent / path).exists(), (page, path)
 
 
 def test_the_field_that_it_shows_is_in_the_specification() -> None:
     """Whole, as it stands there: from its descriptor to the next one."""
-    shown = block("yaml", "Write a field")
+    shown = block("yaml", "Correct a field")
     fields = re.split(r"^(?=  - command: )", (ROOT / "spec/sets/base.yaml").read_text("utf-8"), flags=re.M)
     assert shown.rstrip() in [f.rstrip() for f in fields]
 

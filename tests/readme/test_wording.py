@@ -61,7 +61,16 @@ def turns_in(path: Path, turns: dict[str, str]) -> list[str]:
 
 REFERENCE_TEXTS = [*(ROOT / "spec").rglob("*.yaml"), *(ROOT / "templates/markdown").glob("*.j2")]
 OTHER_TEXTS = [
-    *(ROOT / name for name in ("README.md", "CHANGELOG.md", "spec/README.md", "generator/mipgen/facts/describe.py")),
+    *(
+        ROOT / name
+        for name in (
+            "README.md",
+            "CONTRIBUTING.md",
+            "CHANGELOG.md",
+            "spec/README.md",
+            "generator/mipgen/facts/describe.py",
+        )
+    ),
     *(ROOT / "docs").glob("*.md"),
     *(ROOT / "spec/programs").iterdir(),
     *(ROOT / "templates").glob("*/README.md.j2"),

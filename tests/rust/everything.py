@@ -183,6 +183,10 @@ def text(words: str) -> str:
     return json.dumps(" ".join(words.split()), ensure_ascii=False)
 
 
+def maybe(words: str | None) -> str:
+    return f"Some({text(words)})" if words else "None"
+
+
 def described(parameters: Iterable[m.Parameter]) -> str:
     """Of each value what Rust knows at run time, and what is inside of it."""
     found = []
@@ -446,6 +450,7 @@ class _Writer:
             yield f"assert_eq!({of}.support({s.set}, {s.field.descriptor}), {answer});"
             yield f'assert_eq!((field.set, field.name), ({s.set}, "{s.name}"));'
             yield f"assert_eq!(field.functions.iter().map(|f| f.0).collect::<Vec<u8>>(), {functions});"
+            yield f"assert_eq!({of}.firmware_of({s.set}, {s.field.descriptor}), {maybe(s.firmware)});"
         yield f"assert_eq!(({of}.fields.len(), {of}.refuses.len()), ({len(d.supports)}, {len(d.refuses)}));"
         number = "None" if d.model_number is None else f"Some({d.model_number})"
         yield f"assert_eq!(({of}.id, {of}.title, {of}.model_number), ({text(d.id)}, {text(d.title)}, {number}));"
@@ -470,9 +475,9 @@ class _Writer:
             for way, names in (("receives", port.receives), ("sends", port.sends)):
                 yield f"assert_eq!(port.{way}, [{', '.join(map(text, names))}] as [&str; {len(names)}]);"
         for i, x in enumerate(d.limits):
-            unit = f"Some({text(x.unit)})" if x.unit else "None"
             yield f"let limit = &{of}.limits[{i}];"
-            yield f"assert_eq!((limit.unit, limit.description), ({unit}, {text(x.description)}));"
+            yield f"assert_eq!((limit.unit, limit.description), ({maybe(x.unit)}, {text(x.description)}));"
+            yield f"assert_eq!(limit.firmware, {maybe(x.firmware)});"
             yield f'assert_eq!({of}.limit("{x.name}"), Some({float(x.value)!r}));'
         for i, v in enumerate(d.variants):
             read_as = f"Some({text(v.variant.type.name)})" if v.variant.type else "None"

@@ -39,13 +39,13 @@ small = pytest.mark.parametrize(
 
 
 @cache
-def embedded() -> str:
+def embedded(machine: str = EMBEDDED) -> str:
     """A target without an operating system and without std."""
     installed = subprocess.run([need("rustup"), "target", "list", "--installed"], capture_output=True, text=True)
-    if EMBEDDED not in installed.stdout.split():
-        done = subprocess.run([need("rustup"), "target", "add", EMBEDDED], capture_output=True, text=True)
-        assert done.returncode == 0, f"rustup target add {EMBEDDED}: {done.stderr}"
-    return EMBEDDED
+    if machine not in installed.stdout.split():
+        done = subprocess.run([need("rustup"), "target", "add", machine], capture_output=True, text=True)
+        assert done.returncode == 0, f"rustup target add {machine}: {done.stderr}"
+    return machine
 
 
 def cargo_tests(*names: str, folder: Path = HERE / "cases") -> str:
@@ -99,9 +99,9 @@ FEATURES = '"std", "dynamic", "serde", "embedded-io", "embedded-io-async"'
 
 
 @contextmanager
-def with_dependencies() -> Iterator[Path]:
+def with_dependencies(spec: str = "difficult") -> Iterator[Path]:
     """A project that uses the crate with the real dependencies, pinned in features/Cargo.lock."""
-    folder = WORK / "difficult" / "features"
+    folder = WORK / spec / "features"
     manifest = f"""[package]
 name = "features"
 version = "0.0.0"
@@ -113,7 +113,11 @@ mip-protocol = {{ path = "mip-protocol", features = [{FEATURES}] }}
 embedded-io = "0.7"
 embedded-io-async = "0.7"
 serde = "1"
-serde_json = "1"
+serde_json = {{ version = "1", features = ["float_roundtrip"] }}
+
+[[test]]
+name = "json"
+path = "{HERE / "features" / "json.rs"}"
 
 [[test]]
 name = "features"
@@ -126,8 +130,8 @@ path = "{HERE / "features" / "embedded.rs"}"
 [workspace]
 members = ["mip-protocol"]
 """
-    with locked(WORK / "difficult-features"):
-        output.write(rendered("difficult"), folder / "mip-protocol")
+    with locked(WORK / f"{spec}-features"):
+        output.write(rendered(spec), folder / "mip-protocol")
         lock = (HERE / "features/Cargo.lock").read_bytes()
         write({"Cargo.toml": manifest.encode(), "src/lib.rs": b"", "Cargo.lock": lock}, folder)
         yield folder
@@ -143,6 +147,13 @@ def test_serde_defmt_and_embedded_io() -> None:
         assert {"serde", "defmt", "embedded-io", "std", "tools"} < own
         lint = ("clippy", "--quiet", "-p", "mip-protocol", "--no-default-features", "--features", ",".join(sorted(own)))
         passes(folder, *lint, "--", "-D", "warnings")
+
+
+@heavy(LONG)
+def test_every_field_goes_to_json_and_comes_back() -> None:
+    """Of the real specification; of the difficult one, the test above does it."""
+    with with_dependencies("real") as folder:
+        passes(folder, "test", "--quiet", "--test", "json")
 
 
 @heavy(LONG)

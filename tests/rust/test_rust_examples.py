@@ -114,7 +114,7 @@ def number(p: m.Parameter, value: Any) -> str:
 
 # --------------------------------------------------------------------------- the folder examples
 
-FEATURES = "std,serde"
+FEATURES = "open,std,serde"
 #: Sets that the programs need: all of them with `serde` take as long as everything else here. `make test-all` has them.
 SETS = "base,mip_3dm,sensor,shared"
 
@@ -169,7 +169,7 @@ def log(tmp_path: Path) -> Path:
 def test_the_examples_are_these() -> None:
     """Each is listed, has a first line that says what it does, and names the features that it needs."""
     found = {p.stem for p in (crate() / "examples").iterdir()}
-    assert found == set(target.EXAMPLES)
+    assert found == {*target.EXAMPLES, "embassy"}
     readme = rendered("real")["README.md"].decode()
     for name, needed in target.EXAMPLES.items():
         assert f"`examples/{name}.rs`" in readme, name
@@ -266,19 +266,12 @@ def test_tokio_codec() -> None:
 
 @heavy(EXAMPLES)
 def test_stream(tmp_path: Path) -> None:
-    """At a pseudo-terminal."""
+    """At a pseudo-terminal; what it shows, test_rust_first_day.py tests."""
     path = f"{tmp_path}/terminal"
     assert ran("stream")[0] == 1
-    assert "No such file" in ran("stream", path)[2]
-    with simulated("--pty", path, "--speed", "10"):
-        code, out, error = ran("stream", path)
-        head, *lines = out.splitlines()
-        assert (code, error) == (0, "") and head == "3DM-CV7-GNSS/INS, 1000 Hz"
-        assert len(lines) == 50 and all(re.fullmatch(r"(no time|[\d.]+ s):( +-?\d\.\d{4}){3} g", x) for x in lines)
-        finds_nobody("stream", path)
-    with simulated("--pty", path, "--fault", "refuse@3"):
-        code, out, error = ran("stream", path)
-        assert code == 1 and "Refused(AckCode(bad_checksum))" in error
+    programs()
+    with simulated("--pty", path):
+        finds_nobody("stream", f"serial:{path}")
 
 
 @heavy(EXAMPLES)
@@ -286,7 +279,7 @@ def test_setup(tmp_path: Path) -> None:
     """What it has saved is there after the next start."""
     path, storage = f"{tmp_path}/terminal", tmp_path / "storage"
     with simulated("--pty", path, "--storage", str(storage)):
-        code, out, error = ran("setup", path)
+        code, out, error = ran("setup", f"serial:{path}")
         assert (code, error) == (0, "")
     assert out.splitlines() == [
         "low-pass filter at 25 Hz",
@@ -296,10 +289,10 @@ def test_setup(tmp_path: Path) -> None:
     saved = storage.read_bytes()
     assert saved
     with simulated("--pty", path, "--storage", str(storage), "--fault", "refuse@3"):
-        assert ran("setup", path)[0] == 1
+        assert ran("setup", f"serial:{path}")[0] == 1
     storage.unlink()
     with simulated("--pty", path, "--storage", str(storage)):
-        finds_nobody("setup", path)
+        finds_nobody("setup", f"serial:{path}")
     assert storage.read_bytes() == saved  # nevertheless
 
 
@@ -331,3 +324,15 @@ def test_firmware_is_small() -> None:
     text, data = map(int, sizes.splitlines()[1].split()[:2])
     (said,) = re.findall(r"takes ([\d.]+) kB", rendered("real")["README.md"].decode())
     assert float(said) - 0.2 < (text + data) / 1000 <= float(said)
+
+
+@heavy(EMBEDDED)
+def test_embassy() -> None:
+    """It is linked for a Cortex-M4, with the versions of its dependencies in embassy/Cargo.lock."""
+    folder = crate() / "examples/embassy"
+    write({"Cargo.lock": (HERE / "embassy/Cargo.lock").read_bytes()}, folder)
+    machine = "thumbv7em-none-eabi"
+    passes(folder, "build", "--quiet", "--locked", "--release", "--target", embedded(machine))
+    program = WORK / "target" / machine / "release/mip-protocol-embassy"
+    sizes = subprocess.run([need("size"), str(program)], capture_output=True, text=True, check=True).stdout
+    assert 5_000 < int(sizes.splitlines()[1].split()[0]) < 20_000

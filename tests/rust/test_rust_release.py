@@ -19,10 +19,10 @@ from support import ROOT, SPECS, heavy, locked, need
 from test_rust import EMBEDDED, LONG, embedded, with_dependencies
 
 #: Rust that is needed by features that bring dependencies, as locked for the tests.
-DEPENDENCIES = {"serde": "1.71", "defmt": "1.81", "embedded-io": "1.81", "embedded-io-async": "1.81"}
+DEPENDENCIES = {"serde": "1.71", "defmt": "1.81", "embedded-io": "1.81", "embedded-io-async": "1.81", "open": "1.85"}
 
 #: Those whose dependencies may be of versions that demand less or more, so that the README names the version as well.
-OTHERS = {"serde", "defmt"}
+OTHERS = {"serde": "serde", "defmt": "defmt", "open": "serialport"}
 
 
 @cache
@@ -98,7 +98,7 @@ def test_each_feature_has_an_oldest_compiler() -> None:
     assert table["none"] == OLDEST == manifest("invented")["rust_version"]
     for feature, version in table.items():
         if feature in OTHERS:
-            assert version == f"{DEPENDENCIES[feature]}, that of `{feature}` {pinned(feature)}"
+            assert version == f"{DEPENDENCIES[feature]}, that of `{OTHERS[feature]}` {pinned(OTHERS[feature])}"
         else:
             assert re.fullmatch(r"1\.\d+", version) and version == DEPENDENCIES.get(feature, version)
             text = manifest_text.partition(f"\n{feature} = ")[0].rpartition("\n")[2]  # the comment before it

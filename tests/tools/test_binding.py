@@ -111,7 +111,7 @@ def test_there_is_no_package(words: list[str], said: str) -> None:
 
 
 def test_without_a_package_there_is_still_help() -> None:
-    assert "--package NAME" in mip("--help") and re.fullmatch(r"mip \d+\.\d+\.\d+\n", mip("--version"))
+    assert "--package NAME" in mip("--help") and "without a generated package" in mip("--version")
 
 
 def test_a_package_is_chosen_before_it_is_used(own: Path) -> None:

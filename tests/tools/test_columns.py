@@ -5,7 +5,6 @@ from __future__ import annotations
 import copy
 import ctypes
 import gzip
-import importlib
 import io
 import os
 import pickle
@@ -15,6 +14,7 @@ import shutil
 import struct
 import subprocess
 import sys
+import zipfile
 from collections.abc import Iterator
 from functools import cache
 from itertools import accumulate
@@ -31,6 +31,7 @@ from support import PYTHONPATH, ROOT, SPECS, all_fields, heavy, later, model, ne
 
 np, pyarrow, dataset, parquet = (later(name) for name in ("numpy", "pyarrow", "pyarrow.dataset", "pyarrow.parquet"))
 
+KERNEL = ROOT / "tools/mip_tools/columns/kernel.c"
 PACKAGES = {"real": real, "invented": invented}
 
 
@@ -54,8 +55,9 @@ def parsed(package: Any, stream: bytes) -> list[tuple[int, Any]]:
 @pytest.fixture(scope="session")
 def built(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The compiled code, which both packages share."""
-    build_module = importlib.import_module(f"{real.mip_tools.name}.columns.build")
-    path: Path = build_module.build(tmp_path_factory.mktemp("kernel"))
+    path = tmp_path_factory.mktemp("kernel") / "_kernel.so"
+    options = ["-std=c99", "-O3", "-shared", "-fPIC", "-o", str(path)]
+    subprocess.run([need("gcc"), *options, str(KERNEL)], check=True)
     return path
 
 
@@ -597,9 +599,9 @@ def test_frames(library: str) -> None:
     assert masked["roll"] == [1, None]
     assert masked["offset"] == [0, 32]
     wide = cells(log.frame([real.filter_data.EulerAngles, "filter_data.llh_position"], library=library, units=False))
-    assert wide["euler_angles.roll"] == [1, 1, None]
-    assert wide["euler_angles.valid_flags"] == [1, 0, None]
-    assert wide["llh_position.latitude"] == [None, None, 50]
+    assert wide["filter_data.euler_angles.roll"] == [1, 1, None]
+    assert wide["filter_data.euler_angles.valid_flags"] == [1, 0, None]
+    assert wide["filter_data.llh_position.latitude"] == [None, None, 50]
     assert wide["time_own"] == [True, True, False]
 
 
@@ -778,105 +780,73 @@ def test_a_package_in_a_zip_file(tmp_path: Path) -> None:
     assert done.stdout == "True False 3\n", done.stderr
     done = python("-m", "mip_tools", "info", "log.bin")
     assert done.returncode == 0 and "scaled_accel" in done.stdout, done.stderr
-    done = python("-m", "mip_tools.columns.build")
-    assert done.returncode == 1 and done.stderr.startswith("mip_tools.columns.build: "), done.stderr
-    assert done.stderr.endswith("; install the whole package in a folder\n") and done.stderr.count("\n") == 1
 
 
-def copied(folder: Path) -> Path:
-    """The tools in a folder, without what was compiled."""
-    return shutil.copytree(ROOT / "tools/mip_tools", folder / "mip_tools", ignore=shutil.ignore_patterns("*.so"))
+def installed(folder: Path, pure: bool) -> tuple[str, str]:
+    """The name of a wheel, and what its `mip --version` says, installed where nobody may write."""
+    source = folder / "source"
+    names = ("README.md", "LICENSE", "pyproject.toml", "setup.py", "mip_tools")
+    for name in names:
+        path = ROOT / "tools" / name
+        copy_of = shutil.copytree if path.is_dir() else shutil.copy
+        source.mkdir(exist_ok=True)
+        copy_of(path, source / name)
+    environment = {**os.environ, "PYTHONPATH": str(REAL), **({"MIP_TOOLS_PURE": "1"} if pure else {})}
+    wheel = [sys.executable, "-m", "pip", "wheel", "-q", "--no-deps", "--no-build-isolation", "-w", str(folder)]
+    subprocess.run([*wheel, str(source)], check=True, env=environment)
+    (made,) = folder.glob("*.whl")
+    site = folder / "site"
+    with zipfile.ZipFile(made) as archive:
+        archive.extractall(site)
+    before = sorted(site.rglob("*"))
+    environment["PYTHONPATH"] += f"{os.pathsep}{site}"
+    environment["PYTHONDONTWRITEBYTECODE"] = "1"
+    command = [sys.executable, "-m", "mip_tools"]
+    (folder / "log.bin").write_bytes(packet(0x80, ACCEL) * 3)
+    for words in (["info", str(folder / "log.bin")], ["export", str(folder / "log.bin"), "-o", str(folder / "t.csv")]):
+        subprocess.run([*command, *words], check=True, env=environment, capture_output=True)
+    assert sorted(site.rglob("*")) == before  # nothing was written beside the package
+    done = subprocess.run([*command, "--version"], capture_output=True, text=True, env=environment)
+    return made.name, done.stdout
 
 
-def python_path(folder: Path) -> str:
-    """The tools of this folder, and the real package."""
-    return f"{folder}{os.pathsep}{REAL}"
-
-
-def build(*words: str, path: Path, **environment: str) -> subprocess.CompletedProcess[str]:
-    command = [sys.executable, "-m", "mip_tools.columns.build", *words]
-    own = {**os.environ, "PYTHONPATH": python_path(path), "PYTHONDONTWRITEBYTECODE": "1", "CC": "", **environment}
-    return subprocess.run(command, capture_output=True, text=True, env=own)
-
-
-def test_the_command_that_compiles(tmp_path: Path) -> None:
-    folder = copied(tmp_path)
-    asked = [sys.executable, "-c", "import mip_tools.columns as c; print(c.compiled(), c.read_log(b'').packets)"]
-    environment = {**os.environ, "PYTHONPATH": python_path(tmp_path)}
-    before = subprocess.run(asked, capture_output=True, text=True, env=environment)
-    assert before.stdout == "False 0\n", before.stderr
-    for compiler, said in (
-        ("/nowhere/cc", "/nowhere/cc: No such file or directory"),
-        ("false", "false -std=c99"),
-        ("true", "what true has made cannot be loaded"),
-        ('gcc "x', 'CC=gcc "x: No closing quotation; quote a path with spaces'),
-    ):
-        failed = build(path=tmp_path, CC=compiler)
-        assert failed.returncode == 1 and said in failed.stderr and "Traceback" not in failed.stderr
-    missing = build(path=tmp_path, PATH=str(tmp_path))
-    assert missing.returncode == 1
-    assert missing.stderr.endswith("no C compiler found: none of cc, gcc, clang; name one with CC\n")
-    assert build("now", path=tmp_path).returncode == 2
-    assert not list(folder.rglob("*.so")) + list(folder.rglob("*.part"))
-    done = build(path=tmp_path)
-    assert done.returncode == 0, done.stderr
-    assert Path(done.stdout.splitlines()[0]).parent == folder / "columns"
-    after = subprocess.run(asked, capture_output=True, text=True, env=environment)
-    assert after.stdout == "True 0\n", after.stderr
-    source = folder / "columns/kernel.c"
-    source.write_text(source.read_text() + "/* newer */\n")  # what was compiled of the old one does not count
-    assert subprocess.run(asked, capture_output=True, text=True, env=environment).stdout == "False 0\n"
-
-
-def test_compiling_without_its_source_or_numpy(tmp_path: Path) -> None:
-    folder = copied(tmp_path)
-    source = folder / "columns/kernel.c"
-    source.unlink()
-    done = build(path=tmp_path)
-    said = f"{source}: No such file or directory; install the whole package in a folder"
-    assert (done.returncode, done.stderr) == (1, f"mip_tools.columns.build: {said}\n")
-    (tmp_path / "numpy.py").write_text("raise ImportError")
-    done = build(path=tmp_path)
-    said = "numpy is missing; pip install numpy"
-    assert (done.returncode, done.stderr) == (1, f"mip_tools.columns.build: {said}\n")
-    code = "import mip_tools.columns as c\ntry: c.read_log\nexcept ImportError as e: print(type(e).__name__, e)\n"
-    code += "try: from mip_tools.columns import Log\nexcept ImportError as e: print(e)"
-    done = subprocess.run(
-        [sys.executable, "-c", code],
-        capture_output=True,
-        text=True,
-        env={**os.environ, "PYTHONPATH": python_path(tmp_path)},
+def test_wheels_bring_compiled_code_or_none(tmp_path: Path) -> None:
+    """One for all versions of Python on this platform, and a pure one."""
+    (tmp_path / "platform").mkdir()
+    (tmp_path / "pure").mkdir()
+    name, version = installed(tmp_path / "platform", pure=False)
+    assert "-cp310-abi3-" in name and version.endswith("; logs are read with NumPy and compiled code\n"), (
+        name,
+        version,
     )
-    assert done.stdout == f"MissingExtra {said}\n{said}\n", done.stderr
+    name, version = installed(tmp_path / "pure", pure=True)
+    assert name.endswith("-py3-none-any.whl") and version.endswith("; logs are read with NumPy alone\n"), (
+        name,
+        version,
+    )
 
 
-@pytest.mark.parametrize(
-    ("text", "windows", "words"),
-    [
-        ("gcc -m32", False, ["gcc", "-m32"]),
-        ("'/my tools/gcc' -m32", False, ["/my tools/gcc", "-m32"]),
-        (r"C:\tools\gcc.exe -m32", True, [r"C:\tools\gcc.exe", "-m32"]),
-        (r'"C:\my tools\gcc.exe" -m32', True, [r"C:\my tools\gcc.exe", "-m32"]),
-        ("", True, []),
-    ],
-)
-def test_the_words_that_name_a_compiler(text: str, windows: bool, words: list[str]) -> None:
-    build_module = importlib.import_module(f"{real.mip_tools.name}.columns.build")
-    assert build_module._words(text, windows) == words
+def test_the_version_without_numpy(tmp_path: Path) -> None:
+    (tmp_path / "numpy.py").write_text("raise ImportError")
+    environment = {**os.environ, "PYTHONPATH": f"{tmp_path}{os.pathsep}{PYTHONPATH}"}
+    command = [sys.executable, "-m", "mip_tools"]
+    done = subprocess.run([*command, "--version"], capture_output=True, text=True, env=environment)
+    assert done.stdout.endswith("; logs are read with nothing: NumPy is missing\n"), done
+    done = subprocess.run([*command, "info", __file__], capture_output=True, text=True, env=environment)
+    assert (done.returncode, done.stderr) == (1, "mip info: numpy is missing; pip install numpy\n")
 
 
 @pytest.mark.parametrize("content", [b"", b"no library"])
 def test_what_is_no_compiled_code_is_left_alone(content: bytes, tmp_path: Path) -> None:
-    path = real.mip_tools.columns.native.library(tmp_path)
-    assert real.mip_tools.columns.native.found(path) is None
-    path.write_bytes(content)
-    assert real.mip_tools.columns.native.found(path) is None
+    assert real.mip_tools.columns.native.found(tmp_path) is None
+    (tmp_path / "_kernel.abi3.so").write_bytes(content)
+    assert real.mip_tools.columns.native.found(tmp_path) is None
 
 
 @pytest.mark.parametrize("compiler", ["gcc", pytest.param("clang", marks=heavy("clang"))])
 def test_compiled_code_is_clean(compiler: str, tmp_path: Path) -> None:
     options = ["-std=c99", "-O2", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror", "-c"]
-    command = [need(compiler), *options, "-o", str(tmp_path / "kernel.o"), str(real.mip_tools.columns.native.SOURCE)]
+    command = [need(compiler), *options, "-o", str(tmp_path / "kernel.o"), str(KERNEL)]
     subprocess.run(command, check=True)
 
 
@@ -929,7 +899,7 @@ def test_a_type_without_parameters_has_rows(library: str) -> None:
     frame = log.frame(real.base.Ping, library=library)
     assert len(frame) == 2 and cells(frame) == {"ping": [True, True]}
     both = cells(log.frame(["base.ping", "base.set_idle"], library=library))
-    assert both == {"ping": [True, False, True], "set_idle": [False, True, False]}
+    assert both == {"base.ping": [True, False, True], "base.set_idle": [False, True, False]}
 
 
 @pytest.mark.parametrize("wrong", [4, None, int, real.types.DescriptorRate, real.types.AckCode, real.field.Command])

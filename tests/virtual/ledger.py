@@ -24,7 +24,7 @@ def check(session: Session) -> None:
     packets = arrived(session)
     every_command_ends(session)
     data_are_whole(session.client.events, packets)
-    fields_are_conserved(session.client.events, packets)
+    fields_are_conserved(session, packets)
     answers_were_sent(session, packets)
     nobody_waits_in_vain(session)
     failures_have_a_reason(session)
@@ -56,13 +56,14 @@ def data_are_whole(events: list[Event], packets: list[bytes]) -> None:
     assert [e for e in events if e["event"] == "received" and e["set"] >= 0x80] == list(sent)
 
 
-def fields_are_conserved(events: list[Event], packets: list[bytes]) -> None:
-    """Each field of a reply is part of an answer, or reported as one of none; but once."""
+def fields_are_conserved(session: Session, packets: list[bytes]) -> None:
+    """Each field of a reply is part of an answer, of that of a barrier, or reported as one of none; but once."""
+    events = session.client.events
     came = Counter(len(list(walk(p))) for p in packets if p[2] < 0x80)
     fields = sum(count * packets_ for count, packets_ in came.items())
     used = sum(1 + ("response" in e) for e in events if e["event"] in ANSWERS)
     rest = sum(len(e["fields"]) for e in events if e["event"] == "received" and e["set"] < 0x80)
-    assert fields == used + rest
+    assert fields == used + rest + session.client.acknowledged
 
 
 def replies(packets: list[bytes]) -> Iterator[tuple[int, int, int, int | None, bytes]]:
@@ -111,7 +112,8 @@ def nobody_waits_in_vain(session: Session) -> None:
     of = model("real")
     acknowledge = of.protocol.acknowledge.full_name
     waiting: dict[int, Trial] = {}
-    for e in session.client.events:
+    opened = session.client.opened
+    for number, e in enumerate(session.client.events):
         if e["event"] == "sent":
             waiting |= {n: session.trials[n] for n in e["commands"]}
         waiting.pop(e.get("command", -1), None)
@@ -120,7 +122,9 @@ def nobody_waits_in_vain(session: Session) -> None:
         for f, behind in zip_longest(e["fields"], e["fields"][1:], fillvalue={}):
             if f.get("name") != acknowledge:
                 continue
-            for trial in waiting.values():
+            for n, trial in waiting.items():
+                if opened.get(n, number + 1) > number:
+                    continue  # its barrier is not answered yet
                 if (trial.command.set, trial.command.descriptor) == (e["set"], f["values"]["command"]):
                     # The response of another command with this descriptor, which was given up or sent later.
                     assert f["values"]["code"] == 0 and behind, (trial, e)

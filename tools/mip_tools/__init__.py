@@ -25,5 +25,8 @@ else:
             raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
         return getattr(import_module(homes[name], __name__), name)
 
+    def __dir__() -> list[str]:
+        return ["VirtualDevice", "__version__", "read_log", "use"]
+
 
 __all__ = ["use"]

@@ -76,10 +76,23 @@ class _Layout(argparse.RawDescriptionHelpFormatter):
 
 
 def _version() -> str:
+    return f"mip {__version__}, {_package()}; logs are read with {_engine()}"
+
+
+def _package() -> str:
     try:
-        return f"mip {__version__}, {binding.name()} {binding.VERSION}"
+        return f"{binding.name()} {binding.VERSION}"
     except NoBinding:
-        return f"mip {__version__}"
+        return "without a generated package"
+
+
+def _engine() -> str:
+    """What reads logs as columns."""
+    try:
+        from .columns.native import compiled
+    except ImportError:
+        return "nothing: NumPy is missing"
+    return "NumPy and compiled code" if compiled() else "NumPy alone"
 
 
 def _run(given: list[str]) -> int:

@@ -106,6 +106,7 @@ def data(file: str) -> dict[str, Any]:
 _USED = {
     "_clocks": "CLOCKS LEAP_SECONDS",
     "_index": "FAMILIES FIELDS SETS",
+    "_session": "session",
     "client": "Answer TimedOut",
     "codec": "OpenEnum single_from_bits single_to_bits",
     "described": "Described",
@@ -113,7 +114,7 @@ _USED = {
     "devices": "DEVICES identify model_number",
     "errors": "DecodeError EncodeError MipError MissingExtra NoAnswer PacketError PortClosed Refused UnknownName",
     "field": "Command Data Field Response Structure chosen",
-    "info": "EnumInfo",
+    "info": "BitsInfo EnumInfo",
     "lookup": "device_id",
     "packet": "MAX_PAYLOAD OVERHEAD SYNC Packet PacketBuilder RawField",
     "parameter": "Flag Parameter",
@@ -135,6 +136,7 @@ if TYPE_CHECKING:
     from mip_protocol import lookup, reflection, registry, timestamps
     from mip_protocol._clocks import CLOCKS, LEAP_SECONDS
     from mip_protocol._index import FAMILIES, FIELDS, SETS
+    from mip_protocol._session import session
     from mip_protocol.client import Answer, TimedOut
     from mip_protocol.codec import OpenEnum, single_from_bits, single_to_bits
     from mip_protocol.described import Described
@@ -153,7 +155,7 @@ if TYPE_CHECKING:
         UnknownName,
     )
     from mip_protocol.field import Command, Data, Field, Response, Structure, chosen
-    from mip_protocol.info import EnumInfo
+    from mip_protocol.info import BitsInfo, EnumInfo
     from mip_protocol.lookup import device_id
     from mip_protocol.packet import MAX_PAYLOAD, OVERHEAD, SYNC, Packet, PacketBuilder, RawField
     from mip_protocol.parameter import Flag, Parameter

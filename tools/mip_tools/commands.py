@@ -11,11 +11,13 @@ from .errors import Misuse
 COMMANDS = {
     "dump": ("cli.dump", "show packets with names, values and units"),
     "info": ("cli.info", "show what is in a log: types, rates, gaps, damage"),
+    "doctor": ("cli.doctor", "find out what is wrong with a device or a log, and why"),
     "export": ("cli.export", "write a log as a table: csv, jsonl, npz, parquet, arrow"),
     "plot": ("cli.plot", "plot values of a log over time"),
     "cut": ("cli.cut", "copy a part of a log"),
     "record": ("cli.record", "write what a device sends to a file"),
     "monitor": ("cli.monitor", "show the latest values of a device, live"),
+    "stream": ("cli.stream", "write what a device sends as JSON lines, CSV or MCAP, live"),
     "send": ("cli.send", "send a command and show the answer"),
     "config": ("cli.config", "copy, compare and restore the settings of a device"),
     "profile": ("cli.profile", "ask a device what it has, and write it for a specification"),

@@ -22,17 +22,29 @@ class Sentences:
 
     def __init__(self) -> None:
         self._line = bytearray()
+        self._taken = 0  # bytes before this line
 
     def feed(self, data: bytes) -> list[str]:
         """The sentences that are complete with these bytes, without the ends of their lines."""
+        return [sentence for _, sentence in self.placed(data)]
+
+    def placed(self, data: bytes) -> list[tuple[int, str]]:
+        """The same, and where each begins: after so many bytes of all that were given."""
         self._line += data
         *lines, rest = self._line.split(b"\n")
+        found = []
+        for line in lines:
+            if (sentence := _sentence(line[-LONGEST:])) is not None:
+                begin, text = sentence
+                found.append((self._taken + max(0, len(line) - LONGEST) + begin, text))
+            self._taken += len(line) + 1
+        self._taken += max(0, len(rest) - LONGEST)
         self._line = rest[-LONGEST:]
-        return [sentence for line in lines if (sentence := _sentence(line[-LONGEST:]))]
+        return found
 
 
-def _sentence(line: bytearray) -> str | None:
-    """The sentence at the end of a line; any bytes before it are noise."""
+def _sentence(line: bytearray) -> tuple[int, str] | None:
+    """The sentence at the end of a line, and where it begins; any bytes before it are noise."""
     end = _END.search(line)
     if end is None:
         return None
@@ -43,7 +55,7 @@ def _sentence(line: bytearray) -> str | None:
             return None
         # Texts may have such a character, too: the checksum tells.
         if byte in b"$!" and checksum == wanted and at + 1 < end.start():
-            return line[at:].rstrip(b"\r").decode("ascii")
+            return at, line[at:].rstrip(b"\r").decode("ascii")
         checksum ^= byte
     return None
 

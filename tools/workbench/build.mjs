@@ -1,6 +1,17 @@
 // What the builder knows of a packet with one field: values to begin with, bytes, source code, and the answer.
 
-import { buildPacket, FIRST_DATA_SET, fromHex, nameIn, namedType, parameterOf, placesOf, readFloat, SHARED_SET, toHex } from "mip-protocol";
+import {
+    buildPacket,
+    FIRST_DATA_SET,
+    fromHex,
+    nameIn,
+    namedType,
+    parameterOf,
+    placesOf,
+    readFloat,
+    SHARED_SET,
+    toHex,
+} from "mip-protocol/tools";
 import { conditionText, hexByte } from "./words.mjs";
 
 /** The sets in whose packets a field can be. */

@@ -27,7 +27,7 @@ TOOLS = {
     "inspector": "Packet inspector",
 }
 
-#: By this name the tools import the codec, whatever its package is called.
+#: By this name the tools import the package with the codec, whatever it is called.
 CODEC = "mip-protocol"
 
 
@@ -109,7 +109,7 @@ class Bundle:
         if name.startswith("."):
             found = (importer.parent / source).resolve()
         elif name == CODEC and f"./{rest}".rstrip("/") in self.exports:
-            found = (self.package / self.exports[f"./{rest}".rstrip("/")]).resolve()
+            found = (self.package / self.exports[f"./{rest}".rstrip("/")]["default"]).resolve()
         else:
             raise Failure(f"{importer}: error: {source} is not in the codec at {self.package}")
         if not found.is_file():

@@ -1,6 +1,6 @@
 // The builder: choose commands or fields, fill them in, and see the packet, the programs that send it and the answer.
 
-import { FIRST_DATA_SET, MipError, nameIn, Packet, placesOf, SHARED_SET, toHex } from "mip-protocol";
+import { decodePacket, FIRST_DATA_SET, MipError, nameIn, Packet, placesOf, SHARED_SET, toHex } from "mip-protocol/tools";
 import { certaintyOn, initialValues, setsOf } from "./build.mjs";
 import { element, links, mark, profileNote } from "./dom.mjs";
 import { entryForms } from "./form.mjs";
@@ -117,8 +117,8 @@ function startOf(protocol, text) {
     const { bytes } = bytesOfText(rest);
     if (!bytes.length) return { device, problem: "The address has neither the name of a field nor a packet." };
     try {
-        const packet = Packet.from(protocol, bytes);
-        const entries = packet.decode().map(takenOver);
+        const packet = Packet.from(bytes);
+        const entries = decodePacket(protocol, packet).map(takenOver);
         if (!entries.length) throw new MipError("fields", "it has no field");
         const left = entries.filter(({ trailing }) => trailing).map(({ field, trailing }) => `${trailing} at the end of ${field.name}`);
         const problem = left.length ? `Bytes that no parameter has are left out: ${left.join(", ")}.` : undefined;

@@ -1,6 +1,6 @@
 // Finds fields by what people know of them: a descriptor, a name, a symbol, a word.
 
-import { placesOf, sameBytes } from "mip-protocol";
+import { placesOf, sameBytes } from "mip-protocol/tools";
 import { bytesOfText } from "./pasted.mjs";
 import { pairOf, spacedHex } from "./words.mjs";
 
@@ -57,7 +57,7 @@ export function find(index, text, limit = 20) {
 /** A text that is a packet, or the beginning of one, for the inspector; undefined for other texts. */
 export function packetIn({ protocol }, text) {
     const { bytes } = bytesOfText(text);
-    const begun = bytes.length > FRAME_HEAD && sameBytes(bytes.subarray(0, 2), protocol.sync);
+    const begun = bytes.length > FRAME_HEAD && sameBytes(bytes.subarray(0, 2), protocol.model.packet.sync);
     return begun ? spacedHex(bytes) : undefined;
 }
 

@@ -1,6 +1,6 @@
 // What pages use: the tools, the codec package, and the model of its specification.
 
-export * from "mip-protocol";
+export * from "mip-protocol/tools";
 export { default as model } from "mip-protocol/model";
 export { bandwidth } from "./bandwidth.mjs";
 export { answerOf, initialValues, packetOf, typicalValues } from "./build.mjs";

@@ -1,6 +1,6 @@
 // Inputs for the values of parameters, of every kind that the specification has; they change the values as they are typed.
 
-import { bitsNumber, enumValue, maskOf, measuredHere, namedType, parameterOf, unitOf } from "mip-protocol";
+import { bitsNumber, enumValue, maskOf, measuredHere, namedType, parameterOf, unitOf } from "mip-protocol/tools";
 import { initialValue } from "./build.mjs";
 import { element } from "./dom.mjs";
 import { choicesOf, decimal, hexLiteral } from "./words.mjs";

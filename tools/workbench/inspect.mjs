@@ -1,6 +1,19 @@
 // What bytes mean: packets, fields and values, with names, units and verdicts. The inspector shows it.
 
-import { fromHex, isSet, measuredHere, MipError, namedType, Packet, parametersAt, sameBytes, segments, toHex, valueAt } from "mip-protocol";
+import {
+    decodePacket,
+    fromHex,
+    isSet,
+    measuredHere,
+    MipError,
+    namedType,
+    Packet,
+    parametersAt,
+    sameBytes,
+    segments,
+    toHex,
+    valueAt,
+} from "mip-protocol/tools";
 import { bytesOfText } from "./pasted.mjs";
 import { choicesOf, pathText, shown } from "./words.mjs";
 
@@ -12,14 +25,14 @@ import { choicesOf, pathText, shown } from "./words.mjs";
  */
 export function inspect(protocol, text, device = undefined) {
     const { bytes, ignored } = bytesOfText(text);
-    return { bytes, ignored, parts: segments(protocol, bytes).map((part) => inspectPart(protocol, part, device)) };
+    return { bytes, ignored, parts: segments(bytes).map((part) => inspectPart(protocol, part, device)) };
 }
 
 function inspectPart(protocol, part, device) {
     if (part.kind === "other") return { ...part, why: whyOther(protocol, part.bytes) };
-    const packet = new Packet(protocol, part.kind === "incomplete" ? completed(part.bytes) : part.bytes);
+    const packet = new Packet(part.kind === "incomplete" ? completed(part.bytes) : part.bytes);
     const set = protocol.sets.get(part.bytes[2]);
-    const fields = packet.decode().map((raw) => inspectField(protocol, raw, packet, part, device));
+    const fields = decodePacket(protocol, packet).map((raw) => inspectField(protocol, raw, packet, part, device));
     const verdict =
         part.kind === "incomplete" ? {} : { sound: packet.sound, checksum: packet.checksum, rightChecksum: packet.rightChecksum };
     return { ...part, set, fields: fields.filter(Boolean), misprints: misprintsOf(protocol, part.bytes), ...verdict };
@@ -29,11 +42,11 @@ function inspectPart(protocol, part, device) {
 function whyOther(protocol, bytes) {
     const found = [];
     for (let at = 0; at + 3 < bytes.length; at++) {
-        const frame = new Packet(protocol, bytes.subarray(at, at + bytes[at + 3] + 6));
-        if (!sameBytes(bytes.subarray(at, at + 2), protocol.sync)) continue;
+        const frame = new Packet(bytes.subarray(at, at + bytes[at + 3] + 6));
+        if (!sameBytes(bytes.subarray(at, at + 2), protocol.model.packet.sync)) continue;
         const set = toHex(bytes.subarray(at + 2, at + 3)).toUpperCase();
         if (!isSet(bytes[at + 2])) found.push({ at, error: new MipError("set", `descriptor set 0x${set}, which no packet has`) });
-        else if (frame.bytes.length === bytes[at + 3] + 6) found.push({ at, error: frame.decode().at(-1)?.error });
+        else if (frame.bytes.length === bytes[at + 3] + 6) found.push({ at, error: decodePacket(protocol, frame).at(-1)?.error });
     }
     return found.filter(({ error }) => error);
 }

@@ -1,6 +1,6 @@
 // The inspector: paste bytes, read what they mean.
 
-import { fromHex, nameIn } from "mip-protocol";
+import { fromHex, nameIn } from "mip-protocol/tools";
 import { element, links, whenChanged } from "./dom.mjs";
 import { inspect } from "./inspect.mjs";
 import { descriptorOf, flagText, hexByte, spacedHex } from "./words.mjs";

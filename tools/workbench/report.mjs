@@ -1,6 +1,6 @@
 // What the builder shows of a packet: its bytes, the programs that send it, and the answer of the device.
 
-import { MipError, unitOf } from "mip-protocol";
+import { MipError, unitOf } from "mip-protocol/tools";
 import { allOperations, answerOf, counted, packetOf, sourceOf } from "./build.mjs";
 import { element } from "./dom.mjs";
 import { LANGUAGES, programOf } from "./programs/index.mjs";

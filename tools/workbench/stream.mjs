@@ -1,6 +1,6 @@
 // How much a port must carry for a stream of data fields.
 
-import { SHARED_SET } from "mip-protocol";
+import { SHARED_SET } from "mip-protocol/tools";
 import { certaintyOn } from "./build.mjs";
 
 /** Bytes of a packet beside its fields. */

@@ -1,6 +1,6 @@
 // How things of the protocol are shown: numbers, names and places.
 
-import { bitsOf, enumValue, placesOf, readFloat, SHARED_SET, toHex, unitOf, writeFloat } from "mip-protocol";
+import { bitsOf, enumValue, placesOf, readFloat, SHARED_SET, toHex, unitOf, writeFloat } from "mip-protocol/tools";
 
 export function hexByte(number) {
     return hexLiteral(number, 1);

@@ -10,6 +10,7 @@ set(MIP_SOURCES
   ${MIP_FOLDER}/src/mip/connect.c
   ${MIP_FOLDER}/src/mip/core.c
   ${MIP_FOLDER}/src/mip/device.c
+  ${MIP_FOLDER}/src/mip/displacement.c
   ${MIP_FOLDER}/src/mip/displacement_data.c
   ${MIP_FOLDER}/src/mip/double.c
   ${MIP_FOLDER}/src/mip/error.c

@@ -2,10 +2,12 @@
 
 /** What is wrong, in words; `kind` is one word for programs: "truncated", "count", "range", … */
 export class MipError extends Error {
-    constructor(kind, message) {
+    /** `details`: what else is known, such as the command that was refused, and its code. */
+    constructor(kind, message, details = {}) {
         super(message);
         this.name = "MipError";
         this.kind = kind;
+        Object.assign(this, details);
     }
 }
 
@@ -25,11 +27,11 @@ export function toHex(bytes, between = "") {
     return Array.from(bytesOf(bytes), (byte) => byte.toString(16).padStart(2, "0")).join(between);
 }
 
-/** The bytes of hexadecimal digits without anything between them. */
+/** The bytes of pairs of hexadecimal digits, with or without white space, "-" or ":" between the pairs. */
 export function fromHex(text) {
-    if (typeof text !== "string" || !/^([0-9a-f]{2})*$/i.test(text))
-        throw new MipError("hex", "the text is not an even number of hexadecimal digits");
-    return Uint8Array.from(text.match(/../g) ?? [], (pair) => Number.parseInt(pair, 16));
+    if (typeof text !== "string" || !/^\s*([0-9a-f]{2}(?:[\s:-]+(?=[0-9a-f])|\s*))*$/i.test(text))
+        throw new MipError("hex", "the text is not made of pairs of hexadecimal digits");
+    return Uint8Array.from(text.match(/[0-9a-f]{2}/gi) ?? [], (pair) => Number.parseInt(pair, 16));
 }
 
 // What a value is, whatever it says of itself: the name of a typed array, also of another window, or undefined.
@@ -64,21 +66,6 @@ export function concatenated(...parts) {
 
 export function sameBytes(a, b) {
     return a.length === b.length && a.every((byte, i) => byte === b[i]);
-}
-
-/** An unsigned or signed number; of eight bytes a BigInt. */
-export function readInteger(bytes, signed) {
-    const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
-    switch (bytes.length) {
-        case 1:
-            return signed ? view.getInt8(0) : view.getUint8(0);
-        case 2:
-            return signed ? view.getInt16(0) : view.getUint16(0);
-        case 4:
-            return signed ? view.getInt32(0) : view.getUint32(0);
-        default:
-            return signed ? view.getBigInt64(0) : view.getBigUint64(0);
-    }
 }
 
 /** What a value is, for errors: also what cannot be made a text. */

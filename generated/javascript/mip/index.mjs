@@ -1,19 +1,8 @@
-// The MIP protocol in JavaScript: everything that a program uses.
+// The MIP protocol in JavaScript: what every program uses. Fields are in modules of their own, one for each set.
 
-export { checksum, fromHex, MipError, readFloat, sameBytes, toHex, writeFloat } from "./bytes.mjs";
-export { decodeData, encodeData } from "./codec.mjs";
-export {
-    bitsNumber,
-    bitsOf,
-    enumValue,
-    maskOf,
-    measuredHere,
-    namedType,
-    parameterOf,
-    parametersAt,
-    unitOf,
-    valueAt,
-} from "./names.mjs";
-export { buildPacket, Packet } from "./packet.mjs";
+export { checksum, fromHex, MipError, toHex } from "./bytes.mjs";
+export { Client } from "./client.mjs";
+export { Device } from "./device.mjs";
+export { Command, Data, Field, packetOf, Response } from "./field.mjs";
+export { Packet, RawField } from "./packet.mjs";
 export { Parser, segments } from "./parser.mjs";
-export { FIRST_DATA_SET, isSet, nameIn, placesOf, Protocol, SHARED_SET } from "./protocol.mjs";

@@ -1,34 +1,71 @@
 // Packets: their frame, their fields, and building them.
 
-import { MipError, bytesOf, checksum, concatenated, described, fromHex, sameBytes, toHex } from "./bytes.mjs";
-import { decodeData, encodeData } from "./codec.mjs";
-import { isSet, nameIn } from "./protocol.mjs";
+import { MipError, bytesOf, checksum, concatenated, described, sameBytes, toHex } from "./bytes.mjs";
+import { MAX_FIELD_DATA, Reader } from "./codec.mjs";
+
+/** The two bytes that each packet begins with. */
+export const SYNC = /* @__PURE__ */ Uint8Array.of(0x75, 0x65);
 
 const HEAD = 4;
 const TAIL = 2;
+const MAX_PAYLOAD = 255;
+
+/** Descriptor set of the fields that are valid in every data set. */
+export const SHARED_SET = 255;
+
+/** Data sets have this number or a larger one; below are command sets. */
+export const FIRST_DATA_SET = 128;
+
+/** May a packet have this descriptor set? 0 and 255 stand for the fields of all sets of commands, and of data. */
+export function isSet(number) {
+    return Number.isInteger(number) && number > 0 && number < SHARED_SET;
+}
+
+/** A field of a packet, not decoded: its `descriptor` and `data`, the `set` of the packet, and its `offset` in that. */
+export class RawField {
+    constructor(set, descriptor, data, offset) {
+        this.set = set;
+        this.descriptor = descriptor;
+        this.data = data;
+        this.offset = offset;
+    }
+}
 
 /** Bytes that have the frame of a packet; the checksum may be wrong. */
 export class Packet {
-    constructor(protocol, bytes) {
-        this.protocol = protocol;
+    constructor(bytes) {
         this.bytes = bytes;
     }
 
     /** A whole packet; anything else raises a MipError: "sync", "length" or "checksum". */
-    static from(protocol, given) {
+    static from(given) {
         const bytes = bytesOf(given);
-        if (!sameBytes(bytes.subarray(0, 2), protocol.sync)) {
-            throw new MipError("sync", `it does not begin with ${toHex(protocol.sync, " ")}`);
-        }
+        if (!sameBytes(bytes.subarray(0, 2), SYNC)) throw new MipError("sync", `it does not begin with ${toHex(SYNC, " ")}`);
         if (bytes.length < HEAD + TAIL || bytes.length !== bytes[3] + HEAD + TAIL || !isSet(bytes[2])) {
             throw new MipError("length", `its ${bytes.length} bytes are not a whole packet`);
         }
-        const packet = new Packet(protocol, bytes);
+        const packet = new Packet(bytes);
         if (!packet.sound) {
             const [found, right] = [packet.checksum, packet.rightChecksum].map((two) => toHex(two, " "));
             throw new MipError("checksum", `its checksum is ${found}, but should be ${right}`);
         }
         return packet;
+    }
+
+    /** A packet of fields, each with a `descriptor` and `data`. Raises a MipError if they do not fit. */
+    static build(set, fields) {
+        if (!isSet(set)) throw new MipError("set", `no packet has descriptor set ${described(set)}`);
+        const payload = concatenated(
+            ...fields.flatMap(({ descriptor, data }) => {
+                if (data.length > MAX_FIELD_DATA) throw new MipError("length", `a field holds at most ${MAX_FIELD_DATA} bytes of data`);
+                return [Uint8Array.of(data.length + 2, descriptor), data];
+            }),
+        );
+        if (payload.length > MAX_PAYLOAD) {
+            throw new MipError("length", `the fields have ${payload.length} bytes; a packet holds ${MAX_PAYLOAD}`);
+        }
+        const head = concatenated(SYNC, Uint8Array.of(set, payload.length), payload);
+        return new Packet(concatenated(head, checksum(head)));
     }
 
     get set() {
@@ -53,78 +90,52 @@ export class Packet {
         return sameBytes(this.checksum, this.rightChecksum);
     }
 
-    /** The fields: descriptor, data, and offset in the packet. A wrong length raises a MipError behind those before it. */
+    /** The fields. A wrong length raises a MipError behind those before it. */
     *fields() {
-        const payload = this.payload;
-        for (let at = 0; at < payload.length; at += payload[at]) {
-            const length = payload[at];
-            if (length < 2 || at + length > payload.length) {
-                throw new MipError("field_length", `a field of length ${length} in ${payload.length - at} bytes`);
+        const { bytes, set } = this;
+        const found = [];
+        const wrong = this.walk((at, end) => {
+            found.push(new RawField(set, bytes[at + 1], bytes.subarray(at + 2, end), at));
+        });
+        yield* found;
+        if (wrong) throw wrong;
+    }
+
+    /** Calls `visit(at, end)` for each field until it returns true; returns the error of a wrong length. */
+    walk(visit) {
+        const { bytes } = this;
+        const last = bytes.length - TAIL;
+        for (let at = HEAD; at < last; at += bytes[at]) {
+            const end = at + bytes[at];
+            if (bytes[at] < 2 || end > last) {
+                return new MipError("field_length", `a field of length ${bytes[at]} in ${last - at} bytes`);
             }
-            yield { descriptor: payload[at + 1], data: payload.subarray(at + 2, at + length), offset: HEAD + at };
+            if (visit(at, end)) return undefined;
         }
+        return undefined;
     }
 
-    /**
-     * The fields with their values. What cannot be decoded has an error in place of values, and what the protocol does not
-     * know has neither; a wrong length is the last entry. `options` are those of decodeData.
-     */
-    decode(options = {}) {
-        const decoded = [];
-        try {
-            for (const raw of this.fields()) decoded.push({ ...raw, ...decodeField(this.protocol, this.set, raw, options) });
-        } catch (error) {
-            if (!(error instanceof MipError)) throw error;
-            decoded.push({ error });
-        }
-        return decoded;
+    /** The first field of a type; undefined if there is none. Raises a MipError if it cannot be decoded. */
+    find(kind) {
+        return this.#search(kind, true)[0];
     }
-}
 
-function decodeField(protocol, set, { descriptor, data }, options) {
-    const field = protocol.choose(set, descriptor, data);
-    if (!field) return {};
-    try {
-        return { field, ...decodeData(protocol, field, data, options) };
-    } catch (error) {
-        if (!(error instanceof MipError)) throw error;
-        return { field, error };
+    /** The fields of a type, in order. Raises a MipError if one cannot be decoded. */
+    findAll(kind) {
+        return this.#search(kind, false);
     }
-}
 
-/**
- * A packet of a set with these fields: each has a `descriptor`, and either `raw` (bytes or hexadecimal digits) or `name`
- * and `values`; a counter that is left out counts its array. Raises a MipError if something does not fit.
- */
-export function buildPacket(protocol, set, fields) {
-    if (!isSet(set)) throw new MipError("set", `no packet has descriptor set ${described(set)}`);
-    if (!Array.isArray(fields)) throw new MipError("fields", `${described(fields)} is not an array of fields`);
-    const parts = fields.flatMap((entry) => {
-        if (typeof entry !== "object" || entry === null)
-            throw new MipError("fields", `${described(entry)} is not a field with a descriptor`);
-        if (!(Number.isInteger(entry.descriptor) && entry.descriptor >= 0 && entry.descriptor < 256)) {
-            throw new MipError("descriptor", `no field has descriptor ${described(entry.descriptor)}`);
-        }
-        const data = entry.raw === undefined ? dataOf(protocol, set, entry) : rawOf(entry.raw);
-        if (data.length > protocol.maxFieldData) {
-            throw new MipError("length", `a field holds at most ${protocol.maxFieldData} bytes of data`);
-        }
-        return [Uint8Array.of(data.length + 2, entry.descriptor), data];
-    });
-    const payload = concatenated(...parts);
-    if (payload.length > protocol.maxPayload) {
-        throw new MipError("length", `the fields have ${payload.length} bytes; a packet holds ${protocol.maxPayload}`);
+    #search(kind, once) {
+        const found = [];
+        const { bytes, set } = this;
+        if (!kind.occursIn(set)) return found;
+        const reader = new Reader(bytes);
+        const wrong = this.walk((at, end) => {
+            if (bytes[at + 1] !== kind.DESCRIPTOR || !kind.matches(bytes, at + 2, end)) return false;
+            found.push(kind.readFrom(reader, at + 2, end, set));
+            return once;
+        });
+        if (wrong) throw wrong;
+        return found;
     }
-    const head = concatenated(Uint8Array.of(...protocol.sync, set, payload.length), payload);
-    return new Packet(protocol, concatenated(head, checksum(head)));
-}
-
-function dataOf(protocol, set, { descriptor, name, values }) {
-    const field = protocol.candidates(set, descriptor).find((one) => nameIn(one, set) === name);
-    if (!field) throw new MipError("unknown", `set ${set} has no field ${described(name)} with descriptor ${descriptor}`);
-    return encodeData(protocol, field, values);
-}
-
-function rawOf(raw) {
-    return typeof raw === "string" ? fromHex(raw) : bytesOf(raw);
 }

@@ -106,11 +106,11 @@ class LlhAxisFlags(IntFlag):
     """Which coordinates of a position are valid; the others are ignored."""
 
     LATITUDE = 1 << 0
-    """Latitude and its uncertainty. Bit 0."""
+    """Latitude and its uncertainty are valid. Bit 0."""
     LONGITUDE = 1 << 1
-    """Longitude and its uncertainty. Bit 1."""
+    """Longitude and its uncertainty are valid. Bit 1."""
     HEIGHT = 1 << 2
-    """Height and its uncertainty. Bit 2."""
+    """Height and its uncertainty are valid. Bit 2."""
 
 
 _FRAME_CONFIG_RESPONSE_0 = codec.Block(

@@ -46,11 +46,11 @@ class BaseDeviceInfo(Structure):
     firmware_version: int
     """Firmware version as one decimal number: 1202 means 1.2.02."""
     model_name: str
-    """Name of the model."""
+    """What the model is called, such as 3DM-GQ7."""
     model_number: str
     """Part number of the model."""
     serial_number: str
-    """Serial number."""
+    """Number of this device, which begins with the model number."""
     lot_number: str
     """Lot number; reserved and blank on some devices."""
     device_options: str
@@ -105,7 +105,6 @@ class GpsTimeField(codec.OpenEnum):
     """The part of the GPS time that a value holds."""
 
     WEEK_NUMBER = 1
-    """Week number."""
     TOW = 2
     """Time of week in whole seconds."""
 
@@ -118,8 +117,8 @@ class GetDeviceInfoResponse(Response):
     supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
     3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45,
     3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-DH3, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS,
-    3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10,
-    3DM-GX5-25, 3DM-MV5-AR and 3DM-RTK.
+    3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU,
+    3DM-GX5-10, 3DM-GX5-25, 3DM-MV5-AR, 3DM-RQ1-IMU, 3DM-RTK and DEMOD-DC.
 
     - 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03)
     - 3dm-cv7-gnss-ins: Get device information (0x01,0x03)
@@ -158,8 +157,8 @@ class GetDeviceDescriptorsResponse(Response):
     3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15,
     3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45,
     3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-DH3, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS,
-    3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10,
-    3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR and 3DM-RTK.
+    3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU,
+    3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-IMU, 3DM-RTK and DEMOD-DC.
 
     - 3dm-gx5-15: 4.1.4 Get Device Descriptor Sets (0x01, 0x04)
     - 3dm-cv7-gnss-ins: Get device descriptors (0x01,0x04)
@@ -207,8 +206,8 @@ class BuiltInTestResponse(Response):
     3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS,
     3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
     3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35,
-    3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45
-    and 3DM-RTK.
+    3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35,
+    3DM-GX5-45, 3DM-RQ1-IMU and 3DM-RTK.
 
     - 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05)
     - 3dm-cv7-gnss-ins: Built in test (0x01,0x05)
@@ -232,8 +231,8 @@ class BuiltInTestResponse(Response):
       3DM-CX5-15, 3DM-CX5-25, 3DM-GX5-10 and 3DM-GX5-25: values of `types.Gx5BuiltInTest`. Inferred:
       The 3DM-GX5-15 has it.
     - On the 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35,
-      3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and
-      3DM-RQ1-45-ST: the values are not known.
+      3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-35, 3DM-GX5-45,
+      3DM-RQ1-45-LT, 3DM-RQ1-45-ST and 3DM-RQ1-IMU: the values are not known.
     - On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
       3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS and 3DM-RTK: values of
       `types.Cv7BuiltInTest`. Inferred: The 3DM-CV7-GNSS/INS has it.
@@ -511,7 +510,8 @@ class Ping(Command[None]):
     3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25,
     3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-DH3, 3DM-GQ7-GNSS/INS,
     3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45,
-    3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR and 3DM-RTK.
+    3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR,
+    3DM-RQ1-IMU, 3DM-RTK and DEMOD-DC.
 
     A device that is not in a normal operating mode may refuse the command.
 
@@ -545,8 +545,8 @@ class SetIdle(Command[None]):
     3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25,
     3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-DH3, 3DM-GQ7-GNSS/INS,
     3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45,
-    3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR
-    and 3DM-RTK.
+    3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45,
+    3DM-MV5-AR, 3DM-RQ1-IMU, 3DM-RTK and DEMOD-DC.
 
     `Resume` restores the previous mode. While idle, the device does not send NMEA sentences either.
 
@@ -580,8 +580,8 @@ class GetDeviceInfo(Command[GetDeviceInfoResponse]):
     supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
     3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45,
     3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-DH3, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS,
-    3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10,
-    3DM-GX5-25, 3DM-MV5-AR and 3DM-RTK.
+    3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU,
+    3DM-GX5-10, 3DM-GX5-25, 3DM-MV5-AR, 3DM-RQ1-IMU, 3DM-RTK and DEMOD-DC.
 
     - 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03)
     - 3dm-cv7-gnss-ins: Get device information (0x01,0x03)
@@ -615,7 +615,7 @@ class GetDeviceDescriptors(Command[GetDeviceDescriptorsResponse]):
     3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35,
     3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-DH3, 3DM-GV7-AHRS, 3DM-GV7-AR,
     3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
-    3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR and 3DM-RTK.
+    3DM-GX4-IMU, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-IMU, 3DM-RTK and DEMOD-DC.
 
     If the list contains the descriptor of `GetExtendedDescriptors`, that command returns further
     descriptors.
@@ -651,9 +651,9 @@ class BuiltInTest(Command[BuiltInTestResponse]):
     supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
     3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45,
     3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS,
-    3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10,
-    3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45 and 3DM-RTK. Uncertain: The maximum duration of the test. The
-    manual of the 3DM-CV7 says several seconds; 10 s leaves room for that.
+    3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU,
+    3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-IMU and 3DM-RTK. Uncertain: The maximum
+    duration of the test. The manual of the 3DM-CV7 says several seconds; 10 s leaves room for that.
 
     The test interrupts normal operation for up to several seconds; no data is available meanwhile.
     The device must be at rest; acceleration, rotation or vibration cause false failures. The
@@ -692,7 +692,8 @@ class Resume(Command[None]):
     3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25,
     3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-DH3, 3DM-GQ7-GNSS/INS,
     3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45,
-    3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-MV5-AR and 3DM-RTK.
+    3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-MV5-AR, 3DM-RTK and
+    DEMOD-DC.
 
     If the device was not idle, it enters its default mode (3DM-GX5-15).
 

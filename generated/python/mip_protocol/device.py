@@ -66,8 +66,8 @@ class Device:
         `read(size)` and `write(data)`; see `port.Port`. It is closed with the device.
 
         `timeout`: seconds that the device has for an answer; longer for commands that take longer.
-        An answer that arrives later is data; but if a command of the same type has been sent by
-        then, it cannot be told from the answer to that one.
+        An answer that arrives later is data: after a command without an answer, the next one is sent
+        behind a barrier (see `Client`), so that it is not taken for the answer to that one.
         `capacity`: the number of packets that can wait to be read; beyond that, the oldest are
         dropped and counted. `on_bytes` gets all received bytes, `on_skipped` the bytes between
         packets, such as NMEA sentences, in order and in pieces of any size. The reading thread

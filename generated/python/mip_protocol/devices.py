@@ -578,6 +578,7 @@ CV7_AHRS = Device(
         ),
     ),
     functions={(0x0C, 0x38): "WRSLD", (0x0C, 0x3A): "WRSLD", (0x0C, 0x3B): "WRSLD"},
+    firmware={(0x0C, 0x50): "<= 1.0.07", (0x0C, 0x54): "> 1.0.07"},
     base_rates={0x80: 1000, 0x82: 1000, 0xA0: 1000},
     ports=(
         Port("Main", 1, (115200, 230400, 460800, 921600), ("MIP",), ("MIP",)),
@@ -588,11 +589,11 @@ CV7_AHRS = Device(
         "aiding_frames": Limit(
             4, None, "Frames that the aiding frame configuration can define, according to MSCL."
         ),
-        "event_triggers": Limit(12, None, "Total number of triggers."),
-        "event_gpio_triggers": Limit(4, None, "GPIO triggers."),
-        "event_threshold_triggers": Limit(8, None, "Threshold triggers."),
-        "event_combination_triggers": Limit(8, None, "Combination triggers."),
-        "event_tick_rate": Limit(1000, "Hz", "Rate of the event cycle."),
+        "event_triggers": Limit(12, None, "Total number of triggers.", ">= 1.0.04"),
+        "event_gpio_triggers": Limit(4, None, "GPIO triggers.", ">= 1.0.04"),
+        "event_threshold_triggers": Limit(8, None, "Threshold triggers.", ">= 1.0.04"),
+        "event_combination_triggers": Limit(8, None, "Combination triggers.", ">= 1.0.04"),
+        "event_tick_rate": Limit(1000, "Hz", "Rate of the event cycle.", ">= 1.0.04"),
     },
     notes={
         "anti_aliasing": Note(
@@ -758,6 +759,7 @@ CV7_AR = Device(
         ),
     ),
     functions={(0x0C, 0x38): "WRSLD", (0x0C, 0x3A): "WRSLD", (0x0C, 0x3B): "WRSLD"},
+    firmware={(0x0C, 0x50): "<= 1.0.07", (0x0C, 0x54): "> 1.0.07"},
     base_rates={0x80: 1000, 0x82: 1000, 0xA0: 1000},
     ports=(
         Port("Main", 1, (115200, 230400, 460800, 921600), ("MIP",), ("MIP",)),
@@ -768,11 +770,11 @@ CV7_AR = Device(
         "aiding_frames": Limit(
             4, None, "Frames that the aiding frame configuration can define, according to MSCL."
         ),
-        "event_triggers": Limit(12, None, "Total number of triggers."),
-        "event_gpio_triggers": Limit(4, None, "GPIO triggers."),
-        "event_threshold_triggers": Limit(8, None, "Threshold triggers."),
-        "event_combination_triggers": Limit(8, None, "Combination triggers."),
-        "event_tick_rate": Limit(1000, "Hz", "Rate of the event cycle."),
+        "event_triggers": Limit(12, None, "Total number of triggers.", ">= 1.0.04"),
+        "event_gpio_triggers": Limit(4, None, "GPIO triggers.", ">= 1.0.04"),
+        "event_threshold_triggers": Limit(8, None, "Threshold triggers.", ">= 1.0.04"),
+        "event_combination_triggers": Limit(8, None, "Combination triggers.", ">= 1.0.04"),
+        "event_tick_rate": Limit(1000, "Hz", "Rate of the event cycle.", ">= 1.0.04"),
     },
     notes={
         "anti_aliasing": Note(
@@ -2025,7 +2027,7 @@ GQ4_45 = Device(
     notes={
         "direct_mode": Note(
             "Direct modes",
-            "`system.comm_mode` connects the port to the inner inertial sensor or to the receiver. The inner sensor of the GX4 has the model number 6237, that of the RQ1 6238.",
+            "`system.comm_mode` connects the port to the inner inertial sensor or to the receiver. The inner sensor answers as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in the 3DM-RQ1-45.",
             (),
         ),
         "device_status": Note(
@@ -2149,6 +2151,14 @@ GQ7 = Device(
             },
         ),
     ),
+    firmware={
+        (0x0C, 0x50): "<= 1.0.10",
+        (0x0C, 0x54): "> 1.0.10",
+        (0x0E, 0x02): "> 1.0.10",
+        (0xA0, 0x01): "> 1.0.10",
+        (0xA0, 0x02): "> 1.0.10",
+        (0xA0, 0x03): "> 1.0.10",
+    },
     base_rates={0x80: 1000, 0x82: 1000, 0xA0: 1000, 0x91: 2, 0x92: 2, 0x93: 0},
     ports=(
         Port("Main", 1, (115200, 230400, 460800, 921600), ("MIP", "NMEA"), ("MIP", "NMEA")),
@@ -2851,7 +2861,7 @@ GX4_15 = Device(
     notes={
         "direct_mode": Note(
             "Direct modes",
-            "`system.comm_mode` connects the port to the inner inertial sensor or to the receiver. The inner sensor of the GX4 has the model number 6237, that of the RQ1 6238.",
+            "`system.comm_mode` connects the port to the inner inertial sensor or to the receiver. The inner sensor answers as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in the 3DM-RQ1-45.",
             (),
         ),
         "device_status": Note(
@@ -2932,7 +2942,7 @@ GX4_25 = Device(
     notes={
         "direct_mode": Note(
             "Direct modes",
-            "`system.comm_mode` connects the port to the inner inertial sensor or to the receiver. The inner sensor of the GX4 has the model number 6237, that of the RQ1 6238.",
+            "`system.comm_mode` connects the port to the inner inertial sensor or to the receiver. The inner sensor answers as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in the 3DM-RQ1-45.",
             (),
         ),
         "device_status": Note(
@@ -2997,7 +3007,7 @@ GX4_45 = Device(
     notes={
         "direct_mode": Note(
             "Direct modes",
-            "`system.comm_mode` connects the port to the inner inertial sensor or to the receiver. The inner sensor of the GX4 has the model number 6237, that of the RQ1 6238.",
+            "`system.comm_mode` connects the port to the inner inertial sensor or to the receiver. The inner sensor answers as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in the 3DM-RQ1-45.",
             (),
         ),
         "device_status": Note(
@@ -3022,6 +3032,33 @@ incomplete: No manual is known.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
+"""
+
+GX4_IMU = Device(
+    id="3dm-gx4-imu",
+    title="3DM-GX4-IMU",
+    description="Inertial sensor inside the 3DM-GX4-45, which answers in its direct mode.",
+    model_number=6237,
+    evidence=(
+        Evidence(
+            Support.PROBABLE,
+            "example",
+            "Used by the vendor's example for this model (MIP SDK of 2014: Examples, one for each model).",
+            {
+                0x01: bytes.fromhex("01 02 03 04 05"),
+                0x0C: bytes.fromhex("01 06 08 37 38 39 3A 3B 3E 64"),
+                0x7F: bytes.fromhex("10"),
+            },
+        ),
+    ),
+    base_rates={},
+    incomplete=("No manual is known.",),
+    generation=4,
+)
+"""Inertial sensor inside the 3DM-GX4-45, which answers in its direct mode. Generation 4. Model
+number 6237. No manual is known. This profile is incomplete: No manual is known.
+
+- mip-sdk-2014: GX4 IMU
 """
 
 GX5_10 = Device(
@@ -3624,7 +3661,7 @@ RQ1_45_LT = Device(
     notes={
         "direct_mode": Note(
             "Direct modes",
-            "`system.comm_mode` connects the port to the inner inertial sensor or to the receiver. The inner sensor of the GX4 has the model number 6237, that of the RQ1 6238.",
+            "`system.comm_mode` connects the port to the inner inertial sensor or to the receiver. The inner sensor answers as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in the 3DM-RQ1-45.",
             (),
         ),
         "device_status": Note(
@@ -3699,7 +3736,7 @@ RQ1_45_ST = Device(
     notes={
         "direct_mode": Note(
             "Direct modes",
-            "`system.comm_mode` connects the port to the inner inertial sensor or to the receiver. The inner sensor of the GX4 has the model number 6237, that of the RQ1 6238.",
+            "`system.comm_mode` connects the port to the inner inertial sensor or to the receiver. The inner sensor answers as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in the 3DM-RQ1-45.",
             (),
         ),
         "device_status": Note(
@@ -3735,6 +3772,33 @@ SDK writes the name with an underscore before LT and ST.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
+"""
+
+RQ1_IMU = Device(
+    id="3dm-rq1-imu",
+    title="3DM-RQ1-IMU",
+    description="Inertial sensor inside the 3DM-RQ1-45, which answers in its direct mode.",
+    model_number=6238,
+    evidence=(
+        Evidence(
+            Support.PROBABLE,
+            "example",
+            "Used by the vendor's example for this model (MIP SDK of 2014: Examples, one for each model).",
+            {
+                0x01: bytes.fromhex("01 02 03 04 05"),
+                0x0C: bytes.fromhex("01 06 08 37 38 39 3E 64"),
+                0x7F: bytes.fromhex("10"),
+            },
+        ),
+    ),
+    base_rates={},
+    incomplete=("No manual is known.",),
+    generation=4,
+)
+"""Inertial sensor inside the 3DM-RQ1-45, which answers in its direct mode. Generation 4. Model
+number 6238. No manual is known. This profile is incomplete: No manual is known.
+
+- mip-sdk-2014: RQ1 IMU
 """
 
 RTK = Device(
@@ -3774,6 +3838,33 @@ incomplete: No manual is known.
 - mscl: MIP node features
 """
 
+DEMOD_DC = Device(
+    id="demod-dc",
+    title="DEMOD-DC",
+    description="Digital demodulator for displacement sensors.",
+    model_number=6130,
+    evidence=(
+        Evidence(
+            Support.PROBABLE,
+            "software",
+            "Used by programs for this model (MicroStrain Communication Library: Displacement node).",
+            {
+                0x01: bytes.fromhex("01 02 03 04 06"),
+                0x11: bytes.fromhex("01 02 04"),
+                0x90: bytes.fromhex("01 02 04"),
+            },
+        ),
+    ),
+    base_rates={},
+    incomplete=("No manual is known; all is from MSCL.",),
+    also=("Digital Demod",),
+)
+"""Digital demodulator for displacement sensors. Also called Digital Demod. Model number 6130. No
+manual is known. This profile is incomplete: No manual is known; all is from MSCL.
+
+- mscl: Displacement node
+"""
+
 #: All devices by id.
 DEVICES: dict[str, Device] = {
     "3dm-cl5-10": CL5_10,
@@ -3808,6 +3899,7 @@ DEVICES: dict[str, Device] = {
     "3dm-gx4-15": GX4_15,
     "3dm-gx4-25": GX4_25,
     "3dm-gx4-45": GX4_45,
+    "3dm-gx4-imu": GX4_IMU,
     "3dm-gx5-10": GX5_10,
     "3dm-gx5-15": GX5_15,
     "3dm-gx5-25": GX5_25,
@@ -3816,7 +3908,9 @@ DEVICES: dict[str, Device] = {
     "3dm-mv5-ar": MV5_AR,
     "3dm-rq1-45-lt": RQ1_45_LT,
     "3dm-rq1-45-st": RQ1_45_ST,
+    "3dm-rq1-imu": RQ1_IMU,
     "3dm-rtk": RTK,
+    "demod-dc": DEMOD_DC,
 }
 
 
@@ -3872,6 +3966,7 @@ __all__ = [
     "GX4_15",
     "GX4_25",
     "GX4_45",
+    "GX4_IMU",
     "GX5_10",
     "GX5_15",
     "GX5_25",
@@ -3880,5 +3975,7 @@ __all__ = [
     "MV5_AR",
     "RQ1_45_LT",
     "RQ1_45_ST",
+    "RQ1_IMU",
     "RTK",
+    "DEMOD_DC",
 ]

@@ -7,8 +7,21 @@ Measurements of the DEMOD-DC, a digital demodulator for displacement sensors.
 
 from __future__ import annotations
 
+from enum import IntFlag
+
 from . import codec
 from .field import Data, Field
+
+
+@codec.open_flag(8)
+class TimestampFlags(IntFlag):
+    """Whether the time of displacement data is valid. Uncertain: That it is a bitfield. MSCL takes
+    the time for valid if the number is 1.
+    """
+
+    TIME = 1 << 0
+    """The clock has been set; `time` is valid. Bit 0."""
+
 
 _DISPLACEMENT_RAW_0 = codec.Block("I", "counts")
 
@@ -18,7 +31,7 @@ class DisplacementRaw(Data):
 
     Displacement in counts of the converter.
 
-    Not listed in any device profile. Known only from the MicroStrain Communication Library.
+    Probably supported by DEMOD-DC. Known only from the MicroStrain Communication Library.
 
     - mscl: Raw displacement (0x90,0x01)
     """
@@ -34,7 +47,7 @@ class DisplacementRaw(Data):
     _LAYOUT = (("counts", "I", None),)
 
     counts: int
-    """Displacement in counts. Unit: 1."""
+    """Output of the analog-to-digital converter. Unit: 1."""
 
     def __init__(self, counts: int) -> None:
         self.counts = counts
@@ -57,9 +70,9 @@ _DISPLACEMENT_0 = codec.Block("f", "displacement")
 class Displacement(Data):
     """Displacement (0x90,0x02).
 
-    Calibrated displacement of the sensor.
+    Displacement of the sensor, computed with its calibration.
 
-    Not listed in any device profile. Known only from the MicroStrain Communication Library.
+    Probably supported by DEMOD-DC. Known only from the MicroStrain Communication Library.
 
     - mscl: Displacement (0x90,0x02)
     """
@@ -75,7 +88,7 @@ class Displacement(Data):
     _LAYOUT = (("displacement", "f", None),)
 
     displacement: float
-    """Displacement. Unit: mm."""
+    """Position of the sensor along its axis. Unit: mm."""
 
     def __init__(self, displacement: float) -> None:
         self.displacement = displacement
@@ -92,5 +105,57 @@ class Displacement(Data):
         return codec.finished(out)
 
 
+_TIMESTAMP_0 = codec.Block("BQ", "flags", "time")
+
+
+class Timestamp(Data):
+    """Displacement Device Timestamp (0x90,0x04).
+
+    Time of the measurement by the clock of the device.
+
+    Also called `displacement_timestamp`. Changed by `displacement.DeviceTime`. Probably supported
+    by DEMOD-DC. Known only from the MicroStrain Communication Library.
+
+    - mscl: Displacement Device Timestamp (0x90,0x04)
+    """
+
+    __slots__ = ("flags", "time")
+    __match_args__ = ("flags", "time")
+
+    SET = 0x90
+    SETS = (0x90,)
+    DESCRIPTOR = 0x04
+    NAME = "displacement_data.timestamp"
+    ROLE = "data"
+    _LAYOUT = (("flags", "B", TimestampFlags), ("time", "Q", None))
+
+    flags: TimestampFlags
+    """Whether the time of displacement data is valid."""
+    time: int
+    """UTC since 1970-01-01, without leap seconds, if the clock was set so. Unit: ns. Valid if
+    `TimestampFlags.TIME` of `flags` is set.
+    """
+
+    def __init__(self, flags: TimestampFlags, time: int) -> None:
+        self.flags = flags
+        self.time = time
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[Timestamp, int]:
+        v = _TIMESTAMP_0.read(raw, at)
+        at += 9
+        flags = TimestampFlags(v[0])
+        time = v[1]
+        return cls(flags, time), at
+
+    def _write(self) -> bytes:
+        out = _TIMESTAMP_0.write(self.flags, self.time)
+        return codec.finished(out)
+
+
 #: The types of each descriptor; several if constants or the size of the data distinguish layouts.
-FIELDS: dict[int, tuple[type[Field], ...]] = {0x01: (DisplacementRaw,), 0x02: (Displacement,)}
+FIELDS: dict[int, tuple[type[Field], ...]] = {
+    0x01: (DisplacementRaw,),
+    0x02: (Displacement,),
+    0x04: (Timestamp,),
+}

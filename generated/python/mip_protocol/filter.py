@@ -92,13 +92,13 @@ class HeadingUpdateSource(codec.OpenEnum):
     NONE = 0
     """No heading updates."""
     MAG = 1
-    """The magnetometer."""
+    """The device's own magnetometer."""
     GNSS_VELOCITY = 2
     """The velocity that the GNSS receiver measures."""
     EXTERNAL = 3
     """The heading messages that the user sends."""
     GNSS_VELOCITY_AND_MAG = 4
-    """GNSS velocity and magnetometer."""
+    """The course over ground and the magnetometer."""
     GNSS_VELOCITY_AND_EXTERNAL = 5
     """GNSS velocity and the messages of the user."""
     MAG_AND_EXTERNAL = 6
@@ -112,11 +112,11 @@ class TareAxes(IntFlag):
     """Axes to tare; 0 resets all axes."""
 
     ROLL = 1 << 0
-    """Tare roll. Bit 0."""
+    """The present roll becomes zero. Bit 0."""
     PITCH = 1 << 1
-    """Tare pitch. Bit 1."""
+    """The present pitch becomes zero. Bit 1."""
     YAW = 1 << 2
-    """Tare yaw. Bit 2."""
+    """The present yaw becomes zero. Bit 2."""
 
 
 @codec.open_flag(16)
@@ -176,7 +176,7 @@ class AidingSource(codec.OpenEnum):
     """A source of aiding measurements."""
 
     GNSS_POSITION_VELOCITY = 0
-    """GNSS position and velocity."""
+    """Position and velocity of the GNSS receivers."""
     GNSS_HEADING = 1
     """GNSS heading of two antennas."""
     ALTIMETER = 2
@@ -206,7 +206,7 @@ class AccelConstraint(codec.OpenEnum):
     NONE = 0
     """Nothing."""
     ZERO_ACCEL = 1
-    """It is zero."""
+    """The filter assumes no acceleration."""
 
 
 class VelocityConstraint(codec.OpenEnum):
@@ -218,9 +218,9 @@ class VelocityConstraint(codec.OpenEnum):
     NONE = 0
     """Nothing."""
     ZERO_VELOCITY = 1
-    """It is zero."""
+    """The filter assumes that the device does not move."""
     WHEELED_VEHICLE = 2
-    """It is that of a wheeled vehicle."""
+    """The filter assumes the motion of a wheeled vehicle."""
 
 
 class AngularConstraint(codec.OpenEnum):
@@ -232,7 +232,7 @@ class AngularConstraint(codec.OpenEnum):
     NONE = 0
     """Nothing."""
     ZERO_ANGULAR_RATE = 1
-    """It is zero."""
+    """The filter assumes no rotation."""
 
 
 class InitialConditionSource(codec.OpenEnum):
@@ -294,7 +294,7 @@ class RelativePositionSource(codec.OpenEnum):
 
 
 class ReferencePoint(codec.OpenEnum):
-    """A point of reference."""
+    """The end of a lever arm."""
 
     VEHICLE = 1
     """The origin of the vehicle."""
@@ -1991,7 +1991,7 @@ class AidingMeasurementEnableResponse(Response):
     _LAYOUT = (("aiding_source", "H", AidingSource), ("enable", "B", codec.truth))
 
     aiding_source: AidingSource
-    """The source."""
+    """Aiding source that the setting is for."""
     enable: bool
     """Whether the filter uses the source."""
 
@@ -2421,7 +2421,7 @@ class ReferencePointLeverArmResponse(Response):
     _VECTORS = {"lever_arm_offset": (types.Vector3f,)}
 
     reference_point: ReferencePoint
-    """The point."""
+    """Point whose lever arm follows."""
     lever_arm_offset: types.Vector3f
     """From the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at
     most 10.

@@ -99,11 +99,9 @@ class AidingMeasurementType(codec.OpenEnum):
     DUAL_ANTENNA = 2
     """GNSS heading of two antennas."""
     HEADING = 3
-    """Heading."""
     PRESSURE = 4
     """Pressure altitude."""
     MAG = 5
-    """Magnetometer."""
     SPEED = 6
     """Speed or odometer."""
     AIDING_ECEF_POSITION = 33
@@ -1378,7 +1376,7 @@ class Status(Data):
     )
 
     filter_state: int
-    """State of the filter.
+    """How far the filter has come, from start-up to its full solution.
 
     - On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25,
       3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45: values of
@@ -2451,8 +2449,8 @@ class MagOffset(Data):
     _VECTORS = {"hard_iron": (types.Vector3f,)}
 
     hard_iron: types.Vector3f
-    """Hard iron offset. Elements: x, y, z. Unit: gauss. Frame: sensor. Valid if `ValidFlags.VALID`
-    of `valid_flags` is set.
+    """Estimated constant field of magnetized parts near the magnetometer. Elements: x, y, z. Unit:
+    gauss. Frame: sensor. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
     """Whether the values of a field may be used."""
@@ -2719,8 +2717,8 @@ class MagResidualVector(Data):
     _VECTORS = {"residual": (types.Vector3f,)}
 
     residual: types.Vector3f
-    """Residual. Elements: x, y, z. Unit: gauss. Frame: vehicle. Valid if `ValidFlags.VALID` of
-    `valid_flags` is set.
+    """Difference between the measured magnetic field and the one that the filter expects. Elements:
+    x, y, z. Unit: gauss. Frame: vehicle. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
     """Whether the values of a field may be used."""
@@ -2773,8 +2771,8 @@ class AntennaOffsetCorrection(Data):
     _VECTORS = {"offset": (types.Vector3f,)}
 
     offset: types.Vector3f
-    """Correction of the offset. Elements: x, y, z. Unit: m. Frame: vehicle. Valid if
-    `ValidFlags.VALID` of `valid_flags` is set.
+    """Estimated correction of the antenna offset that was set. Elements: x, y, z. Unit: m. Frame:
+    vehicle. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
     """Whether the values of a field may be used."""
@@ -3025,8 +3023,8 @@ class MultiAntennaOffsetCorrection(Data):
     receiver_id: int
     """Receiver that the antenna belongs to."""
     offset: types.Vector3f
-    """Correction of the offset. Elements: x, y, z. Unit: m. Frame: vehicle. Valid if
-    `ValidFlags.VALID` of `valid_flags` is set.
+    """Estimated correction of the antenna offset that was set. Elements: x, y, z. Unit: m. Frame:
+    vehicle. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
     """Whether the values of a field may be used."""

@@ -66,9 +66,9 @@ class GpsSignals(IntFlag):
     L1CA = 1 << 0
     """L1 C/A. Bit 0."""
     L2C = 1 << 1
-    """L2C. Bit 1."""
+    """Bit 1."""
     L5 = 1 << 2
-    """L5. Bit 2."""
+    """Bit 2."""
 
 
 @codec.open_flag(8)
@@ -76,9 +76,9 @@ class GlonassSignals(IntFlag):
     """GLONASS signals that are enabled."""
 
     L1OF = 1 << 0
-    """L1OF. Bit 0."""
+    """Bit 0."""
     L2OF = 1 << 1
-    """L2OF. Bit 1."""
+    """Bit 1."""
 
 
 @codec.open_flag(8)
@@ -86,11 +86,11 @@ class GalileoSignals(IntFlag):
     """Galileo signals that are enabled."""
 
     E1 = 1 << 0
-    """E1. Bit 0."""
+    """Bit 0."""
     E5B = 1 << 1
-    """E5b. Bit 1."""
+    """Bit 1."""
     E5A = 1 << 2
-    """E5a. Bit 2."""
+    """Bit 2."""
 
 
 @codec.open_flag(8)
@@ -98,11 +98,11 @@ class BeidouSignals(IntFlag):
     """BeiDou signals that are enabled."""
 
     B1 = 1 << 0
-    """B1. Bit 0."""
+    """Bit 0."""
     B2 = 1 << 1
-    """B2. Bit 1."""
+    """Bit 1."""
     B2A = 1 << 2
-    """B2a. Bit 2."""
+    """Bit 2."""
 
 
 class ReceiverId(codec.OpenEnum):

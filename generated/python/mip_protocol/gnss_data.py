@@ -32,17 +32,17 @@ class LlhPositionFlags(IntFlag):
     """Which parts of the position are valid."""
 
     LAT_LON = 1 << 0
-    """Latitude and longitude. Bit 0."""
+    """`latitude` and `longitude` are valid. Bit 0."""
     ELLIPSOID_HEIGHT = 1 << 1
-    """Height above the ellipsoid. Bit 1."""
+    """`ellipsoid_height` is valid. Bit 1."""
     MSL_HEIGHT = 1 << 2
-    """Height above mean sea level. Bit 2."""
+    """`msl_height` is valid. Bit 2."""
     HORIZONTAL_ACCURACY = 1 << 3
     """`horizontal_accuracy` is valid. Bit 3."""
     VERTICAL_ACCURACY = 1 << 4
     """`vertical_accuracy` is valid. Bit 4."""
     FLAGS = 0x1F
-    """All of them. Bits 0 to 4. Overlaps other bits."""
+    """All values are valid. Bits 0 to 4. Overlaps other bits."""
 
 
 @codec.open_flag(16)
@@ -52,9 +52,9 @@ class EcefPositionFlags(IntFlag):
     POSITION = 1 << 0
     """`position` is valid. Bit 0."""
     POSITION_ACCURACY = 1 << 1
-    """Accuracy of the position. Bit 1."""
+    """`position_accuracy` is valid. Bit 1."""
     FLAGS = 0x3
-    """All of them. Bits 0 to 1. Overlaps other bits."""
+    """All values are valid. Bits 0 to 1. Overlaps other bits."""
 
 
 @codec.open_flag(16)
@@ -62,19 +62,19 @@ class NedVelocityFlags(IntFlag):
     """Which parts of the velocity are valid."""
 
     VELOCITY = 1 << 0
-    """Velocity vector. Bit 0."""
+    """`velocity` is valid. Bit 0."""
     SPEED_3D = 1 << 1
-    """Speed in space. Bit 1."""
+    """`speed` is valid. Bit 1."""
     GROUND_SPEED = 1 << 2
-    """Speed over ground. Bit 2."""
+    """`ground_speed` is valid. Bit 2."""
     HEADING = 1 << 3
     """`heading` is valid. Bit 3."""
     SPEED_ACCURACY = 1 << 4
-    """Accuracy of the speed. Bit 4."""
+    """`speed_accuracy` is valid. Bit 4."""
     HEADING_ACCURACY = 1 << 5
-    """Accuracy of the heading. Bit 5."""
+    """`heading_accuracy` is valid. Bit 5."""
     FLAGS = 0x3F
-    """All of them. Bits 0 to 5. Overlaps other bits."""
+    """All values are valid. Bits 0 to 5. Overlaps other bits."""
 
 
 @codec.open_flag(16)
@@ -84,9 +84,9 @@ class EcefVelocityFlags(IntFlag):
     VELOCITY = 1 << 0
     """`velocity` is valid. Bit 0."""
     VELOCITY_ACCURACY = 1 << 1
-    """Accuracy of the velocity. Bit 1."""
+    """`velocity_accuracy` is valid. Bit 1."""
     FLAGS = 0x3
-    """All of them. Bits 0 to 1. Overlaps other bits."""
+    """All values are valid. Bits 0 to 1. Overlaps other bits."""
 
 
 @codec.open_flag(16)
@@ -94,21 +94,21 @@ class DopFlags(IntFlag):
     """Which dilutions of precision are valid."""
 
     GDOP = 1 << 0
-    """Geometric. Bit 0."""
+    """`gdop` is valid. Bit 0."""
     PDOP = 1 << 1
-    """Position. Bit 1."""
+    """`pdop` is valid. Bit 1."""
     HDOP = 1 << 2
-    """Horizontal. Bit 2."""
+    """`hdop` is valid. Bit 2."""
     VDOP = 1 << 3
-    """Vertical. Bit 3."""
+    """`vdop` is valid. Bit 3."""
     TDOP = 1 << 4
-    """Time. Bit 4."""
+    """`tdop` is valid. Bit 4."""
     NDOP = 1 << 5
-    """Northing. Bit 5."""
+    """`ndop` is valid. Bit 5."""
     EDOP = 1 << 6
-    """Easting. Bit 6."""
+    """`edop` is valid. Bit 6."""
     FLAGS = 0x7F
-    """All of them. Bits 0 to 6. Overlaps other bits."""
+    """All values are valid. Bits 0 to 6. Overlaps other bits."""
 
 
 @codec.open_flag(16)
@@ -120,7 +120,7 @@ class UtcTimeFlags(IntFlag):
     LEAP_SECONDS_KNOWN = 1 << 1
     """The leap seconds between GPS time and UTC are known. Bit 1."""
     FLAGS = 0x3
-    """All of them. Bits 0 to 1. Overlaps other bits."""
+    """All values are valid. Bits 0 to 1. Overlaps other bits."""
 
 
 @codec.open_flag(16)
@@ -128,11 +128,11 @@ class GpsTimeFlags(IntFlag):
     """Which parts of the time are valid."""
 
     TOW = 1 << 0
-    """Time of week. Bit 0."""
+    """`tow` is valid. Bit 0."""
     WEEK_NUMBER = 1 << 1
     """`week_number` is valid. Bit 1."""
     FLAGS = 0x3
-    """All of them. Bits 0 to 1. Overlaps other bits."""
+    """All values are valid. Bits 0 to 1. Overlaps other bits."""
 
 
 @codec.open_flag(16)
@@ -144,9 +144,9 @@ class ClockInfoFlags(IntFlag):
     DRIFT = 1 << 1
     """`drift` is valid. Bit 1."""
     ACCURACY_ESTIMATE = 1 << 2
-    """Accuracy. Bit 2."""
+    """`accuracy_estimate` is valid. Bit 2."""
     FLAGS = 0x7
-    """All of them. Bits 0 to 2. Overlaps other bits."""
+    """All values are valid. Bits 0 to 2. Overlaps other bits."""
 
 
 @codec.open_flag(16)
@@ -164,13 +164,13 @@ class FixInfoFlags(IntFlag):
     """Which parts of the fix information are valid."""
 
     FIX_TYPE = 1 << 0
-    """Type of the fix. Bit 0."""
+    """`fix_type` is valid. Bit 0."""
     NUM_SV = 1 << 1
-    """Number of satellites. Bit 1."""
+    """`num_sv` is valid. Bit 1."""
     FIX_FLAGS = 1 << 2
     """`fix_flags` is valid. Bit 2."""
     FLAGS = 0x7
-    """All of them. Bits 0 to 2. Overlaps other bits."""
+    """All values are valid. Bits 0 to 2. Overlaps other bits."""
 
 
 @codec.open_flag(16)
@@ -180,7 +180,7 @@ class SvFlags(IntFlag):
     USED_FOR_NAVIGATION = 1 << 0
     """The position fix uses it. Bit 0."""
     HEALTHY = 1 << 1
-    """It is healthy. Bit 1."""
+    """The satellite reports that its signals can be used. Bit 1."""
 
 
 @codec.open_flag(16)
@@ -190,32 +190,30 @@ class SvInfoFlags(IntFlag):
     CHANNEL = 1 << 0
     """`channel` is valid. Bit 0."""
     SATELLITE_ID = 1 << 1
-    """Satellite. Bit 1."""
+    """`satellite_id` is valid. Bit 1."""
     CARRIER_NOISE_RATIO = 1 << 2
-    """Carrier to noise density ratio. Bit 2."""
+    """`carrier_noise_ratio` is valid. Bit 2."""
     AZIMUTH = 1 << 3
     """`azimuth` is valid. Bit 3."""
     ELEVATION = 1 << 4
     """`elevation` is valid. Bit 4."""
     SV_FLAGS = 1 << 5
-    """State of the satellite. Bit 5."""
+    """`sv_flags` is valid. Bit 5."""
     FLAGS = 0x3F
-    """All of them. Bits 0 to 5. Overlaps other bits."""
+    """All values are valid. Bits 0 to 5. Overlaps other bits."""
 
 
 class ReceiverState(codec.OpenEnum):
-    """State of the receiver."""
+    """Whether a GNSS receiver is powered and works."""
 
     OFF = 0
-    """Off."""
     ON = 1
-    """On."""
     UNKNOWN = 2
     """Not known."""
 
 
 class AntennaState(codec.OpenEnum):
-    """State of the antenna."""
+    """Electrical condition of a GNSS antenna."""
 
     INIT = 1
     """Being initialized."""
@@ -224,7 +222,6 @@ class AntennaState(codec.OpenEnum):
     OPEN = 3
     """Open circuit, no antenna."""
     GOOD = 4
-    """Good."""
     UNKNOWN = 5
     """Not known."""
 
@@ -233,9 +230,7 @@ class AntennaPower(codec.OpenEnum):
     """Supply of the antenna."""
 
     OFF = 0
-    """Off."""
     ON = 1
-    """On."""
     UNKNOWN = 2
     """Not known."""
 
@@ -245,13 +240,13 @@ class HardwareStatusFlags(IntFlag):
     """Which parts of the hardware status are valid."""
 
     SENSOR_STATE = 1 << 0
-    """State of the receiver. Bit 0."""
+    """`receiver_state` is valid. Bit 0."""
     ANTENNA_STATE = 1 << 1
-    """State of the antenna. Bit 1."""
+    """`antenna_state` is valid. Bit 1."""
     ANTENNA_POWER = 1 << 2
-    """Supply of the antenna. Bit 2."""
+    """`antenna_power` is valid. Bit 2."""
     FLAGS = 0x7
-    """All of them. Bits 0 to 2. Overlaps other bits."""
+    """All values are valid. Bits 0 to 2. Overlaps other bits."""
 
 
 @codec.open_flag(16)
@@ -261,13 +256,13 @@ class DgpsInfoFlags(IntFlag):
     AGE = 1 << 0
     """`age` is valid. Bit 0."""
     BASE_STATION_ID = 1 << 1
-    """Number of the base station. Bit 1."""
+    """`base_station_id` is valid. Bit 1."""
     BASE_STATION_STATUS = 1 << 2
-    """State of the base station. Bit 2."""
+    """`base_station_status` is valid. Bit 2."""
     NUM_CHANNELS = 1 << 3
-    """Number of channels. Bit 3."""
+    """`num_channels` is valid. Bit 3."""
     FLAGS = 0xF
-    """All of them. Bits 0 to 3. Overlaps other bits."""
+    """All values are valid. Bits 0 to 3. Overlaps other bits."""
 
 
 @codec.open_flag(16)
@@ -275,15 +270,15 @@ class DgpsChannelFlags(IntFlag):
     """Which parts of a differential correction are valid."""
 
     SATELLITE_ID = 1 << 0
-    """Satellite. Bit 0."""
+    """`satellite_id` is valid. Bit 0."""
     AGE = 1 << 1
     """`age` is valid. Bit 1."""
     RANGE_CORRECTION = 1 << 2
-    """Correction of the range. Bit 2."""
+    """`range_correction` is valid. Bit 2."""
     RANGE_RATE_CORRECTION = 1 << 3
-    """Correction of the range rate. Bit 3."""
+    """`range_rate_correction` is valid. Bit 3."""
     FLAGS = 0xF
-    """All of them. Bits 0 to 3. Overlaps other bits."""
+    """All values are valid. Bits 0 to 3. Overlaps other bits."""
 
 
 @codec.open_flag(16)
@@ -295,11 +290,11 @@ class ClockInfo2Flags(IntFlag):
     DRIFT = 1 << 1
     """`drift` is valid. Bit 1."""
     BIAS_ACCURACY = 1 << 2
-    """Accuracy of the bias. Bit 2."""
+    """`bias_accuracy_estimate` is valid. Bit 2."""
     DRIFT_ACCURACY = 1 << 3
-    """Accuracy of the drift. Bit 3."""
+    """`drift_accuracy_estimate` is valid. Bit 3."""
     FLAGS = 0xF
-    """All of them. Bits 0 to 3. Overlaps other bits."""
+    """All values are valid. Bits 0 to 3. Overlaps other bits."""
 
 
 @codec.open_flag(16)
@@ -344,19 +339,19 @@ class SbasInfoFlags(IntFlag):
     """Which parts of the SBAS status are valid."""
 
     TOW = 1 << 0
-    """Time of week. Bit 0."""
+    """`tow` is valid. Bit 0."""
     WEEK_NUMBER = 1 << 1
     """`week_number` is valid. Bit 1."""
     SBAS_SYSTEM = 1 << 2
-    """System. Bit 2."""
+    """`sbas_system` is valid. Bit 2."""
     SBAS_ID = 1 << 3
-    """Satellite. Bit 3."""
+    """`sbas_id` is valid. Bit 3."""
     COUNT = 1 << 4
-    """Number of corrections. Bit 4."""
+    """`count` is valid. Bit 4."""
     SBAS_STATUS = 1 << 5
-    """Status of the service. Bit 5."""
+    """`sbas_status` is valid. Bit 5."""
     FLAGS = 0x3F
-    """All of them. Bits 0 to 5. Overlaps other bits."""
+    """All values are valid. Bits 0 to 5. Overlaps other bits."""
 
 
 @codec.open_flag(16)
@@ -364,13 +359,13 @@ class SbasCorrectionFlags(IntFlag):
     """Which parts of an SBAS correction are valid."""
 
     UDREI = 1 << 0
-    """Indicator of the range error. Bit 0."""
+    """`udrei` is valid. Bit 0."""
     PSEUDORANGE_CORRECTION = 1 << 1
-    """Correction of the pseudorange. Bit 1."""
+    """`pseudorange_correction` is valid. Bit 1."""
     IONO_CORRECTION = 1 << 2
-    """Correction of the ionospheric delay. Bit 2."""
+    """`iono_correction` is valid. Bit 2."""
     FLAGS = 0x7
-    """All of them. Bits 0 to 2. Overlaps other bits."""
+    """All values are valid. Bits 0 to 2. Overlaps other bits."""
 
 
 class RfBand(codec.OpenEnum):
@@ -379,11 +374,8 @@ class RfBand(codec.OpenEnum):
     UNKNOWN = 0
     """Not known."""
     L1 = 1
-    """L1."""
     L2 = 2
-    """L2."""
     L5 = 5
-    """L5."""
 
 
 class JammingState(codec.OpenEnum):
@@ -417,15 +409,15 @@ class RfErrorDetectionFlags(IntFlag):
     """Which parts of the detection are valid."""
 
     RF_BAND = 1 << 0
-    """Band. Bit 0."""
+    """`rf_band` is valid. Bit 0."""
     JAMMING_STATE = 1 << 1
-    """Jamming. Bit 1."""
+    """`jamming_state` is valid. Bit 1."""
     SPOOFING_STATE = 1 << 2
-    """Spoofing. Bit 2."""
+    """`spoofing_state` is valid. Bit 2."""
     FREQUENCY = 1 << 3
     """Frequency; only set by firmware that sends it. Bit 3."""
     FLAGS = 0xF
-    """All of them. Bits 0 to 3. Overlaps other bits."""
+    """All values are valid. Bits 0 to 3. Overlaps other bits."""
 
 
 class HeadingFixType(codec.OpenEnum):
@@ -446,11 +438,11 @@ class HeadingFlags(IntFlag):
     HEADING = 1 << 0
     """`heading` is valid. Bit 0."""
     UNCERTAINTY = 1 << 1
-    """Uncertainty of the heading. Bit 1."""
+    """`uncertainty` is valid. Bit 1."""
     FIX_TYPE = 1 << 2
-    """Kind of the fix. Bit 2."""
+    """`fix_type` is valid. Bit 2."""
     FLAGS = 0x7
-    """All of them. Bits 0 to 2. Overlaps other bits."""
+    """All values are valid. Bits 0 to 2. Overlaps other bits."""
 
 
 @codec.open_flag(16)
@@ -458,13 +450,13 @@ class SatelliteStatusFlags(IntFlag):
     """Which parts of the satellite status are valid."""
 
     TOW = 1 << 0
-    """Time of week. Bit 0."""
+    """`tow` is valid. Bit 0."""
     WEEK_NUMBER = 1 << 1
     """`week_number` is valid. Bit 1."""
     GNSS_ID = 1 << 2
-    """Constellation. Bit 2."""
+    """`gnss_id` is valid. Bit 2."""
     SATELLITE_ID = 1 << 3
-    """Satellite. Bit 3."""
+    """`satellite_id` is valid. Bit 3."""
     ELEVATION = 1 << 4
     """`elevation` is valid. Bit 4."""
     AZIMUTH = 1 << 5
@@ -472,7 +464,7 @@ class SatelliteStatusFlags(IntFlag):
     HEALTH = 1 << 6
     """`health` is valid. Bit 6."""
     FLAGS = 0x7F
-    """All of them. Bits 0 to 6. Overlaps other bits."""
+    """All values are valid. Bits 0 to 6. Overlaps other bits."""
 
 
 class SignalQuality(codec.OpenEnum):
@@ -489,7 +481,6 @@ class SignalQuality(codec.OpenEnum):
     TIME_LOCKED = 4
     """Locked in time."""
     FULLY_LOCKED = 5
-    """Fully locked."""
 
 
 @codec.open_flag(16)
@@ -497,39 +488,39 @@ class RawFlags(IntFlag):
     """Which parts of the observation are valid."""
 
     TOW = 1 << 0
-    """Time of week. Bit 0."""
+    """`tow` is valid. Bit 0."""
     WEEK_NUMBER = 1 << 1
     """`week_number` is valid. Bit 1."""
     RECEIVER_ID = 1 << 2
-    """Receiver or reference station. Bit 2."""
+    """`receiver_id` is valid. Bit 2."""
     TRACKING_CHANNEL = 1 << 3
     """`tracking_channel` is valid. Bit 3."""
     GNSS_ID = 1 << 4
-    """Constellation. Bit 4."""
+    """`gnss_id` is valid. Bit 4."""
     SATELLITE_ID = 1 << 5
-    """Satellite. Bit 5."""
+    """`satellite_id` is valid. Bit 5."""
     SIGNAL_ID = 1 << 6
-    """Signal. Bit 6."""
+    """`signal_id` is valid. Bit 6."""
     SIGNAL_STRENGTH = 1 << 7
     """`signal_strength` is valid. Bit 7."""
     QUALITY = 1 << 8
-    """Signal quality. Bit 8."""
+    """`quality` is valid. Bit 8."""
     PSEUDORANGE = 1 << 9
     """`pseudorange` is valid. Bit 9."""
     CARRIER_PHASE = 1 << 10
     """`carrier_phase` is valid. Bit 10."""
     DOPPLER = 1 << 11
-    """Doppler shift. Bit 11."""
+    """`doppler` is valid. Bit 11."""
     RANGE_UNCERTAINTY = 1 << 12
-    """Uncertainty of the pseudorange. Bit 12."""
+    """`range_uncertainty` is valid. Bit 12."""
     CARRIER_PHASE_UNCERTAINTY = 1 << 13
-    """Uncertainty of the carrier phase. Bit 13."""
+    """`phase_uncertainty` is valid. Bit 13."""
     DOPPLER_UNCERTAINTY = 1 << 14
-    """Uncertainty of the Doppler shift. Bit 14."""
+    """`doppler_uncertainty` is valid. Bit 14."""
     LOCK_TIME = 1 << 15
     """`lock_time` is valid. Bit 15."""
     FLAGS = 0xFFFF
-    """All of them. Bits 0 to 15. Overlaps other bits."""
+    """All values are valid. Bits 0 to 15. Overlaps other bits."""
 
 
 @codec.open_flag(16)
@@ -561,19 +552,19 @@ class BaseStationInfoFlags(IntFlag):
     """Which values are valid."""
 
     TOW = 1 << 0
-    """Time of week. Bit 0."""
+    """`tow` is valid. Bit 0."""
     WEEK_NUMBER = 1 << 1
     """`week_number` is valid. Bit 1."""
     ECEF_POSITION = 1 << 2
-    """Position. Bit 2."""
+    """`ecef_position` is valid. Bit 2."""
     HEIGHT = 1 << 3
-    """Antenna height. Bit 3."""
+    """`height` is valid. Bit 3."""
     STATION_ID = 1 << 4
-    """Station. Bit 4."""
+    """`station_id` is valid. Bit 4."""
     INDICATORS = 1 << 5
     """`indicators` is valid. Bit 5."""
     FLAGS = 0x3F
-    """All of them. Bits 0 to 5. Overlaps other bits."""
+    """All values are valid. Bits 0 to 5. Overlaps other bits."""
 
 
 @codec.open_flag(16)
@@ -581,9 +572,9 @@ class RtkEpochStatus(IntFlag):
     """Corrections received during an epoch."""
 
     ANTENNA_LOCATION_RECEIVED = 1 << 0
-    """Antenna location. Bit 0."""
+    """The position of the base station's antenna has arrived. Bit 0."""
     ANTENNA_DESCRIPTION_RECEIVED = 1 << 1
-    """Antenna description. Bit 1."""
+    """The description of the base station's antenna has arrived. Bit 1."""
     GPS_RECEIVED = 1 << 2
     """GPS corrections. Bit 2."""
     GLONASS_RECEIVED = 1 << 3
@@ -606,23 +597,23 @@ class RtkCorrectionsStatusFlags(IntFlag):
     """Which values are valid."""
 
     TOW = 1 << 0
-    """Time of week. Bit 0."""
+    """`tow` is valid. Bit 0."""
     WEEK_NUMBER = 1 << 1
     """`week_number` is valid. Bit 1."""
     EPOCH_STATUS = 1 << 2
     """`epoch_status` is valid. Bit 2."""
     DONGLE_STATUS = 1 << 3
-    """Status of the dongle. Bit 3."""
+    """`dongle_status` is valid. Bit 3."""
     GPS_LATENCY = 1 << 4
-    """Latency of GPS corrections. Bit 4."""
+    """`gps_correction_latency` is valid. Bit 4."""
     GLONASS_LATENCY = 1 << 5
-    """Latency of GLONASS corrections. Bit 5."""
+    """`glonass_correction_latency` is valid. Bit 5."""
     GALILEO_LATENCY = 1 << 6
-    """Latency of Galileo corrections. Bit 6."""
+    """`galileo_correction_latency` is valid. Bit 6."""
     BEIDOU_LATENCY = 1 << 7
-    """Latency of BeiDou corrections. Bit 7."""
+    """`beidou_correction_latency` is valid. Bit 7."""
     FLAGS = 0xFF
-    """All of them. Bits 0 to 7. Overlaps other bits."""
+    """All values are valid. Bits 0 to 7. Overlaps other bits."""
 
 
 @codec.open_flag(16)
@@ -636,16 +627,14 @@ class EphemerisFlags(IntFlag):
     ISC_L5 = 1 << 2
     """`isc_l2c` is the correction for L5, not for L2. Bit 2."""
     FLAGS = 0x7
-    """All of them. Bits 0 to 2. Overlaps other bits."""
+    """All values are valid. Bits 0 to 2. Overlaps other bits."""
 
 
 class GlonassSatelliteType(codec.OpenEnum):
     """Generation of a GLONASS satellite."""
 
     GLONASS = 0
-    """GLONASS."""
     GLONASS_M = 1
-    """GLONASS-M."""
 
 
 @codec.open_flag(16)
@@ -663,15 +652,15 @@ class GpsIonoCorrectionFlags(IntFlag):
     """Which parts of the model are valid."""
 
     TOW = 1 << 0
-    """Time of week. Bit 0."""
+    """`tow` is valid. Bit 0."""
     WEEK_NUMBER = 1 << 1
     """`week_number` is valid. Bit 1."""
     ALPHA = 1 << 2
-    """Coefficients alpha. Bit 2."""
+    """`alpha` is valid. Bit 2."""
     BETA = 1 << 3
-    """Coefficients beta. Bit 3."""
+    """`beta` is valid. Bit 3."""
     FLAGS = 0xF
-    """All of them. Bits 0 to 3. Overlaps other bits."""
+    """All values are valid. Bits 0 to 3. Overlaps other bits."""
 
 
 @codec.open_flag(16)
@@ -679,15 +668,15 @@ class GalileoIonoCorrectionFlags(IntFlag):
     """Which parts of the model are valid."""
 
     TOW = 1 << 0
-    """Time of week. Bit 0."""
+    """`tow` is valid. Bit 0."""
     WEEK_NUMBER = 1 << 1
     """`week_number` is valid. Bit 1."""
     ALPHA = 1 << 2
-    """Coefficients. Bit 2."""
+    """`alpha` is valid. Bit 2."""
     DISTURBANCE_FLAGS = 1 << 3
-    """Storm flags. Bit 3."""
+    """`disturbance_flags` is valid. Bit 3."""
     FLAGS = 0xF
-    """All of them. Bits 0 to 3. Overlaps other bits."""
+    """All values are valid. Bits 0 to 3. Overlaps other bits."""
 
 
 @codec.open_flag(16)
@@ -695,17 +684,17 @@ class BeidouIonoCorrectionFlags(IntFlag):
     """Which parts of the model are valid."""
 
     TOW = 1 << 0
-    """Time of week. Bit 0."""
+    """`tow` is valid. Bit 0."""
     WEEK_NUMBER = 1 << 1
     """`week_number` is valid. Bit 1."""
     ALPHA = 1 << 2
-    """Coefficients alpha. Bit 2."""
+    """`alpha` is valid. Bit 2."""
     BETA = 1 << 3
-    """Coefficients beta. Bit 3."""
+    """`beta` is valid. Bit 3."""
     ALPHA_CORRECTION = 1 << 4
-    """Further coefficients. Bit 4."""
+    """`alpha_correction` is valid. Bit 4."""
     FLAGS = 0x1F
-    """All of them. Bits 0 to 4. Overlaps other bits."""
+    """All values are valid. Bits 0 to 4. Overlaps other bits."""
 
 
 _LLH_POSITION_0 = codec.Block(
@@ -1723,10 +1712,12 @@ class HardwareStatus(Shared, Data):
     )
 
     receiver_state: ReceiverState
-    """State of the receiver. Valid if `HardwareStatusFlags.SENSOR_STATE` of `valid_flags` is set.
+    """Whether the receiver is powered and works. Valid if `HardwareStatusFlags.SENSOR_STATE` of
+    `valid_flags` is set.
     """
     antenna_state: AntennaState
-    """State of the antenna. Valid if `HardwareStatusFlags.ANTENNA_STATE` of `valid_flags` is set.
+    """Electrical condition of the antenna. Valid if `HardwareStatusFlags.ANTENNA_STATE` of
+    `valid_flags` is set.
     """
     antenna_power: AntennaPower
     """Supply of the antenna. Valid if `HardwareStatusFlags.ANTENNA_POWER` of `valid_flags` is set.
@@ -1918,9 +1909,11 @@ class DgpsInfoSatellite(Shared, Data):
     `valid_flags` is set. Uncertain: The unit, which follows from `DgpsChannel`.
     """
     range_correction: float
-    """Correction of the range. Unit: m. Uncertain: The unit, which follows from `DgpsChannel`."""
+    """Differential correction of the pseudorange. Unit: m. Uncertain: The unit, which follows from
+    `DgpsChannel`.
+    """
     range_rate_correction: float
-    """Correction of the range rate. Unit: m/s. Uncertain: The unit, which follows from
+    """How fast the correction changes. Unit: m/s. Uncertain: The unit, which follows from
     `DgpsChannel`.
     """
     valid_flags: DgpsInfoFlags
@@ -2016,12 +2009,12 @@ class DgpsChannel(Shared, Data):
     `valid_flags` is set.
     """
     range_correction: float
-    """Correction of the range. Unit: m. Valid if `DgpsChannelFlags.RANGE_CORRECTION` of
-    `valid_flags` is set.
+    """Differential correction of the pseudorange. Unit: m. Valid if
+    `DgpsChannelFlags.RANGE_CORRECTION` of `valid_flags` is set.
     """
     range_rate_correction: float
-    """Correction of the range rate. Unit: m/s. Valid if `DgpsChannelFlags.RANGE_RATE_CORRECTION` of
-    `valid_flags` is set.
+    """How fast the correction changes. Unit: m/s. Valid if `DgpsChannelFlags.RANGE_RATE_CORRECTION`
+    of `valid_flags` is set.
     """
     valid_flags: DgpsChannelFlags
     """Which parts of a differential correction are valid."""
@@ -2413,8 +2406,8 @@ class SbasCorrection(Shared, Data):
     `SbasCorrectionFlags.UDREI` of `valid_flags` is set.
     """
     pseudorange_correction: float
-    """Correction of the pseudorange. Unit: m. Valid if `SbasCorrectionFlags.PSEUDORANGE_CORRECTION`
-    of `valid_flags` is set.
+    """Correction of the pseudorange by the augmentation system. Unit: m. Valid if
+    `SbasCorrectionFlags.PSEUDORANGE_CORRECTION` of `valid_flags` is set.
     """
     iono_correction: float
     """Correction of the ionospheric delay. Unit: m. Valid if `SbasCorrectionFlags.IONO_CORRECTION`
@@ -2544,9 +2537,13 @@ class RfErrorDetection(Shared, Data):
     set.
     """
     jamming_state: JammingState
-    """Jamming. Valid if `RfErrorDetectionFlags.JAMMING_STATE` of `valid_flags` is set."""
+    """Whether signals are jammed in this band. Valid if `RfErrorDetectionFlags.JAMMING_STATE` of
+    `valid_flags` is set.
+    """
     spoofing_state: SpoofingState
-    """Spoofing. Valid if `RfErrorDetectionFlags.SPOOFING_STATE` of `valid_flags` is set."""
+    """Whether false signals are detected in this band. Valid if
+    `RfErrorDetectionFlags.SPOOFING_STATE` of `valid_flags` is set.
+    """
     frequency: int
     """Centre frequency of the band. Unit: MHz. Valid if `RfErrorDetectionFlags.FREQUENCY` of
     `valid_flags` is set.

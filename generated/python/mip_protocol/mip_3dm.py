@@ -221,9 +221,9 @@ class EventSupportQuery(codec.OpenEnum):
     """
 
     TRIGGER_TYPES = 1
-    """Triggers."""
+    """Which types of triggers there are."""
     ACTION_TYPES = 2
-    """Actions."""
+    """Which types of actions there are."""
 
 
 _EVENT_SUPPORT_INFO_0 = codec.Block("BB", "type", "count")
@@ -439,13 +439,9 @@ class SensorRangeType(codec.OpenEnum):
     ALL = 0
     """All sensors; for save, load and default only."""
     ACCEL = 1
-    """Accelerometer."""
     GYRO = 2
-    """Gyroscope."""
     MAG = 3
-    """Magnetometer."""
     PRESSURE = 4
-    """Pressure sensor."""
 
 
 _SENSOR_RANGE_ENTRY_0 = codec.Block("Bf", "setting", "range")
@@ -574,7 +570,7 @@ class ImuMessageFormatResponse(Response):
     3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15,
     3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35,
     3DM-CX5-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
-    3DM-GX5-10 and 3DM-GX5-25.
+    3DM-GX4-IMU, 3DM-GX5-10, 3DM-GX5-25 and 3DM-RQ1-IMU.
 
     - 3dm-gx5-15: 4.2.5 IMU Message Format (0x0C, 0x08)
     """
@@ -721,7 +717,7 @@ class GetImuBaseRateResponse(Response):
     3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by
     3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15,
     3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15,
-    3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25 and 3DM-GX5-35.
+    3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35 and 3DM-RQ1-IMU.
 
     - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
     """
@@ -931,7 +927,7 @@ class ImuSignalConditioningResponse(Response):
     north_compensation: int
     """Time constant of the correction of the heading. Unit: s. Range: 1 to 1000. Default: 10."""
     mag_bandwidth: MagBandwidth
-    """Bandwidth of the magnetometer."""
+    """Bandwidth of the magnetometer of 3-series devices."""
     reserved: int
     """Reserved."""
 
@@ -1019,7 +1015,7 @@ class UartBaudRateResponse(Response):
     _LAYOUT = (("baud", "I", None),)
 
     baud: int
-    """Baud rate. Unit: Bd."""
+    """Baud rate, one of those that the port supports. Unit: Bd."""
 
     def __init__(self, baud: int) -> None:
         self.baud = baud
@@ -1062,7 +1058,7 @@ class DataStreamFormatResponse(Response):
     stream: InternalSensor
     """Stream whose format is set or read."""
     format: StreamFormat
-    """Its format."""
+    """Format of a data stream."""
 
     def __init__(self, stream: InternalSensor, format: StreamFormat) -> None:
         self.stream = stream
@@ -1107,7 +1103,7 @@ class DevicePowerStateResponse(Response):
     device: InternalSensor
     """The sensor."""
     state: SensorPowerState
-    """Its power state."""
+    """Power state of an internal sensor."""
 
     def __init__(self, device: InternalSensor, state: SensorPowerState) -> None:
         self.device = device
@@ -1390,6 +1386,71 @@ class MessageFormatResponse(Response):
         return codec.finished(out)
 
 
+_DEVICE_STATUS_BASIC_RQ1_IMU_RESPONSE_0 = codec.Block("H", "model_number")
+_DEVICE_STATUS_BASIC_RQ1_IMU_RESPONSE_1 = codec.Block("B", "status_selector")
+_DEVICE_STATUS_BASIC_RQ1_IMU_RESPONSE_2 = codec.Block("IQ", "status_flags", "system_timer")
+
+
+class DeviceStatusBasicRq1ImuResponse(Response):
+    """Basic Device Status of the inertial sensor of the 3DM-RQ1-45 (0x0C,0x90).
+
+    Timer only, in microseconds.
+
+    Answers `DeviceStatus`. Sent if `status_selector` is `DeviceStatusSelector.BASIC`. Probably
+    supported by 3DM-RQ1-IMU. Uncertain: The SDK of 2014 names the values and gives the unit of the
+    timer; the descriptions follow from the names.
+
+    - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
+    - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
+    - 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64)
+    - mscl: Device Status (0x0C,0x64)
+    """
+
+    __slots__ = ("status_flags", "system_timer")
+    __match_args__ = ("status_flags", "system_timer")
+
+    SET = 0x0C
+    SETS = (0x0C,)
+    DESCRIPTOR = 0x90
+    NAME = "3dm.device_status_basic_rq1_imu_response"
+    ROLE = "response"
+
+    # On the wire only: model_number. Model number of the inertial sensor. Always 6238.
+    # On the wire only: status_selector. Basic status. Always 1.
+    status_flags: int
+    """Reserved."""
+    system_timer: int
+    """Time since start-up. Unit: us."""
+
+    def __init__(self, status_flags: int, system_timer: int) -> None:
+        self.status_flags = status_flags
+        self.system_timer = system_timer
+
+    @classmethod
+    def matches(cls, data: bytes) -> bool:
+        return 15 <= len(data) and b"\x18^".startswith(data[0:2]) and b"\x01".startswith(data[2:3])
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[DeviceStatusBasicRq1ImuResponse, int]:
+        v = _DEVICE_STATUS_BASIC_RQ1_IMU_RESPONSE_0.read(raw, at)
+        at += 2
+        codec.constant(v[0], 6238)
+        v = _DEVICE_STATUS_BASIC_RQ1_IMU_RESPONSE_1.read(raw, at)
+        at += 1
+        codec.constant(v[0], 1)
+        v = _DEVICE_STATUS_BASIC_RQ1_IMU_RESPONSE_2.read(raw, at)
+        at += 12
+        status_flags = v[0]
+        system_timer = v[1]
+        return cls(status_flags, system_timer), at
+
+    def _write(self) -> bytes:
+        out = _DEVICE_STATUS_BASIC_RQ1_IMU_RESPONSE_0.write(6238)
+        out += _DEVICE_STATUS_BASIC_RQ1_IMU_RESPONSE_1.write(1)
+        out += _DEVICE_STATUS_BASIC_RQ1_IMU_RESPONSE_2.write(self.status_flags, self.system_timer)
+        return codec.finished(out)
+
+
 _DEVICE_STATUS_BASIC_RESPONSE_0 = codec.Block("HB", "model_number", "status_selector")
 _DEVICE_STATUS_BASIC_RESPONSE_1 = codec.Block("IHI", "status_flags", "system_state", "system_timer")
 
@@ -1479,10 +1540,11 @@ class DeviceStatusBasicWithoutStateResponse(Response):
     Answers `DeviceStatus`. Distinguished from `DeviceStatusBasicResponse` and
     `DeviceStatusBasicGx3Response` by the size of its data. Sent if `status_selector` is
     `DeviceStatusSelector.BASIC`. Probably supported by 3DM-CL5-10, 3DM-CV5-10, 3DM-CX5-10,
-    3DM-GX4-15, 3DM-GX4-25 and 3DM-GX5-10. Uncertain: MSCL has it for the 3DM-GX4-15, 3DM-GX4-25,
-    3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10; that the 3DM-CL5-10 has it is inferred. Uncertain: The
-    manual of the 3DM-GX5-45 gives it too, but for the model number of another device; MSCL has the
-    layout with a state for that device.
+    3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-IMU and 3DM-GX5-10. Uncertain: MSCL has it for the 3DM-GX4-15,
+    3DM-GX4-25, 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10, the SDK of 2014 for the 3DM-GX4-15, the
+    3DM-GX4-25 and the inertial sensor of the 3DM-GX4-45; that the 3DM-CL5-10 has it is inferred.
+    Uncertain: The manual of the 3DM-GX5-45 gives it too, but for the model number of another
+    device; MSCL has the layout with a state for that device.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -1563,7 +1625,8 @@ class DeviceStatusDiagnosticResponse(Response):
 
     Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticGnssResponse`,
     `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`,
-    `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse` and
+    `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse`,
+    `DeviceStatusDiagnosticGx4ImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse` and
     `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `status_selector` is
     `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-GX5-15. Probably supported by 3DM-CL5-15,
     3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-15, 3DM-CX5-25, 3DM-GX3-15, 3DM-GX3-25 and
@@ -1634,9 +1697,9 @@ class DeviceStatusDiagnosticResponse(Response):
     filter_dropped_packets: int
     """Filter data packets that were not sent. Unit: 1."""
     comm_port_bytes_written: int
-    """Bytes written to the port. Unit: byte."""
+    """Bytes sent over the port. Unit: byte."""
     comm_port_bytes_read: int
-    """Bytes read from the port. Unit: byte."""
+    """Bytes received over the port. Unit: byte."""
     comm_port_write_overruns: int
     """Overruns while writing to the port. Unit: 1."""
     comm_port_read_overruns: int
@@ -1782,7 +1845,8 @@ class DeviceStatusDiagnosticGnssResponse(Response):
 
     Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
     `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`,
-    `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse` and
+    `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse`,
+    `DeviceStatusDiagnosticGx4ImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse` and
     `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `status_selector` is
     `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-GX5-35 and 3DM-GX5-45. Probably supported by
     3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45 and 3DM-GX4-45. Uncertain: MSCL has it for the 3DM-GX4-45 and
@@ -1881,9 +1945,9 @@ class DeviceStatusDiagnosticGnssResponse(Response):
     filter_dropped_packets: int
     """Filter data packets that were not sent. Unit: 1."""
     comm_port_bytes_written: int
-    """Bytes written to the port. Unit: byte."""
+    """Bytes sent over the port. Unit: byte."""
     comm_port_bytes_read: int
-    """Bytes read from the port. Unit: byte."""
+    """Bytes received over the port. Unit: byte."""
     comm_port_write_overruns: int
     """Overruns while writing to the port. Unit: 1."""
     comm_port_read_overruns: int
@@ -2078,7 +2142,8 @@ class DeviceStatusDiagnosticGq4_45Response(Response):
 
     Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
     `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticRq1_45Response`,
-    `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse` and
+    `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse`,
+    `DeviceStatusDiagnosticGx4ImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse` and
     `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `status_selector` is
     `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-GQ4-45. Uncertain: No known manual gives it.
     Uncertain: MSCL only names the values; the descriptions follow from the names, and the times are
@@ -2181,9 +2246,9 @@ class DeviceStatusDiagnosticGq4_45Response(Response):
     filter_dropped_packets: int
     """Filter data packets that were not sent. Unit: 1."""
     comm_port_bytes_written: int
-    """Bytes written to the port. Unit: byte."""
+    """Bytes sent over the port. Unit: byte."""
     comm_port_bytes_read: int
-    """Bytes read from the port. Unit: byte."""
+    """Bytes received over the port. Unit: byte."""
     comm_port_write_overruns: int
     """Overruns while writing to the port. Unit: 1."""
     comm_port_read_overruns: int
@@ -2399,7 +2464,8 @@ class DeviceStatusDiagnosticRq1_45Response(Response):
 
     Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
     `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`,
-    `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse` and
+    `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse`,
+    `DeviceStatusDiagnosticGx4ImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse` and
     `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `status_selector` is
     `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Uncertain: No
     known manual gives it. Uncertain: MSCL only names the values; the descriptions follow from the
@@ -2508,9 +2574,9 @@ class DeviceStatusDiagnosticRq1_45Response(Response):
     filter_dropped_packets: int
     """Filter data packets that were not sent. Unit: 1."""
     comm_port_bytes_written: int
-    """Bytes written to the port. Unit: byte."""
+    """Bytes sent over the port. Unit: byte."""
     comm_port_bytes_read: int
-    """Bytes read from the port. Unit: byte."""
+    """Bytes received over the port. Unit: byte."""
     comm_port_write_overruns: int
     """Overruns while writing to the port. Unit: 1."""
     comm_port_read_overruns: int
@@ -2714,7 +2780,8 @@ class DeviceStatusDiagnosticGx4Response(Response):
 
     Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
     `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`,
-    `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticImuResponse` and
+    `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticImuResponse`,
+    `DeviceStatusDiagnosticGx4ImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse` and
     `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `status_selector` is
     `DeviceStatusSelector.DIAGNOSTIC`. Probably supported by 3DM-GX4-15 and 3DM-GX4-25. Uncertain:
     No known manual gives it for these devices; the offsets 49 to 69 in the manual of the 3DM-GX5-45
@@ -2798,17 +2865,17 @@ class DeviceStatusDiagnosticGx4Response(Response):
     filter_dropped_packets: int
     """Filter data packets that were not sent. Unit: 1."""
     comm_port_bytes_written: int
-    """Bytes written to the port. Unit: byte."""
+    """Bytes sent over the port. Unit: byte."""
     comm_port_bytes_read: int
-    """Bytes read from the port. Unit: byte."""
+    """Bytes received over the port. Unit: byte."""
     comm_port_write_overruns: int
     """Overruns while writing to the port. Unit: 1."""
     comm_port_read_overruns: int
     """Overruns while reading from the port. Unit: 1."""
     usb_bytes_written: int
-    """Bytes written to USB. Unit: byte."""
+    """Bytes sent over USB. Unit: byte."""
     usb_bytes_read: int
-    """Bytes read from USB. Unit: byte."""
+    """Bytes received over USB. Unit: byte."""
     usb_write_overruns: int
     """Overruns while writing to USB. Unit: 1."""
     usb_read_overruns: int
@@ -2976,7 +3043,8 @@ class DeviceStatusDiagnosticImuResponse(Response):
 
     Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
     `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`,
-    `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticGx4Response` and
+    `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticGx4Response`,
+    `DeviceStatusDiagnosticGx4ImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse` and
     `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `status_selector` is
     `DeviceStatusSelector.DIAGNOSTIC`. Probably supported by 3DM-CL5-10, 3DM-CV5-10, 3DM-CX5-10 and
     3DM-GX5-10. Uncertain: MSCL has it for the 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10; no known
@@ -3054,7 +3122,7 @@ class DeviceStatusDiagnosticImuResponse(Response):
     power_state: int
     """Power state of the sensors."""
     gyro_range: int
-    """Range of the gyroscope."""
+    """Largest angular rate that can be measured."""
     accel_range: int
     """Largest acceleration that can be measured."""
     reserved: int
@@ -3074,9 +3142,9 @@ class DeviceStatusDiagnosticImuResponse(Response):
     imu_dropped_packets: int
     """Sensor data packets that were not sent. Unit: 1."""
     comm_port_bytes_written: int
-    """Bytes written to the port. Unit: byte."""
+    """Bytes sent over the port. Unit: byte."""
     comm_port_bytes_read: int
-    """Bytes read from the port. Unit: byte."""
+    """Bytes received over the port. Unit: byte."""
     comm_port_write_overruns: int
     """Overruns while writing to the port. Unit: 1."""
     comm_port_read_overruns: int
@@ -3129,7 +3197,7 @@ class DeviceStatusDiagnosticImuResponse(Response):
 
     @classmethod
     def matches(cls, data: bytes) -> bool:
-        return 60 <= len(data) < 73 and b"\x02".startswith(data[2:3])
+        return 60 <= len(data) < 61 and b"\x02".startswith(data[2:3])
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[DeviceStatusDiagnosticImuResponse, int]:
@@ -3207,6 +3275,511 @@ class DeviceStatusDiagnosticImuResponse(Response):
         return codec.finished(out)
 
 
+_DEVICE_STATUS_DIAGNOSTIC_GX4_IMU_RESPONSE_0 = codec.Block("HB", "model_number", "status_selector")
+_DEVICE_STATUS_DIAGNOSTIC_GX4_IMU_RESPONSE_1 = codec.Block(
+    "IIBBHBfffIBIIBIIIII",
+    "status_flags",
+    "system_timer",
+    "has_mag",
+    "has_pressure",
+    "gyro_range",
+    "accel_range",
+    "mag_range",
+    "pressure_range",
+    "temperature",
+    "temperature_last_time",
+    "temperature_error",
+    "pps_count",
+    "pps_last_time",
+    "imu_stream_enabled",
+    "imu_dropped_packets",
+    "comm_port_bytes_written",
+    "comm_port_bytes_read",
+    "comm_port_write_overruns",
+    "comm_port_read_overruns",
+)
+
+
+class DeviceStatusDiagnosticGx4ImuResponse(Response):
+    """Diagnostic Device Status of the inertial sensor of the 3DM-GX4-45 (0x0C,0x90).
+
+    Timer, available sensors and their ranges, temperature, and the counters of pulses, stream and
+    port.
+
+    Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
+    `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`,
+    `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticGx4Response`,
+    `DeviceStatusDiagnosticImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse` and
+    `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `status_selector` is
+    `DeviceStatusSelector.DIAGNOSTIC`. Probably supported by 3DM-GX4-IMU. Uncertain: The SDK of 2014
+    names the values and gives the units of temperature and times; the descriptions follow from the
+    names. Uncertain: The units of the ranges are not known.
+
+    - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
+    - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
+    - 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64)
+    - mscl: Device Status (0x0C,0x64)
+    """
+
+    __slots__ = (
+        "model_number",
+        "status_flags",
+        "system_timer",
+        "has_mag",
+        "has_pressure",
+        "gyro_range",
+        "accel_range",
+        "mag_range",
+        "pressure_range",
+        "temperature",
+        "temperature_last_time",
+        "temperature_error",
+        "pps_count",
+        "pps_last_time",
+        "imu_stream_enabled",
+        "imu_dropped_packets",
+        "comm_port_bytes_written",
+        "comm_port_bytes_read",
+        "comm_port_write_overruns",
+        "comm_port_read_overruns",
+    )
+    __match_args__ = (
+        "model_number",
+        "status_flags",
+        "system_timer",
+        "has_mag",
+        "has_pressure",
+        "gyro_range",
+        "accel_range",
+        "mag_range",
+        "pressure_range",
+        "temperature",
+        "temperature_last_time",
+        "temperature_error",
+        "pps_count",
+        "pps_last_time",
+        "imu_stream_enabled",
+        "imu_dropped_packets",
+        "comm_port_bytes_written",
+        "comm_port_bytes_read",
+        "comm_port_write_overruns",
+        "comm_port_read_overruns",
+    )
+
+    SET = 0x0C
+    SETS = (0x0C,)
+    DESCRIPTOR = 0x90
+    NAME = "3dm.device_status_diagnostic_gx4_imu_response"
+    ROLE = "response"
+
+    model_number: int
+    """Model number of the inertial sensor."""
+    # On the wire only: status_selector. Diagnostic status. Always 2.
+    status_flags: int
+    """Reserved."""
+    system_timer: int
+    """Time since start-up. Unit: ms."""
+    has_mag: bool
+    """Whether it has a magnetometer."""
+    has_pressure: bool
+    """Whether it has a pressure sensor."""
+    gyro_range: int
+    """Largest angular rate that can be measured."""
+    accel_range: int
+    """Largest acceleration that can be measured."""
+    mag_range: float
+    """Largest magnetic field that can be measured."""
+    pressure_range: float
+    """Largest pressure that can be measured."""
+    temperature: float
+    """Temperature of the board. Unit: degC. Uncertain: The unit is inferred."""
+    temperature_last_time: int
+    """System timer at the last temperature. Unit: ms."""
+    temperature_error: int
+    """State of the temperature measurement; 0 is normal."""
+    pps_count: int
+    """Pulses per second that were counted. Unit: 1."""
+    pps_last_time: int
+    """System timer at the last pulse. Unit: ms."""
+    imu_stream_enabled: bool
+    """Whether sensor data is streamed."""
+    imu_dropped_packets: int
+    """Sensor data packets that were not sent. Unit: 1."""
+    comm_port_bytes_written: int
+    """Bytes sent over the port. Unit: byte."""
+    comm_port_bytes_read: int
+    """Bytes received over the port. Unit: byte."""
+    comm_port_write_overruns: int
+    """Overruns while writing to the port. Unit: 1."""
+    comm_port_read_overruns: int
+    """Overruns while reading from the port. Unit: 1."""
+
+    def __init__(
+        self,
+        model_number: int,
+        status_flags: int,
+        system_timer: int,
+        has_mag: bool,
+        has_pressure: bool,
+        gyro_range: int,
+        accel_range: int,
+        mag_range: float,
+        pressure_range: float,
+        temperature: float,
+        temperature_last_time: int,
+        temperature_error: int,
+        pps_count: int,
+        pps_last_time: int,
+        imu_stream_enabled: bool,
+        imu_dropped_packets: int,
+        comm_port_bytes_written: int,
+        comm_port_bytes_read: int,
+        comm_port_write_overruns: int,
+        comm_port_read_overruns: int,
+    ) -> None:
+        self.model_number = model_number
+        self.status_flags = status_flags
+        self.system_timer = system_timer
+        self.has_mag = has_mag
+        self.has_pressure = has_pressure
+        self.gyro_range = gyro_range
+        self.accel_range = accel_range
+        self.mag_range = mag_range
+        self.pressure_range = pressure_range
+        self.temperature = temperature
+        self.temperature_last_time = temperature_last_time
+        self.temperature_error = temperature_error
+        self.pps_count = pps_count
+        self.pps_last_time = pps_last_time
+        self.imu_stream_enabled = imu_stream_enabled
+        self.imu_dropped_packets = imu_dropped_packets
+        self.comm_port_bytes_written = comm_port_bytes_written
+        self.comm_port_bytes_read = comm_port_bytes_read
+        self.comm_port_write_overruns = comm_port_write_overruns
+        self.comm_port_read_overruns = comm_port_read_overruns
+
+    @classmethod
+    def matches(cls, data: bytes) -> bool:
+        return 62 <= len(data) < 73 and b"\x02".startswith(data[2:3])
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[DeviceStatusDiagnosticGx4ImuResponse, int]:
+        v = _DEVICE_STATUS_DIAGNOSTIC_GX4_IMU_RESPONSE_0.read(raw, at)
+        at += 3
+        model_number = v[0]
+        codec.constant(v[1], 2)
+        v = _DEVICE_STATUS_DIAGNOSTIC_GX4_IMU_RESPONSE_1.read(raw, at)
+        at += 59
+        status_flags = v[0]
+        system_timer = v[1]
+        has_mag = codec.truth(v[2])
+        has_pressure = codec.truth(v[3])
+        gyro_range = v[4]
+        accel_range = v[5]
+        mag_range = v[6]
+        pressure_range = v[7]
+        temperature = v[8]
+        temperature_last_time = v[9]
+        temperature_error = v[10]
+        pps_count = v[11]
+        pps_last_time = v[12]
+        imu_stream_enabled = codec.truth(v[13])
+        imu_dropped_packets = v[14]
+        comm_port_bytes_written = v[15]
+        comm_port_bytes_read = v[16]
+        comm_port_write_overruns = v[17]
+        comm_port_read_overruns = v[18]
+        return cls(
+            model_number,
+            status_flags,
+            system_timer,
+            has_mag,
+            has_pressure,
+            gyro_range,
+            accel_range,
+            mag_range,
+            pressure_range,
+            temperature,
+            temperature_last_time,
+            temperature_error,
+            pps_count,
+            pps_last_time,
+            imu_stream_enabled,
+            imu_dropped_packets,
+            comm_port_bytes_written,
+            comm_port_bytes_read,
+            comm_port_write_overruns,
+            comm_port_read_overruns,
+        ), at
+
+    def _write(self) -> bytes:
+        out = _DEVICE_STATUS_DIAGNOSTIC_GX4_IMU_RESPONSE_0.write(self.model_number, 2)
+        out += _DEVICE_STATUS_DIAGNOSTIC_GX4_IMU_RESPONSE_1.write(
+            self.status_flags,
+            self.system_timer,
+            self.has_mag,
+            self.has_pressure,
+            self.gyro_range,
+            self.accel_range,
+            self.mag_range,
+            self.pressure_range,
+            self.temperature,
+            self.temperature_last_time,
+            self.temperature_error,
+            self.pps_count,
+            self.pps_last_time,
+            self.imu_stream_enabled,
+            self.imu_dropped_packets,
+            self.comm_port_bytes_written,
+            self.comm_port_bytes_read,
+            self.comm_port_write_overruns,
+            self.comm_port_read_overruns,
+        )
+        return codec.finished(out)
+
+
+_DEVICE_STATUS_DIAGNOSTIC_RQ1_IMU_RESPONSE_0 = codec.Block("HB", "model_number", "status_selector")
+_DEVICE_STATUS_DIAGNOSTIC_RQ1_IMU_RESPONSE_1 = codec.Block(
+    "IQfIBBBIIBIHIIIII",
+    "status_flags",
+    "system_timer",
+    "temperature",
+    "temperature_last_time",
+    "bad_temperature_sensor_detected",
+    "cold_temperature_detected",
+    "bad_voltage_detected",
+    "pps_count",
+    "pps_last_time",
+    "imu_stream_enabled",
+    "imu_dropped_packets",
+    "comm_port_state",
+    "comm_port_baud_rate",
+    "comm_port_bytes_written",
+    "comm_port_bytes_read",
+    "comm_port_write_overruns",
+    "comm_port_read_overruns",
+)
+
+
+class DeviceStatusDiagnosticRq1ImuResponse(Response):
+    """Diagnostic Device Status of the inertial sensor of the 3DM-RQ1-45 (0x0C,0x90).
+
+    Timer, temperature and supply, and the counters of pulses, stream and port.
+
+    Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
+    `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`,
+    `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticGx4Response`,
+    `DeviceStatusDiagnosticImuResponse`, `DeviceStatusDiagnosticGx4ImuResponse` and
+    `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `status_selector` is
+    `DeviceStatusSelector.DIAGNOSTIC`. Probably supported by 3DM-RQ1-IMU. Uncertain: The SDK of 2014
+    names the values and gives the units of temperature and times; the descriptions follow from the
+    names.
+
+    - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
+    - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
+    - 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64)
+    - mscl: Device Status (0x0C,0x64)
+    """
+
+    __slots__ = (
+        "model_number",
+        "status_flags",
+        "system_timer",
+        "temperature",
+        "temperature_last_time",
+        "bad_temperature_sensor_detected",
+        "cold_temperature_detected",
+        "bad_voltage_detected",
+        "pps_count",
+        "pps_last_time",
+        "imu_stream_enabled",
+        "imu_dropped_packets",
+        "comm_port_state",
+        "comm_port_baud_rate",
+        "comm_port_bytes_written",
+        "comm_port_bytes_read",
+        "comm_port_write_overruns",
+        "comm_port_read_overruns",
+    )
+    __match_args__ = (
+        "model_number",
+        "status_flags",
+        "system_timer",
+        "temperature",
+        "temperature_last_time",
+        "bad_temperature_sensor_detected",
+        "cold_temperature_detected",
+        "bad_voltage_detected",
+        "pps_count",
+        "pps_last_time",
+        "imu_stream_enabled",
+        "imu_dropped_packets",
+        "comm_port_state",
+        "comm_port_baud_rate",
+        "comm_port_bytes_written",
+        "comm_port_bytes_read",
+        "comm_port_write_overruns",
+        "comm_port_read_overruns",
+    )
+
+    SET = 0x0C
+    SETS = (0x0C,)
+    DESCRIPTOR = 0x90
+    NAME = "3dm.device_status_diagnostic_rq1_imu_response"
+    ROLE = "response"
+
+    model_number: int
+    """Model number of the inertial sensor."""
+    # On the wire only: status_selector. Diagnostic status. Always 2.
+    status_flags: int
+    """Reserved."""
+    system_timer: int
+    """Time since start-up. Unit: us."""
+    temperature: float
+    """Temperature of the board. Unit: degC. Uncertain: The unit is inferred."""
+    temperature_last_time: int
+    """System timer at the last temperature. Unit: ms."""
+    bad_temperature_sensor_detected: bool
+    """Whether a temperature sensor is faulty."""
+    cold_temperature_detected: bool
+    """Whether the temperature is too low."""
+    bad_voltage_detected: bool
+    """Whether a supply voltage is out of range."""
+    pps_count: int
+    """Pulses per second that were counted. Unit: 1."""
+    pps_last_time: int
+    """System timer at the last pulse. Unit: ms."""
+    imu_stream_enabled: bool
+    """Whether sensor data is streamed."""
+    imu_dropped_packets: int
+    """Sensor data packets that were not sent. Unit: 1."""
+    comm_port_state: int
+    """State of the port; its values are not known."""
+    comm_port_baud_rate: int
+    """Present baud rate of the port. Unit: Bd."""
+    comm_port_bytes_written: int
+    """Bytes sent over the port. Unit: byte."""
+    comm_port_bytes_read: int
+    """Bytes received over the port. Unit: byte."""
+    comm_port_write_overruns: int
+    """Overruns while writing to the port. Unit: 1."""
+    comm_port_read_overruns: int
+    """Overruns while reading from the port. Unit: 1."""
+
+    def __init__(
+        self,
+        model_number: int,
+        status_flags: int,
+        system_timer: int,
+        temperature: float,
+        temperature_last_time: int,
+        bad_temperature_sensor_detected: bool,
+        cold_temperature_detected: bool,
+        bad_voltage_detected: bool,
+        pps_count: int,
+        pps_last_time: int,
+        imu_stream_enabled: bool,
+        imu_dropped_packets: int,
+        comm_port_state: int,
+        comm_port_baud_rate: int,
+        comm_port_bytes_written: int,
+        comm_port_bytes_read: int,
+        comm_port_write_overruns: int,
+        comm_port_read_overruns: int,
+    ) -> None:
+        self.model_number = model_number
+        self.status_flags = status_flags
+        self.system_timer = system_timer
+        self.temperature = temperature
+        self.temperature_last_time = temperature_last_time
+        self.bad_temperature_sensor_detected = bad_temperature_sensor_detected
+        self.cold_temperature_detected = cold_temperature_detected
+        self.bad_voltage_detected = bad_voltage_detected
+        self.pps_count = pps_count
+        self.pps_last_time = pps_last_time
+        self.imu_stream_enabled = imu_stream_enabled
+        self.imu_dropped_packets = imu_dropped_packets
+        self.comm_port_state = comm_port_state
+        self.comm_port_baud_rate = comm_port_baud_rate
+        self.comm_port_bytes_written = comm_port_bytes_written
+        self.comm_port_bytes_read = comm_port_bytes_read
+        self.comm_port_write_overruns = comm_port_write_overruns
+        self.comm_port_read_overruns = comm_port_read_overruns
+
+    @classmethod
+    def matches(cls, data: bytes) -> bool:
+        return 61 <= len(data) < 62 and b"\x02".startswith(data[2:3])
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[DeviceStatusDiagnosticRq1ImuResponse, int]:
+        v = _DEVICE_STATUS_DIAGNOSTIC_RQ1_IMU_RESPONSE_0.read(raw, at)
+        at += 3
+        model_number = v[0]
+        codec.constant(v[1], 2)
+        v = _DEVICE_STATUS_DIAGNOSTIC_RQ1_IMU_RESPONSE_1.read(raw, at)
+        at += 58
+        status_flags = v[0]
+        system_timer = v[1]
+        temperature = v[2]
+        temperature_last_time = v[3]
+        bad_temperature_sensor_detected = codec.truth(v[4])
+        cold_temperature_detected = codec.truth(v[5])
+        bad_voltage_detected = codec.truth(v[6])
+        pps_count = v[7]
+        pps_last_time = v[8]
+        imu_stream_enabled = codec.truth(v[9])
+        imu_dropped_packets = v[10]
+        comm_port_state = v[11]
+        comm_port_baud_rate = v[12]
+        comm_port_bytes_written = v[13]
+        comm_port_bytes_read = v[14]
+        comm_port_write_overruns = v[15]
+        comm_port_read_overruns = v[16]
+        return cls(
+            model_number,
+            status_flags,
+            system_timer,
+            temperature,
+            temperature_last_time,
+            bad_temperature_sensor_detected,
+            cold_temperature_detected,
+            bad_voltage_detected,
+            pps_count,
+            pps_last_time,
+            imu_stream_enabled,
+            imu_dropped_packets,
+            comm_port_state,
+            comm_port_baud_rate,
+            comm_port_bytes_written,
+            comm_port_bytes_read,
+            comm_port_write_overruns,
+            comm_port_read_overruns,
+        ), at
+
+    def _write(self) -> bytes:
+        out = _DEVICE_STATUS_DIAGNOSTIC_RQ1_IMU_RESPONSE_0.write(self.model_number, 2)
+        out += _DEVICE_STATUS_DIAGNOSTIC_RQ1_IMU_RESPONSE_1.write(
+            self.status_flags,
+            self.system_timer,
+            self.temperature,
+            self.temperature_last_time,
+            self.bad_temperature_sensor_detected,
+            self.cold_temperature_detected,
+            self.bad_voltage_detected,
+            self.pps_count,
+            self.pps_last_time,
+            self.imu_stream_enabled,
+            self.imu_dropped_packets,
+            self.comm_port_state,
+            self.comm_port_baud_rate,
+            self.comm_port_bytes_written,
+            self.comm_port_bytes_read,
+            self.comm_port_write_overruns,
+            self.comm_port_read_overruns,
+        )
+        return codec.finished(out)
+
+
 _DEVICE_STATUS_BASIC_GX3_RESPONSE_0 = codec.Block("HB", "model_number", "status_selector")
 _DEVICE_STATUS_BASIC_GX3_RESPONSE_1 = codec.Block(
     "BBIHI", "comm_mode", "comm_device", "settings_flags", "comm_state", "comm_baud_rate"
@@ -3260,9 +3833,9 @@ class DeviceStatusBasicGx3Response(Response):
     comm_device: int
     """Port in use."""
     settings_flags: int
-    """Flags of the settings."""
+    """Settings of the data streams; their bits are not known."""
     comm_state: int
-    """State of the port."""
+    """State of the port; its values are not known."""
     comm_baud_rate: int
     """Baud rate of the port. Unit: Bd."""
 
@@ -3358,8 +3931,9 @@ class DeviceStatusDiagnosticGx3Response(Response):
 
     Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
     `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`,
-    `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticGx4Response` and
-    `DeviceStatusDiagnosticImuResponse` by the size of its data. Sent if `status_selector` is
+    `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticGx4Response`,
+    `DeviceStatusDiagnosticImuResponse`, `DeviceStatusDiagnosticGx4ImuResponse` and
+    `DeviceStatusDiagnosticRq1ImuResponse` by the size of its data. Sent if `status_selector` is
     `DeviceStatusSelector.DIAGNOSTIC`. Probably supported by 3DM-GX3-35 and 3DM-GX3-45. Uncertain:
     Only the SDK of 2014 has it, which names the values; the descriptions follow from the names.
 
@@ -3450,59 +4024,59 @@ class DeviceStatusDiagnosticGx3Response(Response):
     comm_device: int
     """Port in use."""
     settings_flags: int
-    """Flags of the settings."""
+    """Settings of the data streams; their bits are not known."""
     comm_state: int
-    """State of the port."""
+    """State of the port; its values are not known."""
     comm_baud_rate: int
     """Baud rate of the port. Unit: Bd."""
     comm_port_bytes_written: int
-    """Bytes written to the port. Unit: byte."""
+    """Bytes sent over the port. Unit: byte."""
     comm_port_bytes_read: int
-    """Bytes read from the port. Unit: byte."""
+    """Bytes received over the port. Unit: byte."""
     comm_port_write_overruns: int
     """Overruns while writing to the port. Unit: 1."""
     comm_port_read_overruns: int
     """Overruns while reading from the port. Unit: 1."""
     usb_state: int
-    """State of USB."""
+    """State of the USB port; its values are not known."""
     usb_bytes_written: int
-    """Bytes written to USB. Unit: byte."""
+    """Bytes sent over USB. Unit: byte."""
     usb_bytes_read: int
-    """Bytes read from USB. Unit: byte."""
+    """Bytes received over USB. Unit: byte."""
     usb_write_overruns: int
     """Overruns while writing to USB. Unit: 1."""
     usb_read_overruns: int
     """Overruns while reading from USB. Unit: 1."""
     gnss_driver_state: int
-    """State of the driver of the receiver."""
+    """State of the receiver's driver; its values are not known."""
     gnss_port_state: int
-    """State of the port of the receiver."""
+    """State of the port to the receiver; its values are not known."""
     gnss_bytes_written: int
-    """Bytes written to the receiver. Unit: byte."""
+    """Bytes sent to the receiver. Unit: byte."""
     gnss_bytes_read: int
-    """Bytes read from the receiver. Unit: byte."""
+    """Bytes received from the receiver. Unit: byte."""
     gnss_write_overruns: int
     """Overruns while writing to the receiver. Unit: 1."""
     gnss_read_overruns: int
     """Overruns while reading from the receiver. Unit: 1."""
     gnss_message_count: int
-    """Messages of the receiver. Unit: 1."""
+    """Messages of the receiver that were read. Unit: 1."""
     gnss_delayed_message_count: int
     """Messages of the receiver that came late. Unit: 1."""
     imu_driver_state: int
-    """State of the driver of the IMU."""
+    """State of the IMU's driver; its values are not known."""
     imu_port_state: int
-    """State of the port of the IMU."""
+    """State of the port to the IMU; its values are not known."""
     imu_bytes_written: int
-    """Bytes written to the IMU. Unit: byte."""
+    """Bytes sent to the IMU. Unit: byte."""
     imu_bytes_read: int
-    """Bytes read from the IMU. Unit: byte."""
+    """Bytes received from the IMU. Unit: byte."""
     imu_write_overruns: int
     """Overruns while writing to the IMU. Unit: 1."""
     imu_read_overruns: int
     """Overruns while reading from the IMU. Unit: 1."""
     imu_message_count: int
-    """Messages of the IMU. Unit: 1."""
+    """Messages of the IMU that were read. Unit: 1."""
     imu_delayed_message_count: int
     """Messages of the IMU that came late. Unit: 1."""
 
@@ -3872,7 +4446,7 @@ class AccelBiasResponse(Response):
     3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS,
     3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR,
     3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25,
-    3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25 and 3DM-GX5-45.
+    3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45 and 3DM-RQ1-IMU.
 
     - 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
     - 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
@@ -3890,7 +4464,9 @@ class AccelBiasResponse(Response):
     _VECTORS = {"bias": (types.Vector3f,)}
 
     bias: types.Vector3f
-    """Accelerometer bias. Elements: x, y, z. Unit: g. Frame: sensor."""
+    """Bias that the device subtracts from the measured acceleration. Elements: x, y, z. Unit: g.
+    Frame: sensor.
+    """
 
     def __init__(self, bias: types.Vector3f | codec.Numbers) -> None:
         self.bias = codec.vector(bias, types.Vector3f)
@@ -3920,8 +4496,8 @@ class GyroBiasResponse(Response):
     3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15,
     3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15,
     3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS,
-    3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25 and
-    3DM-GX5-45.
+    3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-10,
+    3DM-GX5-25, 3DM-GX5-45 and 3DM-RQ1-IMU.
 
     - 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
     - 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
@@ -3939,7 +4515,9 @@ class GyroBiasResponse(Response):
     _VECTORS = {"bias": (types.Vector3f,)}
 
     bias: types.Vector3f
-    """Gyroscope bias. Elements: x, y, z. Unit: rad/s. Frame: sensor."""
+    """Bias that the device subtracts from the measured angular rate. Elements: x, y, z. Unit:
+    rad/s. Frame: sensor.
+    """
 
     def __init__(self, bias: types.Vector3f | codec.Numbers) -> None:
         self.bias = codec.vector(bias, types.Vector3f)
@@ -3966,7 +4544,7 @@ class MagHardIronOffsetResponse(Response):
     3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-25,
     3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS,
     3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-25,
-    3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-35.
+    3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-25 and 3DM-GX5-35.
 
     - 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A)
     - 3dm-gx5-45: (0x0C, 0x3A)
@@ -3984,7 +4562,9 @@ class MagHardIronOffsetResponse(Response):
     _VECTORS = {"offset": (types.Vector3f,)}
 
     offset: types.Vector3f
-    """Hard iron offset. Elements: x, y, z. Unit: gauss. Frame: sensor."""
+    """Offset that the device subtracts from the measured magnetic field. Elements: x, y, z. Unit:
+    gauss. Frame: sensor.
+    """
 
     def __init__(self, offset: types.Vector3f | codec.Numbers) -> None:
         self.offset = codec.vector(offset, types.Vector3f)
@@ -4011,7 +4591,7 @@ class MagSoftIronMatrixResponse(Response):
     3DM-GQ4-45, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-25,
     3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS,
     3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-25,
-    3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45.
+    3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-25 and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B)
     - 3dm-gx5-35: (0x0C, 0x3B)
@@ -4057,7 +4637,8 @@ class ConingScullingEnableResponse(Response):
     Answers `ConingScullingEnable`. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and
     3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15,
     3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15,
-    3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35 and 3DM-GX5-45.
+    3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45 and
+    3DM-RQ1-IMU.
 
     - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
     """
@@ -4244,7 +4825,7 @@ class GnssAssistedFixResponse(Response):
     _LAYOUT = (("option", "B", AssistedFixOption), ("flags", "B", None))
 
     option: AssistedFixOption
-    """Assisted fix. Default: `AssistedFixOption.NONE`."""
+    """Whether the receiver keeps data for a faster first fix. Default: `AssistedFixOption.NONE`."""
     flags: int
     """Reserved."""
 
@@ -4292,7 +4873,7 @@ class GnssTimeAssistanceResponse(Response):
     week_number: int
     """GPS week number since 1980. Unit: week."""
     accuracy: float
-    """Accuracy of the time. Unit: s. Range: at least 0."""
+    """Estimated accuracy of the time that is sent. Unit: s. Range: at least 0."""
 
     def __init__(self, tow: float, week_number: int, accuracy: float) -> None:
         self.tow = tow
@@ -4583,7 +5164,7 @@ class EventControlResponse(Response):
     _LAYOUT = (("instance", "B", None), ("mode", "B", types.EventTriggerMode))
 
     instance: int
-    """Trigger instance."""
+    """Number of the trigger."""
     mode: types.EventTriggerMode
     """Mode of the trigger. Default: `types.EventTriggerMode.DISABLED`."""
 
@@ -4721,7 +5302,7 @@ class EventTriggerConfigResponse(Response):
     ROLE = "response"
 
     instance: int
-    """Trigger instance."""
+    """Number of the trigger."""
     type: types.EventTriggerType
     """Kind of trigger. Default: `types.EventTriggerType.NONE`."""
     parameters: (
@@ -4811,7 +5392,7 @@ class EventActionConfigResponse(Response):
     ROLE = "response"
 
     instance: int
-    """Action instance."""
+    """Number of the action."""
     trigger: int
     """Trigger instance that the action follows."""
     type: types.EventActionType
@@ -5165,7 +5746,7 @@ class LowPassFilterResponse(Response):
     descriptor_set: int
     """Descriptor set of the field."""
     field_descriptor: int
-    """Field descriptor. Refers to fields of `descriptor_set`."""
+    """Descriptor of the field that is filtered. Refers to fields of `descriptor_set`."""
     enable: bool
     """Whether the field is filtered."""
     manual: bool
@@ -5217,7 +5798,8 @@ class PollImuData(Command[None]):
     3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably
     supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
     3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45,
-    3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25 and 3DM-GX5-45.
+    3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45 and
+    3DM-RQ1-IMU.
 
     An empty list polls what `ImuMessageFormat` stores; if nothing is stored, the device refuses the
     command. Descriptors that the device does not know are ignored. The data is sent in a separate
@@ -5471,7 +6053,7 @@ class GetImuBaseRate(Command[GetImuBaseRateResponse]):
     3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by
     3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15,
     3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15,
-    3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25 and 3DM-GX5-35.
+    3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35 and 3DM-RQ1-IMU.
 
     - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
     """
@@ -5538,7 +6120,7 @@ class ImuMessageFormat(Command[R]):
     3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15,
     3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35,
     3DM-CX5-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
-    3DM-GX5-10 and 3DM-GX5-25.
+    3DM-GX4-IMU, 3DM-GX5-10, 3DM-GX5-25 and 3DM-RQ1-IMU.
 
     The decimation is the base rate, as `GetImuBaseRate` reports it, divided by the desired rate.
     The list replaces the previous one. If any descriptor is unknown, the device refuses the command
@@ -6846,7 +7428,8 @@ class GnssAssistedFix(Command[R]):
     function: FunctionSelector
     """What to do with the setting."""
     option: AssistedFixOption | None
-    """Assisted fix. Default: `AssistedFixOption.NONE`. Required for `write`.
+    """Whether the receiver keeps data for a faster first fix. Default: `AssistedFixOption.NONE`.
+    Required for `write`.
 
     - On the 3DM-GX5-35: default `AssistedFixOption.NONE`.
     """
@@ -6981,7 +7564,9 @@ class GnssTimeAssistance(Command[R]):
     week_number: int | None
     """GPS week number since 1980. Unit: week. Required for `write`."""
     accuracy: float | None
-    """Accuracy of the time. Unit: s. Range: at least 0. Required for `write`."""
+    """Estimated accuracy of the time that is sent. Unit: s. Range: at least 0. Required for
+    `write`.
+    """
 
     def __init__(
         self,
@@ -7369,7 +7954,7 @@ class GetEventTriggerStatus(Command[GetEventTriggerStatusResponse]):
     # On the wire only: requested_count. Number of requested triggers; 0 requests all slots. The
     # number of elements of `requested_instances`.
     requested_instances: tuple[int, ...]
-    """Trigger instances."""
+    """Numbers of the triggers to report; none for all."""
 
     def __init__(self, requested_instances: Sequence[int]) -> None:
         self.requested_instances = codec.several(requested_instances)
@@ -7424,7 +8009,7 @@ class GetEventActionStatus(Command[GetEventActionStatusResponse]):
     # On the wire only: requested_count. Number of requested actions; 0 requests all slots. The
     # number of elements of `requested_instances`.
     requested_instances: tuple[int, ...]
-    """Action instances."""
+    """Numbers of the actions to report; none for all."""
 
     def __init__(self, requested_instances: Sequence[int]) -> None:
         self.requested_instances = codec.several(requested_instances)
@@ -8488,7 +9073,7 @@ class ImuSignalConditioning(Command[R]):
     Required for `write`.
     """
     mag_bandwidth: MagBandwidth | None
-    """Bandwidth of the magnetometer. Required for `write`."""
+    """Bandwidth of the magnetometer of 3-series devices. Required for `write`."""
     reserved: int | None
     """Reserved: send 0. Required for `write`."""
 
@@ -8792,8 +9377,8 @@ class AccelBias(Command[R]):
     3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS,
     3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR,
     3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25,
-    3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25 and 3DM-GX5-45. On the 3DM-CV7-GNSS/INS: `write`, `read`,
-    `save`, `load` and `default` only.
+    3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45 and 3DM-RQ1-IMU. On the
+    3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and `default` only.
 
     - 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
     - 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
@@ -8814,8 +9399,8 @@ class AccelBias(Command[R]):
     function: FunctionSelector
     """What to do with the setting."""
     bias: types.Vector3f | None
-    """Accelerometer bias. Elements: x, y, z. Unit: g. Frame: sensor. Required for `write` and
-    `apply`.
+    """Bias that the device subtracts from the measured acceleration. Elements: x, y, z. Unit: g.
+    Frame: sensor. Required for `write` and `apply`.
     """
 
     def __init__(
@@ -8914,10 +9499,10 @@ class GyroBias(Command[R]):
     3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15,
     3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15,
     3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
-    3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10,
-    3DM-GX5-25, 3DM-GX5-35 and 3DM-GX5-45. On the 3DM-CV7-AHRS: `write`, `read`, `save`, `load` and
-    `default` only. On the 3DM-CV7-AR: `write`, `read`, `save`, `load` and `default` only. On the
-    3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and `default` only.
+    3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU,
+    3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45 and 3DM-RQ1-IMU. On the 3DM-CV7-AHRS: `write`,
+    `read`, `save`, `load` and `default` only. On the 3DM-CV7-AR: `write`, `read`, `save`, `load`
+    and `default` only. On the 3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and `default` only.
 
     - 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
     - 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
@@ -8938,8 +9523,8 @@ class GyroBias(Command[R]):
     function: FunctionSelector
     """What to do with the setting."""
     bias: types.Vector3f | None
-    """Gyroscope bias. Elements: x, y, z. Unit: rad/s. Frame: sensor. Required for `write` and
-    `apply`.
+    """Bias that the device subtracts from the measured angular rate. Elements: x, y, z. Unit:
+    rad/s. Frame: sensor. Required for `write` and `apply`.
     """
 
     def __init__(
@@ -9034,7 +9619,7 @@ class CaptureGyroBias(Command[GyroBiasResponse]):
     3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS,
     3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR,
     3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
-    3DM-GX5-10, 3DM-GX5-25 and 3DM-GX5-45.
+    3DM-GX4-IMU, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45 and 3DM-RQ1-IMU.
 
     The device must be at rest, with as little vibration as possible, for the whole time. The reply
     comes after the averaging time. The bias is not saved; to save it, send `GyroBias` with save.
@@ -9089,9 +9674,9 @@ class MagHardIronOffset(Command[R]):
     3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by
     3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45,
     3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS,
-    3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-35. On the 3DM-CV7-AHRS: `write`, `read`, `save`,
-    `load` and `default` only. On the 3DM-CV7-AR: `write`, `read`, `save`, `load` and `default`
-    only. On the 3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and `default` only.
+    3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-25 and 3DM-GX5-35. On the 3DM-CV7-AHRS: `write`,
+    `read`, `save`, `load` and `default` only. On the 3DM-CV7-AR: `write`, `read`, `save`, `load`
+    and `default` only. On the 3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and `default` only.
 
     The values come from a calibration of the device as it is installed. On some devices,
     `filter.MagCaptureAutoCalibration` captures them from the calibration that the filter makes
@@ -9116,8 +9701,8 @@ class MagHardIronOffset(Command[R]):
     function: FunctionSelector
     """What to do with the setting."""
     offset: types.Vector3f | None
-    """Hard iron offset. Elements: x, y, z. Unit: gauss. Frame: sensor. Required for `write` and
-    `apply`.
+    """Offset that the device subtracts from the measured magnetic field. Elements: x, y, z. Unit:
+    gauss. Frame: sensor. Required for `write` and `apply`.
 
     - On the 3DM-GX5-45: default 0, 0, 0.
     """
@@ -9217,9 +9802,9 @@ class MagSoftIronMatrix(Command[R]):
     3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by
     3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45,
     3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS,
-    3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45. On the 3DM-CV7-AHRS: `write`, `read`, `save`,
-    `load` and `default` only. On the 3DM-CV7-AR: `write`, `read`, `save`, `load` and `default`
-    only. On the 3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and `default` only.
+    3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-25 and 3DM-GX5-45. On the 3DM-CV7-AHRS: `write`,
+    `read`, `save`, `load` and `default` only. On the 3DM-CV7-AR: `write`, `read`, `save`, `load`
+    and `default` only. On the 3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and `default` only.
 
     The values come from a calibration of the device as it is installed. On some devices,
     `filter.MagCaptureAutoCalibration` captures them from the calibration that the filter makes
@@ -9342,8 +9927,8 @@ class ConingScullingEnable(Command[R]):
     `ConingScullingEnableResponse`. Probably changes `sensor.DeltaTheta` and `sensor.DeltaVelocity`.
     Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by
     3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-10,
-    3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10,
-    3DM-GX5-25, 3DM-GX5-35 and 3DM-GX5-45.
+    3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU,
+    3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45 and 3DM-RQ1-IMU.
 
     - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
     """
@@ -9470,7 +10055,7 @@ class UartBaudRate(Command[R]):
     function: FunctionSelector
     """What to do with the setting."""
     baud: int | None
-    """Baud rate. Unit: Bd. Required for `write`.
+    """Baud rate, one of those that the port supports. Unit: Bd. Required for `write`.
 
     - On the 3DM-GX5-15 and 3DM-GX5-45: default 115200.
     """
@@ -10793,7 +11378,7 @@ class DataStreamFormat(Command[R]):
     stream: InternalSensor | None
     """Stream whose format is set or read."""
     format: StreamFormat | None
-    """Its format."""
+    """Format of a data stream."""
 
     def __init__(
         self,
@@ -10925,7 +11510,7 @@ class DevicePowerState(Command[R]):
     device: InternalSensor | None
     """The sensor."""
     state: SensorPowerState | None
-    """Its power state. Required for `write`."""
+    """Power state of an internal sensor. Required for `write`."""
 
     def __init__(
         self,
@@ -11080,7 +11665,8 @@ _DEVICE_STATUS_0 = codec.Block("HB", "model_number", "status_selector")
 
 class DeviceStatus(
     Command[
-        DeviceStatusBasicResponse
+        DeviceStatusBasicRq1ImuResponse
+        | DeviceStatusBasicResponse
         | DeviceStatusBasicWithoutStateResponse
         | DeviceStatusBasicGx3Response
         | DeviceStatusDiagnosticResponse
@@ -11089,6 +11675,8 @@ class DeviceStatus(
         | DeviceStatusDiagnosticRq1_45Response
         | DeviceStatusDiagnosticGx4Response
         | DeviceStatusDiagnosticImuResponse
+        | DeviceStatusDiagnosticGx4ImuResponse
+        | DeviceStatusDiagnosticRq1ImuResponse
         | DeviceStatusDiagnosticGx3Response
     ]
 ):
@@ -11096,16 +11684,17 @@ class DeviceStatus(
 
     Gets the state of the device, in basic form or with counters.
 
-    For advanced use. Answered by `DeviceStatusBasicResponse`,
+    For advanced use. Answered by `DeviceStatusBasicRq1ImuResponse`, `DeviceStatusBasicResponse`,
     `DeviceStatusBasicWithoutStateResponse`, `DeviceStatusDiagnosticResponse`,
     `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`,
     `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticGx4Response`,
-    `DeviceStatusDiagnosticImuResponse`, `DeviceStatusBasicGx3Response` or
+    `DeviceStatusDiagnosticImuResponse`, `DeviceStatusDiagnosticGx4ImuResponse`,
+    `DeviceStatusDiagnosticRq1ImuResponse`, `DeviceStatusBasicGx3Response` or
     `DeviceStatusDiagnosticGx3Response`. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
     3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15,
     3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
     3DM-CX5-35, 3DM-CX5-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25,
-    3DM-GX4-45, 3DM-GX5-10 and 3DM-GX5-25.
+    3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-10, 3DM-GX5-25 and 3DM-RQ1-IMU.
 
     The device expects its own model number, which `base.GetDeviceInfo` returns. Families of devices
     answer in different layouts. The selector and the length distinguish them.
@@ -11125,6 +11714,7 @@ class DeviceStatus(
     NAME = "3dm.device_status"
     ROLE = "command"
     RESPONSES = (
+        DeviceStatusBasicRq1ImuResponse,
         DeviceStatusBasicResponse,
         DeviceStatusBasicWithoutStateResponse,
         DeviceStatusDiagnosticResponse,
@@ -11133,6 +11723,8 @@ class DeviceStatus(
         DeviceStatusDiagnosticRq1_45Response,
         DeviceStatusDiagnosticGx4Response,
         DeviceStatusDiagnosticImuResponse,
+        DeviceStatusDiagnosticGx4ImuResponse,
+        DeviceStatusDiagnosticRq1ImuResponse,
         DeviceStatusBasicGx3Response,
         DeviceStatusDiagnosticGx3Response,
     )
@@ -11156,6 +11748,7 @@ class DeviceStatus(
     def expected(self) -> ResponseClasses:
         if self.status_selector == 1:
             return (
+                DeviceStatusBasicRq1ImuResponse,
                 DeviceStatusBasicResponse,
                 DeviceStatusBasicWithoutStateResponse,
                 DeviceStatusBasicGx3Response,
@@ -11168,6 +11761,8 @@ class DeviceStatus(
                 DeviceStatusDiagnosticRq1_45Response,
                 DeviceStatusDiagnosticGx4Response,
                 DeviceStatusDiagnosticImuResponse,
+                DeviceStatusDiagnosticGx4ImuResponse,
+                DeviceStatusDiagnosticRq1ImuResponse,
                 DeviceStatusDiagnosticGx3Response,
             )
         return ()
@@ -11200,6 +11795,7 @@ ImuLowPassFilterResponse.COMMANDS = (ImuLowPassFilter,)
 NmeaMessageFormatResponse.COMMANDS = (NmeaMessageFormat,)
 GetBaseRateResponse.COMMANDS = (GetBaseRate,)
 MessageFormatResponse.COMMANDS = (MessageFormat,)
+DeviceStatusBasicRq1ImuResponse.COMMANDS = (DeviceStatus,)
 DeviceStatusBasicResponse.COMMANDS = (DeviceStatus,)
 DeviceStatusBasicWithoutStateResponse.COMMANDS = (DeviceStatus,)
 DeviceStatusDiagnosticResponse.COMMANDS = (DeviceStatus,)
@@ -11208,6 +11804,8 @@ DeviceStatusDiagnosticGq4_45Response.COMMANDS = (DeviceStatus,)
 DeviceStatusDiagnosticRq1_45Response.COMMANDS = (DeviceStatus,)
 DeviceStatusDiagnosticGx4Response.COMMANDS = (DeviceStatus,)
 DeviceStatusDiagnosticImuResponse.COMMANDS = (DeviceStatus,)
+DeviceStatusDiagnosticGx4ImuResponse.COMMANDS = (DeviceStatus,)
+DeviceStatusDiagnosticRq1ImuResponse.COMMANDS = (DeviceStatus,)
 DeviceStatusBasicGx3Response.COMMANDS = (DeviceStatus,)
 DeviceStatusDiagnosticGx3Response.COMMANDS = (DeviceStatus,)
 GpsDynamicsModeResponse.COMMANDS = (GpsDynamicsMode,)
@@ -11311,6 +11909,7 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x8E: (GetBaseRateResponse,),
     0x8F: (MessageFormatResponse,),
     0x90: (
+        DeviceStatusBasicRq1ImuResponse,
         DeviceStatusBasicResponse,
         DeviceStatusBasicWithoutStateResponse,
         DeviceStatusDiagnosticResponse,
@@ -11319,6 +11918,8 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
         DeviceStatusDiagnosticRq1_45Response,
         DeviceStatusDiagnosticGx4Response,
         DeviceStatusDiagnosticImuResponse,
+        DeviceStatusDiagnosticGx4ImuResponse,
+        DeviceStatusDiagnosticRq1ImuResponse,
         DeviceStatusBasicGx3Response,
         DeviceStatusDiagnosticGx3Response,
     ),

@@ -9,6 +9,10 @@ from .types import AckCode
 #: The version of the specification that this package was generated from.
 VERSION = "0.1.0"
 
+#: Set and descriptor of the command that a barrier of `Client` consists of; 0, 0 if the
+#: specification names none.
+BARRIER = (0x01, 0x01)
+
 
 class FunctionSelector(codec.OpenEnum):
     """What a settings command is asked to do."""

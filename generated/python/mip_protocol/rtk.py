@@ -240,7 +240,7 @@ class GetRssiResponse(Response):
     rssi: int
     """Received signal strength. Valid if `valid` is true. Uncertain: The unit; dBm is likely."""
     signal_quality: int
-    """Signal quality. Valid if `valid` is true. Uncertain: The unit."""
+    """Quality of the modem's radio signal. Valid if `valid` is true. Uncertain: The unit."""
 
     def __init__(self, valid: bool, rssi: int, signal_quality: int) -> None:
         self.valid = valid
@@ -283,7 +283,7 @@ class ConnectedDeviceTypeResponse(Response):
     _LAYOUT = (("device_type", "B", ConnectedDevice),)
 
     device_type: ConnectedDevice
-    """Type of the device."""
+    """Device that the modem is connected to."""
 
     def __init__(self, device_type: ConnectedDevice) -> None:
         self.device_type = device_type
@@ -319,7 +319,7 @@ class GetActivationCodeResponse(Response):
     ROLE = "response"
 
     activation_code: str
-    """Activation code."""
+    """Code with which the modem is activated for its service."""
 
     def __init__(self, activation_code: str) -> None:
         self.activation_code = activation_code
@@ -403,7 +403,7 @@ class ServiceStatusResponse(Response):
     flags: ServiceFlags
     """State of the service."""
     received_bytes: int
-    """Bytes received. Unit: byte."""
+    """Bytes of corrections that the service has sent. Unit: byte."""
     last_bytes: int
     """Bytes of the last transfer. Unit: byte."""
     last_bytes_time: int
@@ -608,7 +608,7 @@ class ConnectedDeviceType(Command[R]):
     function: FunctionSelector
     """What to do with the setting."""
     device_type: ConnectedDevice | None
-    """Type of the device. Required for `write`."""
+    """Device that the modem is connected to. Required for `write`."""
 
     def __init__(
         self, function: FunctionSelector, device_type: ConnectedDevice | None = None
@@ -684,7 +684,7 @@ class ConnectedDeviceType(Command[R]):
 class GetActivationCode(Command[GetActivationCodeResponse]):
     """Get activation code (0x0F,0x07).
 
-    Gets the activation code.
+    Reads the code with which the modem is activated for its service.
 
     Also called `get_act_code`. Answered by `GetActivationCodeResponse`. Probably supported by
     3DM-RTK. Known only from the MicroStrain MIP SDK.

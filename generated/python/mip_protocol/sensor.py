@@ -46,7 +46,7 @@ class OdometerFlags(IntFlag):
     """Whether the odometer values are valid."""
 
     ODOMETER = 1 << 0
-    """The odometer is configured. Bit 0."""
+    """Set if an odometer is configured; its values are then valid. Bit 0."""
 
 
 _RAW_ACCEL_0 = codec.Block("fff", *["raw_accel"] * 3)

@@ -116,7 +116,7 @@ class Ticks(Shared, Data):
     _LAYOUT = (("ticks", "I", None),)
 
     ticks: int
-    """Ticks. Unit: 1."""
+    """Base periods since the device started, modulo 2^32. Unit: 1."""
 
     def __init__(self, ticks: int) -> None:
         self.ticks = ticks
@@ -160,7 +160,7 @@ class DeltaTicks(Shared, Data):
     _LAYOUT = (("ticks", "I", None),)
 
     ticks: int
-    """Ticks. Unit: 1."""
+    """Base periods since the previous field of this kind. Unit: 1."""
 
     def __init__(self, ticks: int) -> None:
         self.ticks = ticks

@@ -19,13 +19,13 @@ class GpioPinStates(IntFlag):
     """Level of each GPIO pin, set for high. Bits of pins that do not exist read 0."""
 
     PIN_1 = 1 << 0
-    """GPIO pin 1. Bit 0."""
+    """GPIO pin 1 is high. Bit 0."""
     PIN_2 = 1 << 1
-    """GPIO pin 2. Bit 1."""
+    """GPIO pin 2 is high. Bit 1."""
     PIN_3 = 1 << 2
-    """GPIO pin 3. Bit 2."""
+    """GPIO pin 3 is high. Bit 2."""
     PIN_4 = 1 << 3
-    """GPIO pin 4. Bit 3."""
+    """GPIO pin 4 is high. Bit 3."""
 
 
 _BUILT_IN_TEST_0 = codec.Block("BBBBBBBBBBBBBBBB", *["result"] * 16)

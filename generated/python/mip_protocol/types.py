@@ -127,29 +127,40 @@ class Cv7ContinuousBuiltInTest(IntFlag):
     ACCEL_GENERAL_FAULT = 1 << 40
     """The accelerometer failed to initialize. Bit 40. Concerns `sensor.ScaledAccel`."""
     ACCEL_OVER_RANGE = 1 << 41
-    """An axis is near or outside the selected range. Bit 41. Concerns `sensor.ScaledAccel`."""
+    """The acceleration along an axis is near or outside the selected range. Bit 41. Concerns
+    `sensor.ScaledAccel`.
+    """
     ACCEL_SELF_TEST_FAIL = 1 << 42
-    """The self test failed; updated by the commanded test. Bit 42. Concerns `sensor.ScaledAccel`.
+    """The accelerometer self-test failed; the commanded built-in test updates this bit. Bit 42.
+    Concerns `sensor.ScaledAccel`.
     """
     GYRO_GENERAL_FAULT = 1 << 44
     """The gyroscope failed to initialize. Bit 44. Concerns `sensor.ScaledGyro`."""
     GYRO_OVER_RANGE = 1 << 45
-    """An axis is near or outside the selected range. Bit 45. Concerns `sensor.ScaledGyro`."""
+    """The angular rate about an axis is near or outside the selected range. Bit 45. Concerns
+    `sensor.ScaledGyro`.
+    """
     GYRO_SELF_TEST_FAIL = 1 << 46
-    """The self test failed; updated by the commanded test. Bit 46. Concerns `sensor.ScaledGyro`."""
+    """The gyroscope self-test failed; the commanded built-in test updates this bit. Bit 46.
+    Concerns `sensor.ScaledGyro`.
+    """
     MAG_GENERAL_FAULT = 1 << 48
     """The magnetometer failed to initialize. Bit 48. Concerns `sensor.ScaledMag`."""
     MAG_OVER_RANGE = 1 << 49
-    """An axis is near or outside the supported range. Bit 49. Concerns `sensor.ScaledMag`."""
+    """The magnetic field along an axis is near or outside the supported range. Bit 49. Concerns
+    `sensor.ScaledMag`.
+    """
     MAG_SELF_TEST_FAIL = 1 << 50
-    """The self test failed; updated by the commanded test. Bit 50. Concerns `sensor.ScaledMag`."""
+    """The magnetometer self-test failed; the commanded built-in test updates this bit. Bit 50.
+    Concerns `sensor.ScaledMag`.
+    """
     PRESSURE_SENSOR_GENERAL_FAULT = 1 << 52
     """The pressure sensor failed to initialize. Bit 52. Concerns `sensor.ScaledPressure`."""
     PRESSURE_SENSOR_OVER_RANGE = 1 << 53
     """The pressure is outside the supported range. Bit 53. Concerns `sensor.ScaledPressure`."""
     PRESSURE_SENSOR_SELF_TEST_FAIL = 1 << 54
-    """The self test failed; updated by the commanded test. Bit 54. Concerns
-    `sensor.ScaledPressure`.
+    """The pressure sensor self-test failed; the commanded built-in test updates this bit. Bit 54.
+    Concerns `sensor.ScaledPressure`.
     """
     FACTORY_BITS_INVALID = 1 << 56
     """The device has lost its factory configuration. Bit 56."""
@@ -174,24 +185,26 @@ class Cv7ContinuousBuiltInTest(IntFlag):
 @codec.open_flag(128)
 class Cv7InertialContinuousBuiltInTest(IntFlag):
     """Flags of the continuous built-in test of devices of generation 7 without a GNSS receiver:
-    bits 0-31 system, 32-63 inertial sensors, 64-95 navigation.
+    bits 0-31 system, 32-63 inertial sensors, 64-95 navigation. Uncertain: What the bits mean. The
+    sources have numbers and names only; the descriptions are those of the 3DM-CV7-GNSS/INS where
+    the names are the same.
 
     - ros-driver: Built-in test of the CV7
     - mscl: Continuous built-in test
     """
 
     SYSTEM_CLOCK_FAILURE = 1 << 0
-    """The system clock failed. Bit 0."""
+    """The system clock does not work properly. Bit 0."""
     POWER_FAULT = 1 << 1
-    """Power supply fault. Bit 1."""
+    """The supply voltage is out of range, or an internal supply has failed. Bit 1."""
     FIRMWARE_FAULT = 1 << 4
-    """Firmware fault. Bit 4."""
+    """The firmware encountered an unexpected condition. Bit 4."""
     TIMING_OVERLOAD = 1 << 5
     """The processor cannot keep up. Bit 5."""
     BUFFER_OVERRUN = 1 << 6
-    """A data buffer overflowed; data may be lost. Bit 6."""
+    """A data buffer was full and data may be lost. Bit 6."""
     IMU_PROCESS_FAULT = 1 << 16
-    """The inertial sensor process failed. Bit 16."""
+    """The inertial sensor subsystem is not running or did not start. Bit 16."""
     IMU_DATA_RATE_MISMATCH = 1 << 17
     """Sensor data is not produced at its base rate. Bit 17."""
     IMU_OVERRUN_DROPPED_DATA = 1 << 18
@@ -211,69 +224,81 @@ class Cv7InertialContinuousBuiltInTest(IntFlag):
     IMU_COMM_FAULT = 1 << 33
     """No communication with the inertial sensors. Bit 33."""
     IMU_TIMING_OVERRUN = 1 << 34
-    """An inertial sensor cycle exceeded its time slot. Bit 34."""
+    """Inertial sensor processes take longer than their time slot. Bit 34."""
     IMU_CALIBRATION_ERROR_ACCEL = 1 << 36
-    """Accelerometer calibration error. Bit 36. Concerns `sensor.ScaledAccel`."""
+    """Fault of the accelerometer calibration. Bit 36. Concerns `sensor.ScaledAccel`."""
     IMU_CALIBRATION_ERROR_GYRO = 1 << 37
-    """Gyroscope calibration error. Bit 37. Concerns `sensor.ScaledGyro`."""
+    """Fault of the gyroscope calibration. Bit 37. Concerns `sensor.ScaledGyro`."""
     IMU_CALIBRATION_ERROR_MAG = 1 << 38
-    """Magnetometer calibration error. Bit 38. Concerns `sensor.ScaledMag`."""
+    """Fault of the magnetometer calibration. Bit 38. Concerns `sensor.ScaledMag`."""
     ACCEL_GENERAL_FAULT = 1 << 40
-    """Accelerometer fault. Bit 40. Concerns `sensor.ScaledAccel`."""
+    """The accelerometer failed to initialize. Bit 40. Concerns `sensor.ScaledAccel`."""
     ACCEL_OVER_RANGE = 1 << 41
-    """The accelerometer measures near or beyond its range. Bit 41. Concerns `sensor.ScaledAccel`.
+    """The acceleration along an axis is near or outside the selected range. Bit 41. Concerns
+    `sensor.ScaledAccel`.
     """
     ACCEL_SELF_TEST_FAIL = 1 << 42
-    """The accelerometer self-test failed. Bit 42. Concerns `sensor.ScaledAccel`."""
-    GYRO_GENERAL_FAULT = 1 << 44
-    """Gyroscope fault. Bit 44. Concerns `sensor.ScaledGyro`."""
-    GYRO_OVER_RANGE = 1 << 45
-    """The gyroscope measures near or beyond its range. Bit 45. Concerns `sensor.ScaledGyro`."""
-    GYRO_SELF_TEST_FAIL = 1 << 46
-    """The gyroscope self-test failed. Bit 46. Concerns `sensor.ScaledGyro`."""
-    MAG_GENERAL_FAULT = 1 << 48
-    """Magnetometer fault. Bit 48. Concerns `sensor.ScaledMag`."""
-    MAG_OVER_RANGE = 1 << 49
-    """The magnetometer measures near or beyond its range. Bit 49. Concerns `sensor.ScaledMag`."""
-    MAG_SELF_TEST_FAIL = 1 << 50
-    """The magnetometer self-test failed. Bit 50. Concerns `sensor.ScaledMag`."""
-    PRESSURE_SENSOR_GENERAL_FAULT = 1 << 52
-    """Pressure sensor fault. Bit 52. Concerns `sensor.ScaledPressure`."""
-    PRESSURE_SENSOR_OVER_RANGE = 1 << 53
-    """The pressure sensor measures near or beyond its range. Bit 53. Concerns
-    `sensor.ScaledPressure`.
+    """The accelerometer self-test failed; the commanded built-in test updates this bit. Bit 42.
+    Concerns `sensor.ScaledAccel`.
     """
+    GYRO_GENERAL_FAULT = 1 << 44
+    """The gyroscope failed to initialize. Bit 44. Concerns `sensor.ScaledGyro`."""
+    GYRO_OVER_RANGE = 1 << 45
+    """The angular rate about an axis is near or outside the selected range. Bit 45. Concerns
+    `sensor.ScaledGyro`.
+    """
+    GYRO_SELF_TEST_FAIL = 1 << 46
+    """The gyroscope self-test failed; the commanded built-in test updates this bit. Bit 46.
+    Concerns `sensor.ScaledGyro`.
+    """
+    MAG_GENERAL_FAULT = 1 << 48
+    """The magnetometer failed to initialize. Bit 48. Concerns `sensor.ScaledMag`."""
+    MAG_OVER_RANGE = 1 << 49
+    """The magnetic field along an axis is near or outside the supported range. Bit 49. Concerns
+    `sensor.ScaledMag`.
+    """
+    MAG_SELF_TEST_FAIL = 1 << 50
+    """The magnetometer self-test failed; the commanded built-in test updates this bit. Bit 50.
+    Concerns `sensor.ScaledMag`.
+    """
+    PRESSURE_SENSOR_GENERAL_FAULT = 1 << 52
+    """The pressure sensor failed to initialize. Bit 52. Concerns `sensor.ScaledPressure`."""
+    PRESSURE_SENSOR_OVER_RANGE = 1 << 53
+    """The pressure is outside the supported range. Bit 53. Concerns `sensor.ScaledPressure`."""
     PRESSURE_SENSOR_SELF_TEST_FAIL = 1 << 54
-    """The pressure sensor self-test failed. Bit 54. Concerns `sensor.ScaledPressure`."""
+    """The pressure sensor self-test failed; the commanded built-in test updates this bit. Bit 54.
+    Concerns `sensor.ScaledPressure`.
+    """
     FACTORY_BITS_INVALID = 1 << 56
-    """Factory settings are invalid. Bit 56."""
+    """The device has lost its factory configuration. Bit 56."""
     FILTER_FAULT = 1 << 64
-    """Filter fault. Bit 64."""
+    """The filter does not work normally. Bit 64."""
     FILTER_TIMING_OVERRUN = 1 << 66
-    """A filter cycle exceeded its time slot. Bit 66."""
+    """Filter processes take longer than their time slot. Bit 66."""
     FILTER_TIMING_UNDERRUN = 1 << 67
-    """A filter cycle started too late. Bit 67."""
+    """Filter processes are skipped. Bit 67."""
 
 
 @codec.open_flag(128)
 class Gq7ContinuousBuiltInTest(IntFlag):
     """Flags of the continuous built-in test of the 3DM-GQ7: bits 0-31 system, 32-63 inertial
-    sensors, 64-95 navigation, 96-127 GNSS.
+    sensors, 64-95 navigation, 96-127 GNSS. Uncertain: What the bits mean. The sources have numbers
+    and names only; the descriptions are those of the 3DM-CV7-GNSS/INS where the names are the same.
 
     - ros-driver: Built-in test of the GQ7
     - mscl: Continuous built-in test
     """
 
     SYSTEM_CLOCK_FAILURE = 1 << 0
-    """The system clock failed. Bit 0."""
+    """The system clock does not work properly. Bit 0."""
     POWER_FAULT = 1 << 1
-    """Power supply fault. Bit 1."""
+    """The supply voltage is out of range, or an internal supply has failed. Bit 1."""
     FIRMWARE_FAULT = 1 << 4
-    """Firmware fault. Bit 4."""
+    """The firmware encountered an unexpected condition. Bit 4."""
     TIMING_OVERLOAD = 1 << 5
     """The processor cannot keep up. Bit 5."""
     BUFFER_OVERRUN = 1 << 6
-    """A data buffer overflowed; data may be lost. Bit 6."""
+    """A data buffer was full and data may be lost. Bit 6."""
     IMU_IPC_FAULT = 0xF0000
     """System to inertial sensor processor link faults. Bits 16 to 19."""
     FILTER_IPC_FAULT = 0xF00000
@@ -285,48 +310,59 @@ class Gq7ContinuousBuiltInTest(IntFlag):
     IMU_COMM_FAULT = 1 << 33
     """No communication with the inertial sensors. Bit 33."""
     IMU_TIMING_OVERRUN = 1 << 34
-    """An inertial sensor cycle exceeded its time slot. Bit 34."""
+    """Inertial sensor processes take longer than their time slot. Bit 34."""
     IMU_CALIBRATION_ERROR_ACCEL = 1 << 36
-    """Accelerometer calibration error. Bit 36. Concerns `sensor.ScaledAccel`."""
+    """Fault of the accelerometer calibration. Bit 36. Concerns `sensor.ScaledAccel`."""
     IMU_CALIBRATION_ERROR_GYRO = 1 << 37
-    """Gyroscope calibration error. Bit 37. Concerns `sensor.ScaledGyro`."""
+    """Fault of the gyroscope calibration. Bit 37. Concerns `sensor.ScaledGyro`."""
     IMU_CALIBRATION_ERROR_MAG = 1 << 38
-    """Magnetometer calibration error. Bit 38. Concerns `sensor.ScaledMag`."""
+    """Fault of the magnetometer calibration. Bit 38. Concerns `sensor.ScaledMag`."""
     ACCEL_GENERAL_FAULT = 1 << 40
-    """Accelerometer fault. Bit 40. Concerns `sensor.ScaledAccel`."""
+    """The accelerometer failed to initialize. Bit 40. Concerns `sensor.ScaledAccel`."""
     ACCEL_OVER_RANGE = 1 << 41
-    """The accelerometer measures near or beyond its range. Bit 41. Concerns `sensor.ScaledAccel`.
+    """The acceleration along an axis is near or outside the selected range. Bit 41. Concerns
+    `sensor.ScaledAccel`.
     """
     ACCEL_SELF_TEST_FAIL = 1 << 42
-    """The accelerometer self-test failed. Bit 42. Concerns `sensor.ScaledAccel`."""
-    GYRO_GENERAL_FAULT = 1 << 44
-    """Gyroscope fault. Bit 44. Concerns `sensor.ScaledGyro`."""
-    GYRO_OVER_RANGE = 1 << 45
-    """The gyroscope measures near or beyond its range. Bit 45. Concerns `sensor.ScaledGyro`."""
-    GYRO_SELF_TEST_FAIL = 1 << 46
-    """The gyroscope self-test failed. Bit 46. Concerns `sensor.ScaledGyro`."""
-    MAG_GENERAL_FAULT = 1 << 48
-    """Magnetometer fault. Bit 48. Concerns `sensor.ScaledMag`."""
-    MAG_OVER_RANGE = 1 << 49
-    """The magnetometer measures near or beyond its range. Bit 49. Concerns `sensor.ScaledMag`."""
-    MAG_SELF_TEST_FAIL = 1 << 50
-    """The magnetometer self-test failed. Bit 50. Concerns `sensor.ScaledMag`."""
-    PRESSURE_SENSOR_GENERAL_FAULT = 1 << 52
-    """Pressure sensor fault. Bit 52. Concerns `sensor.ScaledPressure`."""
-    PRESSURE_SENSOR_OVER_RANGE = 1 << 53
-    """The pressure sensor measures near or beyond its range. Bit 53. Concerns
-    `sensor.ScaledPressure`.
+    """The accelerometer self-test failed; the commanded built-in test updates this bit. Bit 42.
+    Concerns `sensor.ScaledAccel`.
     """
+    GYRO_GENERAL_FAULT = 1 << 44
+    """The gyroscope failed to initialize. Bit 44. Concerns `sensor.ScaledGyro`."""
+    GYRO_OVER_RANGE = 1 << 45
+    """The angular rate about an axis is near or outside the selected range. Bit 45. Concerns
+    `sensor.ScaledGyro`.
+    """
+    GYRO_SELF_TEST_FAIL = 1 << 46
+    """The gyroscope self-test failed; the commanded built-in test updates this bit. Bit 46.
+    Concerns `sensor.ScaledGyro`.
+    """
+    MAG_GENERAL_FAULT = 1 << 48
+    """The magnetometer failed to initialize. Bit 48. Concerns `sensor.ScaledMag`."""
+    MAG_OVER_RANGE = 1 << 49
+    """The magnetic field along an axis is near or outside the supported range. Bit 49. Concerns
+    `sensor.ScaledMag`.
+    """
+    MAG_SELF_TEST_FAIL = 1 << 50
+    """The magnetometer self-test failed; the commanded built-in test updates this bit. Bit 50.
+    Concerns `sensor.ScaledMag`.
+    """
+    PRESSURE_SENSOR_GENERAL_FAULT = 1 << 52
+    """The pressure sensor failed to initialize. Bit 52. Concerns `sensor.ScaledPressure`."""
+    PRESSURE_SENSOR_OVER_RANGE = 1 << 53
+    """The pressure is outside the supported range. Bit 53. Concerns `sensor.ScaledPressure`."""
     PRESSURE_SENSOR_SELF_TEST_FAIL = 1 << 54
-    """The pressure sensor self-test failed. Bit 54. Concerns `sensor.ScaledPressure`."""
+    """The pressure sensor self-test failed; the commanded built-in test updates this bit. Bit 54.
+    Concerns `sensor.ScaledPressure`.
+    """
     FILTER_CLOCK_FAULT = 1 << 64
     """The filter clock failed. Bit 64."""
     FILTER_HARDWARE_FAULT = 1 << 65
     """Filter processor fault. Bit 65."""
     FILTER_TIMING_OVERRUN = 1 << 66
-    """A filter cycle exceeded its time slot. Bit 66."""
+    """Filter processes take longer than their time slot. Bit 66."""
     FILTER_TIMING_UNDERRUN = 1 << 67
-    """A filter cycle started too late. Bit 67."""
+    """Filter processes are skipped. Bit 67."""
     FILTER_COMM_ERROR = 0xF00000000000000000
     """Filter communication errors. Bits 68 to 71."""
     GNSS_CLOCK_FAULT = 1 << 96
@@ -342,7 +378,7 @@ class Gq7ContinuousBuiltInTest(IntFlag):
     RECEIVER_1_POWER_FAULT = 1 << 104
     """Receiver 1 power supply fault. Bit 104. Concerns `gnss_data.FixInfo`."""
     RECEIVER_1_FAULT = 1 << 105
-    """Receiver 1 fault. Bit 105. Concerns `gnss_data.FixInfo`."""
+    """No communication with internal receiver 1. Bit 105. Concerns `gnss_data.FixInfo`."""
     ANTENNA_1_SHORTED = 1 << 106
     """Antenna 1 is shorted. Bit 106. Concerns `gnss_data.HardwareStatus`."""
     ANTENNA_1_OPEN = 1 << 107
@@ -352,7 +388,7 @@ class Gq7ContinuousBuiltInTest(IntFlag):
     RECEIVER_2_POWER_FAULT = 1 << 109
     """Receiver 2 power supply fault. Bit 109. Concerns `gnss_data.FixInfo`."""
     RECEIVER_2_FAULT = 1 << 110
-    """Receiver 2 fault. Bit 110. Concerns `gnss_data.FixInfo`."""
+    """No communication with internal receiver 2. Bit 110. Concerns `gnss_data.FixInfo`."""
     ANTENNA_2_SHORTED = 1 << 111
     """Antenna 2 is shorted. Bit 111. Concerns `gnss_data.HardwareStatus`."""
     ANTENNA_2_OPEN = 1 << 112
@@ -474,7 +510,7 @@ class EventTriggerStatus(IntFlag):
     ACTIVE = 1 << 0
     """Active now, by its condition or by a test mode. Bit 0."""
     ENABLED = 1 << 1
-    """Enabled. Bit 1."""
+    """The trigger is enabled. Bit 1."""
     TEST = 1 << 2
     """In a test mode. Bit 2."""
 
@@ -858,13 +894,9 @@ class GnssConstellation(codec.OpenEnum):
     UNKNOWN = 0
     """Not known."""
     GPS = 1
-    """GPS."""
     GLONASS = 2
-    """GLONASS."""
     GALILEO = 3
-    """Galileo."""
     BEIDOU = 4
-    """BeiDou."""
     SBAS = 5
     """Satellite based augmentation."""
 
@@ -880,7 +912,7 @@ class GnssFixType(codec.OpenEnum):
     FIX_2D = 1
     """Fix in two dimensions."""
     FIX_TIME_ONLY = 2
-    """Time only."""
+    """The receiver computes the time, but no position."""
     FIX_NONE = 3
     """No fix."""
     FIX_INVALID = 4
@@ -890,7 +922,7 @@ class GnssFixType(codec.OpenEnum):
     FIX_RTK_FIXED = 6
     """RTK fix with integer ambiguities."""
     FIX_DIFFERENTIAL = 7
-    """Differential fix."""
+    """The position uses differential corrections."""
 
 
 class GnssSignal(codec.OpenEnum):
@@ -1030,7 +1062,6 @@ class GnssSignal(codec.OpenEnum):
     BEIDOU_B2IQ = 168
     """BeiDou B2 I+Q."""
     BEIDOU_B2A = 169
-    """BeiDou B2a."""
 
 
 class GpioFeature(codec.OpenEnum):
@@ -1281,7 +1312,7 @@ class RtkStatusFlags(IntFlag):
     vendor treats it as negative.
     """
     SIGNAL_QUALITY = 0xF0000
-    """Signal quality. Bits 16 to 19."""
+    """Quality of the modem's radio signal. Bits 16 to 19."""
     TOWER_CHANGE_INDICATOR = 0xF00000
     """Changes of the cell tower. Bits 20 to 23."""
     NMEA_TIMEOUT = 1 << 24
@@ -1379,7 +1410,7 @@ class RtkStatusFlagsLegacy(IntFlag):
     RESET_CODE = 0xC000
     """Reason of the last reset. Bits 14 to 15."""
     SIGNAL_QUALITY = 0xF0000
-    """Signal quality. Bits 16 to 19."""
+    """Quality of the modem's radio signal. Bits 16 to 19."""
     RSSI = 0x3F00000
     """Received signal strength. Bits 20 to 25."""
     RSRP = 0xC000000

@@ -1,12 +1,10 @@
 //! Sets up a device as the manuals advise: idle, settings, message format, save, resume.
 //!
-//!     cargo run --example setup --features std -- /dev/ttyACM0
+//!     cargo run --example setup --features open -- serial:/dev/ttyACM0
 
 use std::error::Error;
 use std::io::{stdout, Write};
-use std::time::Duration;
 
-use mip_protocol::device::{Device, StdPort};
 use mip_protocol::types::DescriptorRate;
 use mip_protocol::{base, mip_3dm, sensor, shared, Field};
 
@@ -14,14 +12,10 @@ const RATE: u16 = 100; // Hz
 const CUTOFF: f32 = 25.0; // Hz
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let path = std::env::args().nth(1).ok_or("usage: setup PORT")?;
-    let serial = serialport::new(path, 115_200).timeout(Duration::from_millis(10)).open()?;
-    let mut device = Device::new(StdPort::new(serial));
-    let accel = sensor::ScaledAccel::DESCRIPTOR;
-
+    let place = std::env::args().nth(1).ok_or("usage: setup serial:PORT | tcp:HOST:PORT")?;
     // 1. Idle: the device sends no data while it is set up.
-    device.run(&base::SetIdle::new())?;
-    while device.next_packet(0)?.is_some() {} // what it sent before
+    let mut device = mip_protocol::open(&place)?;
+    let accel = sensor::ScaledAccel::DESCRIPTOR;
 
     // 2. Settings.
     device.run(&mip_3dm::LowPassFilter::write(sensor::SENSOR_SET, accel, true, true, CUTOFF))?;

@@ -9,7 +9,7 @@ use crate::error::{DecodeError, EncodeError, EncodeErrorKind};
 use crate::field::{Command, Field, RawField, Response, ResponseCheck};
 use crate::packet::{FieldLengthError, Fields, Packet, PacketBuilder, MAX_PAYLOAD};
 use crate::parser::Parser;
-use crate::protocol::{AckCode, Acknowledge};
+use crate::protocol::{AckCode, Acknowledge, BARRIER};
 use crate::registry::AnyField;
 use crate::view::{View, Viewed};
 
@@ -18,12 +18,14 @@ use crate::view::{View, Viewed};
 /// The caller transfers the bytes and provides the time: a count of milliseconds that only goes
 /// forward, and may wrap around. A [`Device`](crate::device::Device) does both for a port.
 ///
-/// 1. [`Client::send`] returns the bytes of one command to send; for several in one packet,
+/// 1. [`Client::barrier`] returns a packet to send first, if a command before was not answered.
+///    Without it, the late answer to that one may be taken for that of the next one of its type.
+/// 2. [`Client::send`] returns the bytes of one command to send; for several in one packet,
 ///    [`Client::request`] begins it, [`Request::add`] adds commands to it, and [`Request::send`]
 ///    returns its bytes.
-/// 2. Pass every received packet to [`Client::receive`], which yields an [`Event`] for each command
+/// 3. Pass every received packet to [`Client::receive`], which yields an [`Event`] for each command
 ///    that it answers, and gives access to the other fields of the packet.
-/// 3. Call [`Client::poll`] from time to time with the current time; commands that time out get
+/// 4. Call [`Client::poll`] from time to time with the current time; commands that time out get
 ///    their events.
 ///
 /// Events that are not taken are kept: the next call returns them, or [`Client::events`] or
@@ -47,6 +49,10 @@ struct Table<S: ?Sized> {
     /// The number of the next command, and that of the next event.
     next: u32,
     happened: u32,
+    /// The commands without an answer since a barrier was answered, at most [`BARRIERS`].
+    missed: u8,
+    /// How many commands the last barrier has, until it is answered.
+    behind: u8,
     /// How much longer than usual a reply may take; it may wrap around.
     patience: u32,
     /// A bit for each field of the last packet that answers a command; a packet has at most 127.
@@ -65,6 +71,8 @@ struct Slot {
     order: u32,
     /// When it times out; how long it may take, until it is sent.
     deadline: u32,
+    /// How many commands the barrier has that must be answered first.
+    behind: u8,
     kind: Option<&'static Kind>,
     /// The check for the response that the command asks for.
     wanted: Option<ResponseCheck>,
@@ -112,6 +120,7 @@ impl Slot {
         state: Cell::new(State::Free),
         order: 0,
         deadline: 0,
+        behind: 0,
         kind: None,
         wanted: None,
         event: Event::NONE,
@@ -402,6 +411,9 @@ impl defmt::Format for Event {
 /// How long a reply may take, unless the command or the caller says otherwise.
 pub const DEFAULT_TIMEOUT_MS: u32 = 1000;
 
+/// How many barriers there are: of 2 to 63 commands, whose acknowledges fit into one packet.
+const BARRIERS: u8 = 62;
+
 /// No deadline is further away, so that the time can wrap around.
 const FUTURE: u32 = u32::MAX >> 1;
 
@@ -444,6 +456,8 @@ impl<const N: usize> Client<N> {
             packet: PacketBuilder::BLANK,
             next: 0,
             happened: 0,
+            missed: 0,
+            behind: 0,
             patience: 0,
             taken: [0; 4],
             slots: [Slot::FREE; N],
@@ -469,6 +483,18 @@ impl<const N: usize> Client<N> {
     pub fn deadline(&self) -> Option<u32> {
         let deadlines = self.table().waiting().map(|slot| slot.deadline);
         deadlines.reduce(|first, other| if has_passed(first, other) { first } else { other })
+    }
+
+    /// The barrier that is to be sent before the next packet of commands; `None`, mostly, if no answer
+    /// is late. Call it before [`Client::send`] and [`Client::request`], and send what it returns: then
+    /// a late answer is never taken for that of a later command.
+    ///
+    /// It is a packet of several commands that change nothing. The device answers in order, and those
+    /// of one packet in one packet, whose size tells which barrier it answers. Until then, nothing
+    /// answers the commands behind it, and from then on nothing those before it, which have timed out.
+    /// A command whose barrier is not answered times out, although the device may have carried it out.
+    pub fn barrier(&mut self) -> Option<Packet<'_>> {
+        self.table_mut().barrier()
     }
 
     /// Begins a packet with commands of one descriptor set.
@@ -503,7 +529,10 @@ impl<const N: usize> Client<N> {
     /// Data, late replies and replies to other hosts cause no events; [`Events::others`] returns
     /// them.
     pub fn receive<'p>(&mut self, packet: &Packet<'p>) -> Events<'_, 'p> {
-        let (table, fields) = (self.table_mut(), packet.fields());
+        let (table, mut fields) = (self.table_mut(), packet.fields());
+        if table.passes(packet) {
+            fields = Fields::NONE;
+        }
         table.receive(fields.clone());
         Events { table, fields }
     }
@@ -543,20 +572,12 @@ impl<const N: usize> Client<N> {
 
     /// Stops waiting for a command; it gets no event.
     pub fn cancel<C>(&mut self, ticket: &Ticket<C>) {
-        for slot in &self.table().slots {
-            if slot.event.id == ticket.id {
-                slot.state.set(State::Free);
-            }
-        }
+        self.table_mut().free(|slot| slot.event.id == ticket.id);
     }
 
     /// Stops waiting for all commands; the events that happened are kept.
     pub(crate) fn give_up(&mut self) {
-        for slot in &self.table().slots {
-            if slot.is(State::Waiting) {
-                slot.state.set(State::Free);
-            }
-        }
+        self.table_mut().free(|slot| slot.is(State::Waiting));
     }
 
     /// Like [`Client::take`], but the result is kept and can be read again.
@@ -574,9 +595,11 @@ impl<const N: usize> Client<N> {
 
     /// Discards all commands and events. Answers that still arrive for them are treated as data.
     pub fn clear(&mut self) {
-        for slot in &self.table().slots {
-            slot.state.set(State::Free);
+        let table = self.table_mut();
+        if table.behind > 0 {
+            table.miss(); // it may not have been sent
         }
+        table.free(|_| true);
     }
 
     fn table(&self) -> &Slots {
@@ -632,6 +655,7 @@ impl Slots {
             (slot.kind, slot.wanted) = (Some(kind), wanted);
             let timeout_ms = self.patience.wrapping_add(DEFAULT_TIMEOUT_MS);
             slot.deadline = timeout_ms.max(kind.timeout_ms);
+            slot.behind = self.behind;
             let event = &mut slot.event;
             (event.id, event.set, event.descriptor) = (id, kind.set, kind.descriptor);
             event.response[0] = 0;
@@ -641,6 +665,60 @@ impl Slots {
             }
         }
         Ok(id)
+    }
+
+    /// Forgets commands. An answer that may still come is missed.
+    fn free(&mut self, which: impl Fn(&Slot) -> bool) {
+        let mut missed = 0_u8;
+        for slot in self.slots.iter().filter(|slot| which(slot)) {
+            missed = missed.wrapping_add(slot.is(State::Waiting).into());
+            slot.state.set(State::Free);
+        }
+        (0..missed).for_each(|_| self.miss());
+    }
+
+    fn miss(&mut self) {
+        self.missed = if self.missed < BARRIERS { self.missed.wrapping_add(1) } else { 1 };
+    }
+
+    fn barrier(&mut self) -> Option<Packet<'_>> {
+        let [set, descriptor] = BARRIER;
+        if set == 0 || self.missed == 0 || self.behind == self.missed.wrapping_add(1) {
+            return None;
+        }
+        (0..self.waiting().count()).for_each(|_| self.miss()); // they may be of its kind
+        self.behind = self.missed.wrapping_add(1);
+        self.packet.start(set);
+        (0..self.behind).try_for_each(|_| self.packet.push_raw(descriptor, &[])).ok()?;
+        Some(self.packet.packet())
+    }
+
+    /// Does the packet answer the last barrier? Then nothing answers any more what was sent before.
+    fn passes(&mut self, packet: &Packet<'_>) -> bool {
+        let (size, [set, descriptor]) = (self.behind, BARRIER);
+        let (acknowledges, rest) = packet.payload().split_at(packet.payload().len() & !3);
+        let all = acknowledges
+            .chunks_exact(4)
+            .all(|field| field.starts_with(&[4, Acknowledge::DESCRIPTOR, descriptor]));
+        let count = packet.payload().len() / 4;
+        if size == 0 || packet.set() != set || count != size.into() || !rest.is_empty() || !all {
+            return false;
+        }
+        let order = self.happened;
+        for slot in self.slots.iter_mut().filter(|slot| slot.is(State::Waiting)) {
+            if slot.behind == size {
+                slot.behind = 0;
+            } else {
+                self.happened = order.wrapping_add(1);
+                slot.event.outcome = Outcome::TimedOut;
+                slot.happens(order);
+            }
+        }
+        if size == self.missed.wrapping_add(1) {
+            self.missed = 0;
+        }
+        self.behind = 0;
+        true
     }
 
     /// Looks for answers, and keeps which fields are part of one.
@@ -717,6 +795,7 @@ impl Slots {
             return Some(parser.packet());
         }
         let order = self.happened; // all at once: in the order of the commands
+        let mut missed = 0_u8;
         for slot in &mut self.slots {
             if slot.is(State::Waiting) && has_passed(slot.deadline, now_ms) {
                 if parser.holds_behind() {
@@ -725,8 +804,10 @@ impl Slots {
                 self.happened = order.wrapping_add(1);
                 slot.event.outcome = Outcome::TimedOut;
                 slot.happens(order);
+                missed = missed.wrapping_add(1);
             }
         }
+        (0..missed).for_each(|_| self.miss());
         None
     }
 
@@ -756,7 +837,7 @@ impl Slot {
         behind: Option<&RawField<'_>>,
     ) -> Option<Outcome> {
         let kind = self.kind.filter(|kind| (kind.set, kind.descriptor) == (set, command))?;
-        if !self.is(State::Waiting) {
+        if !self.is(State::Waiting) || self.behind > 0 {
             return None;
         }
         if code.0 != 0 {

@@ -30,6 +30,8 @@ pub struct Profile {
     pub fields: &'static [Supported],
     /// Those that it is known not to have.
     pub refuses: &'static [Supported],
+    /// The firmware that some of these fields require.
+    pub firmware: &'static [Firmware],
     /// Base rates of data sets.
     pub base_rates: &'static [BaseRate],
     /// Its ports.
@@ -81,6 +83,18 @@ pub struct Supported {
     pub evidence: &'static Evidence,
 }
 
+/// The firmware that a command or a data field requires.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Firmware {
+    /// The descriptor set.
+    pub set: u8,
+    /// The field descriptor.
+    pub descriptor: u8,
+    /// The versions that have it: `> 1.0.07` or `>= 1.0, < 1.1`.
+    pub versions: &'static str,
+}
+
 /// The base rate of a data set.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
@@ -119,6 +133,8 @@ pub struct Limit {
     pub unit: Option<&'static str>,
     /// What it limits.
     pub description: &'static str,
+    /// The firmware versions that have it, if not all have: `>= 1.0.04`.
+    pub firmware: Option<&'static str>,
 }
 
 /// A parameter with another meaning on a device.
@@ -181,6 +197,13 @@ impl Profile {
     pub fn has<T: crate::Field>(&self) -> bool {
         let found = |set: &u8| self.support(*set, T::DESCRIPTOR);
         T::SETS.iter().map(found).any(|x| matches!(x, Support::Yes | Support::Probable))
+    }
+
+    /// The firmware versions that have a field; `None` if all have it, or if it is not known.
+    #[must_use]
+    pub fn firmware_of(&self, set: u8, descriptor: u8) -> Option<&'static str> {
+        let mut said = self.firmware.iter();
+        said.find(|f| (f.set, f.descriptor) == (set, descriptor)).map(|f| f.versions)
     }
 
     /// The base rate of a descriptor set in Hz; 0 if data is sent as it arrives.

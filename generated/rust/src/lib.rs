@@ -58,6 +58,8 @@ pub mod list;
 mod owned;
 pub mod packet;
 mod parser;
+#[cfg(feature = "serde")]
+mod readable;
 mod slice;
 #[cfg(feature = "std")]
 mod stream;

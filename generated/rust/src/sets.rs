@@ -1,4 +1,4 @@
-//! One module for each family of descriptor sets.
+//! One module for each family of descriptor sets, and what begins with a device.
 
 #[cfg(feature = "aiding")]
 pub mod aiding;
@@ -22,9 +22,13 @@ pub mod mip_3dm;
 pub mod rtk;
 #[cfg(feature = "sensor")]
 pub mod sensor;
+#[cfg(all(feature = "base", feature = "mip_3dm"))]
+pub mod session;
 #[cfg(feature = "shared")]
 pub mod shared;
 #[cfg(feature = "system")]
 pub mod system;
 #[cfg(feature = "system_data")]
 pub mod system_data;
+#[cfg(all(feature = "base", feature = "mip_3dm", feature = "open"))]
+pub use session::open;

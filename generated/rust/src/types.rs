@@ -178,36 +178,36 @@ bitfield! {
         /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel).
         ACCEL_GENERAL_FAULT: bool = 40,
             accel_general_fault, set_accel_general_fault, with_accel_general_fault;
-        /// An axis is near or outside the selected range. Bit 41. Concerns
+        /// The acceleration along an axis is near or outside the selected range. Bit 41. Concerns
         /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel).
         ACCEL_OVER_RANGE: bool = 41,
             accel_over_range, set_accel_over_range, with_accel_over_range;
-        /// The self test failed; updated by the commanded test. Bit 42. Concerns
-        /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel).
+        /// The accelerometer self-test failed; the commanded built-in test updates this bit. Bit
+        /// 42. Concerns [`sensor::ScaledAccel`](crate::sensor::ScaledAccel).
         ACCEL_SELF_TEST_FAIL: bool = 42,
             accel_self_test_fail, set_accel_self_test_fail, with_accel_self_test_fail;
         /// The gyroscope failed to initialize. Bit 44. Concerns
         /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
         GYRO_GENERAL_FAULT: bool = 44,
             gyro_general_fault, set_gyro_general_fault, with_gyro_general_fault;
-        /// An axis is near or outside the selected range. Bit 45. Concerns
+        /// The angular rate about an axis is near or outside the selected range. Bit 45. Concerns
         /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
         GYRO_OVER_RANGE: bool = 45,
             gyro_over_range, set_gyro_over_range, with_gyro_over_range;
-        /// The self test failed; updated by the commanded test. Bit 46. Concerns
-        /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
+        /// The gyroscope self-test failed; the commanded built-in test updates this bit. Bit 46.
+        /// Concerns [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
         GYRO_SELF_TEST_FAIL: bool = 46,
             gyro_self_test_fail, set_gyro_self_test_fail, with_gyro_self_test_fail;
         /// The magnetometer failed to initialize. Bit 48. Concerns
         /// [`sensor::ScaledMag`](crate::sensor::ScaledMag).
         MAG_GENERAL_FAULT: bool = 48,
             mag_general_fault, set_mag_general_fault, with_mag_general_fault;
-        /// An axis is near or outside the supported range. Bit 49. Concerns
-        /// [`sensor::ScaledMag`](crate::sensor::ScaledMag).
+        /// The magnetic field along an axis is near or outside the supported range. Bit 49.
+        /// Concerns [`sensor::ScaledMag`](crate::sensor::ScaledMag).
         MAG_OVER_RANGE: bool = 49,
             mag_over_range, set_mag_over_range, with_mag_over_range;
-        /// The self test failed; updated by the commanded test. Bit 50. Concerns
-        /// [`sensor::ScaledMag`](crate::sensor::ScaledMag).
+        /// The magnetometer self-test failed; the commanded built-in test updates this bit. Bit 50.
+        /// Concerns [`sensor::ScaledMag`](crate::sensor::ScaledMag).
         MAG_SELF_TEST_FAIL: bool = 50,
             mag_self_test_fail, set_mag_self_test_fail, with_mag_self_test_fail;
         /// The pressure sensor failed to initialize. Bit 52. Concerns
@@ -218,8 +218,8 @@ bitfield! {
         /// [`sensor::ScaledPressure`](crate::sensor::ScaledPressure).
         PRESSURE_SENSOR_OVER_RANGE: bool = 53,
             pressure_sensor_over_range, set_pressure_sensor_over_range, with_pressure_sensor_over_range;
-        /// The self test failed; updated by the commanded test. Bit 54. Concerns
-        /// [`sensor::ScaledPressure`](crate::sensor::ScaledPressure).
+        /// The pressure sensor self-test failed; the commanded built-in test updates this bit. Bit
+        /// 54. Concerns [`sensor::ScaledPressure`](crate::sensor::ScaledPressure).
         PRESSURE_SENSOR_SELF_TEST_FAIL: bool = 54,
             pressure_sensor_self_test_fail, set_pressure_sensor_self_test_fail, with_pressure_sensor_self_test_fail;
         /// The device has lost its factory configuration. Bit 56.
@@ -254,24 +254,27 @@ bitfield! {
     /// Flags of the continuous built-in test of devices of generation 7 without a GNSS receiver:
     /// bits 0-31 system, 32-63 inertial sensors, 64-95 navigation.
     ///
+    /// Uncertain: What the bits mean. The sources have numbers and names only; the descriptions are
+    /// those of the 3DM-CV7-GNSS/INS where the names are the same.
+    ///
     /// Source: ros-driver: Built-in test of the CV7; mscl: Continuous built-in test.
     Cv7InertialContinuousBuiltInTest: [u8; 16] {
-        /// The system clock failed. Bit 0.
+        /// The system clock does not work properly. Bit 0.
         SYSTEM_CLOCK_FAILURE: bool = 0,
             system_clock_failure, set_system_clock_failure, with_system_clock_failure;
-        /// Power supply fault. Bit 1.
+        /// The supply voltage is out of range, or an internal supply has failed. Bit 1.
         POWER_FAULT: bool = 1,
             power_fault, set_power_fault, with_power_fault;
-        /// Firmware fault. Bit 4.
+        /// The firmware encountered an unexpected condition. Bit 4.
         FIRMWARE_FAULT: bool = 4,
             firmware_fault, set_firmware_fault, with_firmware_fault;
         /// The processor cannot keep up. Bit 5.
         TIMING_OVERLOAD: bool = 5,
             timing_overload, set_timing_overload, with_timing_overload;
-        /// A data buffer overflowed; data may be lost. Bit 6.
+        /// A data buffer was full and data may be lost. Bit 6.
         BUFFER_OVERRUN: bool = 6,
             buffer_overrun, set_buffer_overrun, with_buffer_overrun;
-        /// The inertial sensor process failed. Bit 16.
+        /// The inertial sensor subsystem is not running or did not start. Bit 16.
         IMU_PROCESS_FAULT: bool = 16,
             imu_process_fault, set_imu_process_fault, with_imu_process_fault;
         /// Sensor data is not produced at its base rate. Bit 17.
@@ -301,77 +304,79 @@ bitfield! {
         /// No communication with the inertial sensors. Bit 33.
         IMU_COMM_FAULT: bool = 33,
             imu_comm_fault, set_imu_comm_fault, with_imu_comm_fault;
-        /// An inertial sensor cycle exceeded its time slot. Bit 34.
+        /// Inertial sensor processes take longer than their time slot. Bit 34.
         IMU_TIMING_OVERRUN: bool = 34,
             imu_timing_overrun, set_imu_timing_overrun, with_imu_timing_overrun;
-        /// Accelerometer calibration error. Bit 36. Concerns
+        /// Fault of the accelerometer calibration. Bit 36. Concerns
         /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel).
         IMU_CALIBRATION_ERROR_ACCEL: bool = 36,
             imu_calibration_error_accel, set_imu_calibration_error_accel, with_imu_calibration_error_accel;
-        /// Gyroscope calibration error. Bit 37. Concerns
+        /// Fault of the gyroscope calibration. Bit 37. Concerns
         /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
         IMU_CALIBRATION_ERROR_GYRO: bool = 37,
             imu_calibration_error_gyro, set_imu_calibration_error_gyro, with_imu_calibration_error_gyro;
-        /// Magnetometer calibration error. Bit 38. Concerns
+        /// Fault of the magnetometer calibration. Bit 38. Concerns
         /// [`sensor::ScaledMag`](crate::sensor::ScaledMag).
         IMU_CALIBRATION_ERROR_MAG: bool = 38,
             imu_calibration_error_mag, set_imu_calibration_error_mag, with_imu_calibration_error_mag;
-        /// Accelerometer fault. Bit 40. Concerns
+        /// The accelerometer failed to initialize. Bit 40. Concerns
         /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel).
         ACCEL_GENERAL_FAULT: bool = 40,
             accel_general_fault, set_accel_general_fault, with_accel_general_fault;
-        /// The accelerometer measures near or beyond its range. Bit 41. Concerns
+        /// The acceleration along an axis is near or outside the selected range. Bit 41. Concerns
         /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel).
         ACCEL_OVER_RANGE: bool = 41,
             accel_over_range, set_accel_over_range, with_accel_over_range;
-        /// The accelerometer self-test failed. Bit 42. Concerns
-        /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel).
+        /// The accelerometer self-test failed; the commanded built-in test updates this bit. Bit
+        /// 42. Concerns [`sensor::ScaledAccel`](crate::sensor::ScaledAccel).
         ACCEL_SELF_TEST_FAIL: bool = 42,
             accel_self_test_fail, set_accel_self_test_fail, with_accel_self_test_fail;
-        /// Gyroscope fault. Bit 44. Concerns [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
+        /// The gyroscope failed to initialize. Bit 44. Concerns
+        /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
         GYRO_GENERAL_FAULT: bool = 44,
             gyro_general_fault, set_gyro_general_fault, with_gyro_general_fault;
-        /// The gyroscope measures near or beyond its range. Bit 45. Concerns
+        /// The angular rate about an axis is near or outside the selected range. Bit 45. Concerns
         /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
         GYRO_OVER_RANGE: bool = 45,
             gyro_over_range, set_gyro_over_range, with_gyro_over_range;
-        /// The gyroscope self-test failed. Bit 46. Concerns
-        /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
+        /// The gyroscope self-test failed; the commanded built-in test updates this bit. Bit 46.
+        /// Concerns [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
         GYRO_SELF_TEST_FAIL: bool = 46,
             gyro_self_test_fail, set_gyro_self_test_fail, with_gyro_self_test_fail;
-        /// Magnetometer fault. Bit 48. Concerns [`sensor::ScaledMag`](crate::sensor::ScaledMag).
+        /// The magnetometer failed to initialize. Bit 48. Concerns
+        /// [`sensor::ScaledMag`](crate::sensor::ScaledMag).
         MAG_GENERAL_FAULT: bool = 48,
             mag_general_fault, set_mag_general_fault, with_mag_general_fault;
-        /// The magnetometer measures near or beyond its range. Bit 49. Concerns
-        /// [`sensor::ScaledMag`](crate::sensor::ScaledMag).
+        /// The magnetic field along an axis is near or outside the supported range. Bit 49.
+        /// Concerns [`sensor::ScaledMag`](crate::sensor::ScaledMag).
         MAG_OVER_RANGE: bool = 49,
             mag_over_range, set_mag_over_range, with_mag_over_range;
-        /// The magnetometer self-test failed. Bit 50. Concerns
-        /// [`sensor::ScaledMag`](crate::sensor::ScaledMag).
+        /// The magnetometer self-test failed; the commanded built-in test updates this bit. Bit 50.
+        /// Concerns [`sensor::ScaledMag`](crate::sensor::ScaledMag).
         MAG_SELF_TEST_FAIL: bool = 50,
             mag_self_test_fail, set_mag_self_test_fail, with_mag_self_test_fail;
-        /// Pressure sensor fault. Bit 52. Concerns
+        /// The pressure sensor failed to initialize. Bit 52. Concerns
         /// [`sensor::ScaledPressure`](crate::sensor::ScaledPressure).
         PRESSURE_SENSOR_GENERAL_FAULT: bool = 52,
             pressure_sensor_general_fault, set_pressure_sensor_general_fault, with_pressure_sensor_general_fault;
-        /// The pressure sensor measures near or beyond its range. Bit 53. Concerns
+        /// The pressure is outside the supported range. Bit 53. Concerns
         /// [`sensor::ScaledPressure`](crate::sensor::ScaledPressure).
         PRESSURE_SENSOR_OVER_RANGE: bool = 53,
             pressure_sensor_over_range, set_pressure_sensor_over_range, with_pressure_sensor_over_range;
-        /// The pressure sensor self-test failed. Bit 54. Concerns
-        /// [`sensor::ScaledPressure`](crate::sensor::ScaledPressure).
+        /// The pressure sensor self-test failed; the commanded built-in test updates this bit. Bit
+        /// 54. Concerns [`sensor::ScaledPressure`](crate::sensor::ScaledPressure).
         PRESSURE_SENSOR_SELF_TEST_FAIL: bool = 54,
             pressure_sensor_self_test_fail, set_pressure_sensor_self_test_fail, with_pressure_sensor_self_test_fail;
-        /// Factory settings are invalid. Bit 56.
+        /// The device has lost its factory configuration. Bit 56.
         FACTORY_BITS_INVALID: bool = 56,
             factory_bits_invalid, set_factory_bits_invalid, with_factory_bits_invalid;
-        /// Filter fault. Bit 64.
+        /// The filter does not work normally. Bit 64.
         FILTER_FAULT: bool = 64,
             filter_fault, set_filter_fault, with_filter_fault;
-        /// A filter cycle exceeded its time slot. Bit 66.
+        /// Filter processes take longer than their time slot. Bit 66.
         FILTER_TIMING_OVERRUN: bool = 66,
             filter_timing_overrun, set_filter_timing_overrun, with_filter_timing_overrun;
-        /// A filter cycle started too late. Bit 67.
+        /// Filter processes are skipped. Bit 67.
         FILTER_TIMING_UNDERRUN: bool = 67,
             filter_timing_underrun, set_filter_timing_underrun, with_filter_timing_underrun;
     }
@@ -381,21 +386,24 @@ bitfield! {
     /// Flags of the continuous built-in test of the 3DM-GQ7: bits 0-31 system, 32-63 inertial
     /// sensors, 64-95 navigation, 96-127 GNSS.
     ///
+    /// Uncertain: What the bits mean. The sources have numbers and names only; the descriptions are
+    /// those of the 3DM-CV7-GNSS/INS where the names are the same.
+    ///
     /// Source: ros-driver: Built-in test of the GQ7; mscl: Continuous built-in test.
     Gq7ContinuousBuiltInTest: [u8; 16] {
-        /// The system clock failed. Bit 0.
+        /// The system clock does not work properly. Bit 0.
         SYSTEM_CLOCK_FAILURE: bool = 0,
             system_clock_failure, set_system_clock_failure, with_system_clock_failure;
-        /// Power supply fault. Bit 1.
+        /// The supply voltage is out of range, or an internal supply has failed. Bit 1.
         POWER_FAULT: bool = 1,
             power_fault, set_power_fault, with_power_fault;
-        /// Firmware fault. Bit 4.
+        /// The firmware encountered an unexpected condition. Bit 4.
         FIRMWARE_FAULT: bool = 4,
             firmware_fault, set_firmware_fault, with_firmware_fault;
         /// The processor cannot keep up. Bit 5.
         TIMING_OVERLOAD: bool = 5,
             timing_overload, set_timing_overload, with_timing_overload;
-        /// A data buffer overflowed; data may be lost. Bit 6.
+        /// A data buffer was full and data may be lost. Bit 6.
         BUFFER_OVERRUN: bool = 6,
             buffer_overrun, set_buffer_overrun, with_buffer_overrun;
         /// System to inertial sensor processor link faults. Bits 16 to 19.
@@ -413,65 +421,67 @@ bitfield! {
         /// No communication with the inertial sensors. Bit 33.
         IMU_COMM_FAULT: bool = 33,
             imu_comm_fault, set_imu_comm_fault, with_imu_comm_fault;
-        /// An inertial sensor cycle exceeded its time slot. Bit 34.
+        /// Inertial sensor processes take longer than their time slot. Bit 34.
         IMU_TIMING_OVERRUN: bool = 34,
             imu_timing_overrun, set_imu_timing_overrun, with_imu_timing_overrun;
-        /// Accelerometer calibration error. Bit 36. Concerns
+        /// Fault of the accelerometer calibration. Bit 36. Concerns
         /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel).
         IMU_CALIBRATION_ERROR_ACCEL: bool = 36,
             imu_calibration_error_accel, set_imu_calibration_error_accel, with_imu_calibration_error_accel;
-        /// Gyroscope calibration error. Bit 37. Concerns
+        /// Fault of the gyroscope calibration. Bit 37. Concerns
         /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
         IMU_CALIBRATION_ERROR_GYRO: bool = 37,
             imu_calibration_error_gyro, set_imu_calibration_error_gyro, with_imu_calibration_error_gyro;
-        /// Magnetometer calibration error. Bit 38. Concerns
+        /// Fault of the magnetometer calibration. Bit 38. Concerns
         /// [`sensor::ScaledMag`](crate::sensor::ScaledMag).
         IMU_CALIBRATION_ERROR_MAG: bool = 38,
             imu_calibration_error_mag, set_imu_calibration_error_mag, with_imu_calibration_error_mag;
-        /// Accelerometer fault. Bit 40. Concerns
+        /// The accelerometer failed to initialize. Bit 40. Concerns
         /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel).
         ACCEL_GENERAL_FAULT: bool = 40,
             accel_general_fault, set_accel_general_fault, with_accel_general_fault;
-        /// The accelerometer measures near or beyond its range. Bit 41. Concerns
+        /// The acceleration along an axis is near or outside the selected range. Bit 41. Concerns
         /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel).
         ACCEL_OVER_RANGE: bool = 41,
             accel_over_range, set_accel_over_range, with_accel_over_range;
-        /// The accelerometer self-test failed. Bit 42. Concerns
-        /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel).
+        /// The accelerometer self-test failed; the commanded built-in test updates this bit. Bit
+        /// 42. Concerns [`sensor::ScaledAccel`](crate::sensor::ScaledAccel).
         ACCEL_SELF_TEST_FAIL: bool = 42,
             accel_self_test_fail, set_accel_self_test_fail, with_accel_self_test_fail;
-        /// Gyroscope fault. Bit 44. Concerns [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
+        /// The gyroscope failed to initialize. Bit 44. Concerns
+        /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
         GYRO_GENERAL_FAULT: bool = 44,
             gyro_general_fault, set_gyro_general_fault, with_gyro_general_fault;
-        /// The gyroscope measures near or beyond its range. Bit 45. Concerns
+        /// The angular rate about an axis is near or outside the selected range. Bit 45. Concerns
         /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
         GYRO_OVER_RANGE: bool = 45,
             gyro_over_range, set_gyro_over_range, with_gyro_over_range;
-        /// The gyroscope self-test failed. Bit 46. Concerns
-        /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
+        /// The gyroscope self-test failed; the commanded built-in test updates this bit. Bit 46.
+        /// Concerns [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
         GYRO_SELF_TEST_FAIL: bool = 46,
             gyro_self_test_fail, set_gyro_self_test_fail, with_gyro_self_test_fail;
-        /// Magnetometer fault. Bit 48. Concerns [`sensor::ScaledMag`](crate::sensor::ScaledMag).
+        /// The magnetometer failed to initialize. Bit 48. Concerns
+        /// [`sensor::ScaledMag`](crate::sensor::ScaledMag).
         MAG_GENERAL_FAULT: bool = 48,
             mag_general_fault, set_mag_general_fault, with_mag_general_fault;
-        /// The magnetometer measures near or beyond its range. Bit 49. Concerns
-        /// [`sensor::ScaledMag`](crate::sensor::ScaledMag).
+        /// The magnetic field along an axis is near or outside the supported range. Bit 49.
+        /// Concerns [`sensor::ScaledMag`](crate::sensor::ScaledMag).
         MAG_OVER_RANGE: bool = 49,
             mag_over_range, set_mag_over_range, with_mag_over_range;
-        /// The magnetometer self-test failed. Bit 50. Concerns
-        /// [`sensor::ScaledMag`](crate::sensor::ScaledMag).
+        /// The magnetometer self-test failed; the commanded built-in test updates this bit. Bit 50.
+        /// Concerns [`sensor::ScaledMag`](crate::sensor::ScaledMag).
         MAG_SELF_TEST_FAIL: bool = 50,
             mag_self_test_fail, set_mag_self_test_fail, with_mag_self_test_fail;
-        /// Pressure sensor fault. Bit 52. Concerns
+        /// The pressure sensor failed to initialize. Bit 52. Concerns
         /// [`sensor::ScaledPressure`](crate::sensor::ScaledPressure).
         PRESSURE_SENSOR_GENERAL_FAULT: bool = 52,
             pressure_sensor_general_fault, set_pressure_sensor_general_fault, with_pressure_sensor_general_fault;
-        /// The pressure sensor measures near or beyond its range. Bit 53. Concerns
+        /// The pressure is outside the supported range. Bit 53. Concerns
         /// [`sensor::ScaledPressure`](crate::sensor::ScaledPressure).
         PRESSURE_SENSOR_OVER_RANGE: bool = 53,
             pressure_sensor_over_range, set_pressure_sensor_over_range, with_pressure_sensor_over_range;
-        /// The pressure sensor self-test failed. Bit 54. Concerns
-        /// [`sensor::ScaledPressure`](crate::sensor::ScaledPressure).
+        /// The pressure sensor self-test failed; the commanded built-in test updates this bit. Bit
+        /// 54. Concerns [`sensor::ScaledPressure`](crate::sensor::ScaledPressure).
         PRESSURE_SENSOR_SELF_TEST_FAIL: bool = 54,
             pressure_sensor_self_test_fail, set_pressure_sensor_self_test_fail, with_pressure_sensor_self_test_fail;
         /// The filter clock failed. Bit 64.
@@ -480,10 +490,10 @@ bitfield! {
         /// Filter processor fault. Bit 65.
         FILTER_HARDWARE_FAULT: bool = 65,
             filter_hardware_fault, set_filter_hardware_fault, with_filter_hardware_fault;
-        /// A filter cycle exceeded its time slot. Bit 66.
+        /// Filter processes take longer than their time slot. Bit 66.
         FILTER_TIMING_OVERRUN: bool = 66,
             filter_timing_overrun, set_filter_timing_overrun, with_filter_timing_overrun;
-        /// A filter cycle started too late. Bit 67.
+        /// Filter processes are skipped. Bit 67.
         FILTER_TIMING_UNDERRUN: bool = 67,
             filter_timing_underrun, set_filter_timing_underrun, with_filter_timing_underrun;
         /// Filter communication errors. Bits 68 to 71.
@@ -508,7 +518,8 @@ bitfield! {
         /// [`gnss_data::FixInfo`](crate::gnss_data::FixInfo).
         RECEIVER_1_POWER_FAULT: bool = 104,
             receiver_1_power_fault, set_receiver_1_power_fault, with_receiver_1_power_fault;
-        /// Receiver 1 fault. Bit 105. Concerns [`gnss_data::FixInfo`](crate::gnss_data::FixInfo).
+        /// No communication with internal receiver 1. Bit 105. Concerns
+        /// [`gnss_data::FixInfo`](crate::gnss_data::FixInfo).
         RECEIVER_1_FAULT: bool = 105,
             receiver_1_fault, set_receiver_1_fault, with_receiver_1_fault;
         /// Antenna 1 is shorted. Bit 106. Concerns
@@ -527,7 +538,8 @@ bitfield! {
         /// [`gnss_data::FixInfo`](crate::gnss_data::FixInfo).
         RECEIVER_2_POWER_FAULT: bool = 109,
             receiver_2_power_fault, set_receiver_2_power_fault, with_receiver_2_power_fault;
-        /// Receiver 2 fault. Bit 110. Concerns [`gnss_data::FixInfo`](crate::gnss_data::FixInfo).
+        /// No communication with internal receiver 2. Bit 110. Concerns
+        /// [`gnss_data::FixInfo`](crate::gnss_data::FixInfo).
         RECEIVER_2_FAULT: bool = 110,
             receiver_2_fault, set_receiver_2_fault, with_receiver_2_fault;
         /// Antenna 2 is shorted. Bit 111. Concerns
@@ -609,7 +621,7 @@ bitfield! {
         /// Active now, by its condition or by a test mode. Bit 0.
         ACTIVE: bool = 0,
             active, set_active, with_active;
-        /// Enabled. Bit 1.
+        /// The trigger is enabled. Bit 1.
         ENABLED: bool = 1,
             enabled, set_enabled, with_enabled;
         /// In a test mode. Bit 2.
@@ -710,12 +722,14 @@ record! {
         /// Lower threshold, in the unit of the watched value.
         ///
         /// - The SDK calls it the first threshold.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub low_threshold: f64,
         /// Upper threshold, in the unit of the watched value. The trigger is active from the lower
         /// threshold to the upper one, both included. If the upper one is below the lower one, it
         /// is active below the upper and above the lower one, both excluded.
         ///
         /// - The SDK calls it the second threshold.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub high_threshold: f64,
     }
 }
@@ -746,12 +760,14 @@ record! {
         /// value.
         ///
         /// - The SDK calls it the first threshold.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub interval_threshold: f64,
         /// Divisor of the remainder, in the unit of the watched value. If it is below the
         /// threshold, the two swap roles: the trigger is active while the value modulo
         /// `interval_threshold` is above this.
         ///
         /// - The SDK calls it the second threshold.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub interval: f64,
     }
 }
@@ -950,13 +966,13 @@ open_enum! {
     GnssConstellation: u8 {
         /// Not known.
         UNKNOWN = 0, "unknown";
-        /// GPS.
+        /// Gps.
         GPS = 1, "gps";
-        /// GLONASS.
+        /// Glonass.
         GLONASS = 2, "glonass";
         /// Galileo.
         GALILEO = 3, "galileo";
-        /// BeiDou.
+        /// Beidou.
         BEIDOU = 4, "beidou";
         /// Satellite based augmentation.
         SBAS = 5, "sbas";
@@ -972,7 +988,7 @@ open_enum! {
         FIX_3D = 0, "fix_3d";
         /// Fix in two dimensions.
         FIX_2D = 1, "fix_2d";
-        /// Time only.
+        /// The receiver computes the time, but no position.
         FIX_TIME_ONLY = 2, "fix_time_only";
         /// No fix.
         FIX_NONE = 3, "fix_none";
@@ -982,7 +998,7 @@ open_enum! {
         FIX_RTK_FLOAT = 5, "fix_rtk_float";
         /// RTK fix with integer ambiguities.
         FIX_RTK_FIXED = 6, "fix_rtk_fixed";
-        /// Differential fix.
+        /// The position uses differential corrections.
         FIX_DIFFERENTIAL = 7, "fix_differential";
     }
 }
@@ -1122,7 +1138,7 @@ open_enum! {
         BEIDOU_B2Q = 167, "beidou_b2q";
         /// BeiDou B2 I+Q.
         BEIDOU_B2IQ = 168, "beidou_b2iq";
-        /// BeiDou B2a.
+        /// Beidou b2a.
         BEIDOU_B2A = 169, "beidou_b2a";
     }
 }
@@ -1366,7 +1382,7 @@ bitfield! {
         /// the vendor treats it as negative.
         RSSI: u8 = 8..=15,
             rssi, set_rssi, with_rssi;
-        /// Signal quality. Bits 16 to 19.
+        /// Quality of the modem's radio signal. Bits 16 to 19.
         SIGNAL_QUALITY: u8 = 16..=19,
             signal_quality, set_signal_quality, with_signal_quality;
         /// Changes of the cell tower. Bits 20 to 23.
@@ -1418,7 +1434,7 @@ bitfield! {
         /// Reason of the last reset. Bits 14 to 15.
         RESET_CODE: u8 = 14..=15,
             reset_code, set_reset_code, with_reset_code;
-        /// Signal quality. Bits 16 to 19.
+        /// Quality of the modem's radio signal. Bits 16 to 19.
         SIGNAL_QUALITY: u8 = 16..=19,
             signal_quality, set_signal_quality, with_signal_quality;
         /// Received signal strength. Bits 20 to 25.

@@ -19,6 +19,7 @@ from mipgen.base.errors import Failure
 
 from . import tables
 
+NAME = "sdk"
 DEFINITIONS = Path("src/cpp/mip/definitions")
 
 _SCALARS = {f"{u}int{n}_t": f"{u or 's'}{n}" for u in ("u", "") for n in (8, 16, 32, 64)} | {
@@ -76,7 +77,7 @@ def _facts(folder: Path) -> dict[str, Any]:
     printed = {p.get("unit") for record in records for q in record for p in (q, *q.get("cases", ()))}
     receivers = {f"0x{n:02X}" for part in parts for s in part.scopes.values() for k, n in s.numbers.items() if _GNSS(k)}
     return {
-        "source": _source(folder),
+        "source": _SOURCE | revision(folder),
         "same_layouts": {"0x81": sorted(receivers)},
         "vectors": _VECTORS,
         "units": tables.symbols(printed),
@@ -89,16 +90,15 @@ def _facts(folder: Path) -> dict[str, Any]:
     }
 
 
-def _source(folder: Path) -> dict[str, str]:
-    """What the facts are of, with the revision if git knows it."""
-    source = {"name": "MicroStrain MIP SDK", "repository": "github.com/HBK-MicroStrain/mip_sdk", "licence": "MIT"}
+def revision(folder: Path) -> dict[str, str]:
+    """Commit and date of a working copy, if git knows them."""
     command = ["git", "-C", str(folder), "log", "-1", "--format=%H %cs"]
     git = subprocess.run(command, capture_output=True, text=True, check=False) if shutil.which("git") else None
-    if git is None or git.returncode:
-        return source
-    commit, date = git.stdout.split()
-    return source | {"commit": commit, "date": date}
+    commit, date = git.stdout.split() if git is not None and git.returncode == 0 else ("", "")
+    return {"commit": commit, "date": date} if commit else {}
 
+
+_SOURCE = {"name": "MicroStrain MIP SDK", "repository": "github.com/HBK-MicroStrain/mip_sdk", "licence": "MIT"}
 
 #: Sets of further receivers, by the names of their constants.
 _GNSS = re.compile(r"MIP_GNSS\d_DATA_DESC_SET").match

@@ -71,15 +71,15 @@ def read(path: Path) -> dict[str, Any]:
     return facts
 
 
-def audit(model: m.Model, folder: Path, revision: dict[str, Any] | None = None) -> Report:
-    """Compares with all files of a folder; or with the facts of another revision of the SDK alone, which may agree
-    where a difference is accepted. Raises SpecError where a file cannot be read."""
+def audit(model: m.Model, folder: Path, revision: dict[str, Any] | None = None, name: str = "sdk") -> Report:
+    """Compares with all files of a folder; or with the facts of another revision of an SDK alone, the witness of
+    this name, which may agree where a difference is accepted. Raises SpecError where a file cannot be read."""
     problems = Problems()
     documents = loader.load_witnesses(folder, problems)
     problems.raise_if_any()
     witnesses = {Path(d.path).stem: d.root.plain() for d in documents if d.kind == "witness"}
     if revision is not None:
-        witnesses = {"sdk": revision}
+        witnesses = {name: revision}
     accepted = [d.root for d in documents if d.kind == "accepted"]
     judged = [(entry, entry.plain()) for root in accepted for entry in root.get("differences") or ()]
     compared = _Compared(model, witnesses, [root.plain() for root in accepted])

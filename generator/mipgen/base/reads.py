@@ -33,25 +33,40 @@ def during(make: Callable[..., Value], *arguments: Any) -> tuple[Value, frozense
 def watch(cls: type, names: Iterable[str]) -> None:
     """From now on, attributes of these names are watched; the class may have slots or not."""
     for name in names:
-        setattr(cls, name, _Watched(name, cls.__dict__.get(name) if hasattr(cls, "__slots__") else None))
+        setattr(cls, name, _Slot(name, cls.__dict__[name]) if hasattr(cls, "__slots__") else _Attribute(name))
 
 
-class _Watched:
-    def __init__(self, name: str, slot: Any) -> None:
+class _Attribute:
+    """In the `__dict__` of its object."""
+
+    def __init__(self, name: str) -> None:
         self.name = name
-        self.slot = slot
 
     def __get__(self, owner: Any, cls: type | None = None) -> Any:
         if owner is None:
             return self
         _log.add((id(owner), self.name))
-        return owner.__dict__[self.name] if self.slot is None else self.slot.__get__(owner)
+        return owner.__dict__[self.name]
 
     def __set__(self, owner: Any, value: Any) -> None:
-        if self.slot is None:
-            owner.__dict__[self.name] = value
-        else:
-            self.slot.__set__(owner, value)
+        owner.__dict__[self.name] = value
+
+
+class _Slot:
+    """Of a class with slots."""
+
+    def __init__(self, name: str, slot: Any) -> None:
+        self.name = name
+        self.get, self.set = slot.__get__, slot.__set__
+
+    def __get__(self, owner: Any, cls: type | None = None) -> Any:
+        if owner is None:
+            return self
+        _log.add((id(owner), self.name))
+        return self.get(owner)
+
+    def __set__(self, owner: Any, value: Any) -> None:
+        self.set(owner, value)
 
 
 class Memo(Generic[Key, Value]):

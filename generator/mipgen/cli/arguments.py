@@ -170,7 +170,7 @@ def parser() -> argparse.ArgumentParser:
     audit.add_argument(
         "--extract",
         action="store_true",
-        help="write the facts of each --manual and of --sdk to witness/ID.yaml of the specification, and sdk.yaml",
+        help="write the facts of each --manual and of --sdk to witness/ of the specification: ID.yaml, sdk.yaml",
     )
 
     targets = command("targets", "targets", "list the targets")

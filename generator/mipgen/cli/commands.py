@@ -306,7 +306,7 @@ class Unreadable(Failure):
 
 
 def audit(options: Namespace) -> int:
-    from mipgen.audit import devices, manuals, sdk, tables, witnesses
+    from mipgen.audit import devices, manuals, sdk, sdk_2014, tables, witnesses
     from mipgen.read.problems import nearest
 
     if not options.manual and options.sdk is None and options.witness is None:
@@ -330,15 +330,17 @@ def audit(options: Namespace) -> int:
         findings += devices.audit(model, options.sdk)
     lines = [str(finding) for finding in findings]
     revision = None
-    if options.sdk is not None and sdk.is_working_copy(options.sdk):
-        revision = sdk.extract(options.sdk)
+    reader = next((x for x in (sdk, sdk_2014) if options.sdk is not None and x.is_working_copy(options.sdk)), None)
+    if options.sdk is not None and reader is not None:
+        revision = reader.extract(options.sdk)
         if options.extract:
-            _extract(options, "sdk", revision, "--sdk FOLDER")
+            _extract(options, reader.NAME, revision, "--sdk FOLDER")
             revision = None
     elif options.sdk is not None and (options.sdk / devices.WITNESS).is_file():
         revision = witnesses.read(options.sdk / devices.WITNESS)
     if revision is not None:
-        lines += witnesses.audit(model, options.witness or _specs(options)[0] / "witness", revision).lines()
+        folder, name = options.witness or _specs(options)[0] / "witness", reader.NAME if reader else sdk.NAME
+        lines += witnesses.audit(model, folder, revision, name).lines()
     elif options.witness is not None:
         if not options.witness.is_dir():
             raise Failure(f"'{options.witness}': no such folder; write --witness FOLDER")

@@ -64,7 +64,7 @@ class Grammar:
 
     pattern: str  # of all of a name: a regular expression
     keywords: frozenset[str] = frozenset()
-    longest: int | None = None  # how many characters of a name count, if that is limited
+    longest: int | None = None  # how many characters of a name count, if that is limited; others may follow
 
     def fault(self, name: str) -> str:
         """What is wrong with a name; empty if nothing is."""
@@ -108,18 +108,17 @@ def invalid(target: str, identifiers: Iterable[Identifier], grammar: Grammar, pr
 
 
 def lengths(target: str, identifiers: Iterable[Identifier], longest: int, problems: Problems) -> None:
-    """No name may be longer; of the names that one thing gives rise to, the longest is reported."""
-    worst: dict[tuple[str, Position | None], Identifier] = {}
+    """Names that begin with the same `longest` characters must be one; of those of one thing, the first is reported."""
+    seen: dict[tuple[str, str], Identifier] = {}
+    reported: set[tuple[str, Position | None]] = set()
     for i in identifiers:
-        other = worst.setdefault((i.what, i.position), i)
-        if len(i.name) > len(other.name):
-            worst[i.what, i.position] = i
-    for i in worst.values():
-        if len(i.name) > longest:
+        other = seen.setdefault((i.scope, i.name[:longest]), i)
+        if other.name != i.name and (i.what, i.position) not in reported:
+            reported.add((i.what, i.position))
             problems.add(
                 i.position,
-                f"'{i.what}' becomes {i.name}, and the target {target} looks at {longest} of its {len(i.name)} "
-                "characters; give it, or what it belongs to, a shorter name with 'short'",
+                f"'{i.what}' becomes {i.name}, and the target {target} looks at {longest} characters, which are those "
+                f"of {other.name} too; give it, or what it belongs to, a shorter name with 'short'",
             )
 
 

@@ -13,6 +13,7 @@ import io
 import pickle
 from collections.abc import Callable, Mapping
 from dataclasses import fields
+from itertools import repeat
 from operator import attrgetter
 from pathlib import Path
 from typing import Any, TypeVar
@@ -40,6 +41,25 @@ _NUMBERS = {name: i for i, name in enumerate(sorted({name for names in _NAMES.va
 _GETTERS = {cls: attrgetter(*names) for cls, names in _NAMES.items() if names}
 
 
+class _Addresses(dict[Read, Address | None]):
+    """Where to find again what was read; None if its object is not of the model, but made of what is."""
+
+    def __init__(self, slices: Slices) -> None:
+        self.model = id(slices.model)
+        self.places = slices.places
+        self.parts = slices.parts
+
+    def __missing__(self, read: Read) -> Address | None:
+        owner, name = read
+        if owner == self.model:
+            address: Address | None = self.parts[name].number << _PART | _WHOLE
+        else:
+            place = self.places.get(owner)
+            address = None if place is None else place | _NUMBERS[name]
+        self[read] = address
+        return address
+
+
 class Part:
     """A part of the model: its shape, and the objects that have details, in the order of the walk."""
 
@@ -53,7 +73,8 @@ class Part:
 def _details(thing: Any) -> tuple[Any, ...]:
     """The details of an object, so that equal ones are of the same kind."""
     found = _GETTERS[type(thing)](thing)
-    return tuple(map(_plain, found if len(_NAMES[type(thing)]) > 1 else (found,)))
+    several = found if len(_NAMES[type(thing)]) > 1 else (found,)
+    return tuple([x if x is None or x.__class__ is str else _plain(x) for x in several])
 
 
 def _plain(value: Any) -> Any:
@@ -71,6 +92,7 @@ class Slices:
         self.key = cache.key(fingerprint.program(), str(out.absolute()), options)
         self.places: dict[int, Address] = {}  # of an object, by its identity
         self.parts: dict[str, Part] = {}
+        self.addresses = _Addresses(self)
         reducers = {cls: self._reducer(cls) for cls in details.CLASSES}
         for name in (f.name for f in fields(model)):
             self.parts[name] = self.part = part = Part(len(self.parts))
@@ -120,14 +142,6 @@ class Slices:
                     names = _NAMES[type(part.objects[place])]
                     changed |= {base | _NUMBERS[name] for name, a, b in zip(names, was, now, strict=True) if a != b}
         return changed
-
-    def address(self, read: Read) -> Address | None:
-        """Where to find it again; None if its object is not of the model, but made of what is."""
-        owner, name = read
-        if owner == id(self.model):
-            return self.parts[name].number << _PART | _WHOLE
-        place = self.places.get(owner)
-        return None if place is None else place | _NUMBERS[name]
 
     def of(self, target: str) -> Anew:
         return Slice(self, target)
@@ -206,13 +220,16 @@ class Slice(Anew):
 
     def make(self, what: str, how: Callable[..., Value], *arguments: Any) -> Value:
         made, read = reads.during(how, *arguments)
-        self.read[what] = {a for a in map(self.slices.address, read) if a is not None}
+        self.read[what] = {a for a in set(map(self.slices.addresses.__getitem__, read)) if a is not None}
         return made
 
     def keep(self, files: Mapping[str, bytes]) -> None:
         digests = {NAMES: b"", PLAN: b"", **{path: _digest(data) for path, data in files.items()}}
         readers, nobody = self.readers, frozenset[str]()
-        known = all(what in readers.get(a, nobody) for what, read in self.read.items() for a in read)
+        known = all(
+            read <= readers.keys() and all(map(frozenset.__contains__, map(readers.__getitem__, read), repeat(what)))
+            for what, read in self.read.items()
+        )
         if not known or digests.keys() != self.digests.keys():  # else what is no longer read does no harm
             again = self.read.keys() | (self.digests.keys() - digests.keys())
             readers = {a: what - again for a, what in readers.items()}

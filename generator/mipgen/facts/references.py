@@ -48,7 +48,8 @@ class _Names:
     def inside(self, node: Node) -> None:
         if isinstance(node.value, list):
             for item in node:
-                self.inside(item)
+                if not isinstance(item.value, str):
+                    self.inside(item)
         elif isinstance(node.value, dict):
             for key, entry in node.items():
                 if key in PROSE:

@@ -104,6 +104,8 @@ def size(p: m.Parameter) -> tuple[int, int]:
     """The fewest and the most bytes of a parameter."""
     if p.struct:
         return p.struct.min_size, p.struct.max_size
+    if not p.union and not p.several:
+        return p.size, p.size
     several = extents(p, unknown=True)
     return min(e.fixed for e in several), max(e.most for e in several)
 

@@ -28,7 +28,7 @@ class Older:
 
 @dataclass(frozen=True, slots=True)
 class Session:
-    baud: int  # of a new device
+    bauds: tuple[int, ...]  # of all devices: that of a new one, then in descending order
     model_numbers: tuple[str, ...]  # paths in the response of `identify`
     ping: m.Field
     idle: m.Field
@@ -56,8 +56,10 @@ def session(model: m.Model) -> Session | None:
     entries = next(p for p in message_format.calls[0].required if p.kind == "array")
     older = tuple(x for each in given.older if (x := _older(each, model)))
     rate = _rate(base_rate, model)
+    known = {rate for d in model.devices for port in d.ports for rate in port.baud_rates}
+    bauds = (given.baud, *sorted(known - {given.baud}, reverse=True))
     return Session(
-        given.baud, given.model_numbers, ping, idle, resume, identify, rate, message_format, entries, stream, older
+        bauds, given.model_numbers, ping, idle, resume, identify, rate, message_format, entries, stream, older
     )
 
 

@@ -153,6 +153,11 @@ class Field:
     def full_name(self) -> str:
         return f"{self.family}.{self.name}"
 
+    @cached_property
+    def names(self) -> tuple[str, ...]:
+        """Its full name, and its name in each of its sets."""
+        return tuple(dict.fromkeys((self.full_name, *(f"{o.set_name}.{self.name}" for o in self.occurrences))))
+
     @property
     def owner(self) -> str:
         """What defines it, as of a type: its family."""

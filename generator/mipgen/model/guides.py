@@ -90,6 +90,19 @@ class Migration:
 
 
 @dataclass(frozen=True, slots=True)
+class Question:
+    """A question that people ask, or what they see when something is wrong, with its answer."""
+
+    question: Prose
+    answer: Prose
+    see: tuple[str, ...] = ()  # names of guides and full names of fields
+
+    def only(self, fields: dict[str, Field]) -> Question:
+        """Without the fields that a part lacks."""
+        return replace(self, see=_seen(self.see, fields))
+
+
+@dataclass(frozen=True, slots=True)
 class Guide:
     name: str
     title: Prose  # what somebody wants to do: "stream IMU data at 100 Hz"
@@ -97,6 +110,7 @@ class Guide:
     answer: Prose
     sequences: tuple[Sequence, ...]
     before: tuple[Prose, ...] = ()  # what must be done or known first
+    questions: tuple[Question, ...] = ()
     notes: tuple[Prose, ...] = ()
     tables: tuple[str, ...] = ()  # facts of all devices that it shows: see TABLES
     migration: Migration | None = None
@@ -111,12 +125,17 @@ class Guide:
         m = self.migration
         if (self.sequences and not kept) or (m is not None and _lost(m, fields, devices)):
             return None
-        see = tuple(name for name in self.see if "." not in name or name in fields)
-        return replace(self, sequences=kept, see=see, migration=m and _moved(m, fields, devices))
+        questions = tuple(q.only(fields) for q in self.questions)
+        moved = m and _moved(m, fields, devices)
+        return replace(self, sequences=kept, questions=questions, see=_seen(self.see, fields), migration=moved)
 
 
 #: Facts of all devices that a guide may show.
 TABLES = ("base_rates", "baud_rates")
+
+
+def _seen(see: tuple[str, ...], fields: dict[str, Field]) -> tuple[str, ...]:
+    return tuple(name for name in see if "." not in name or name in fields)
 
 
 def _only(s: Sequence, fields: dict[str, Field], devices: dict[str, Device]) -> Sequence | None:

@@ -71,8 +71,7 @@ class Model:
     @kept
     def names(self) -> tuple[str, ...]:
         """The full names of all fields, and their names in each of their sets."""
-        every = (name for f in self.fields for name in (f.full_name, *(f.name_in(o.set) for o in f.occurrences)))
-        return tuple(dict.fromkeys(every))
+        return tuple(dict.fromkeys(name for f in self.fields for name in f.names))
 
     def set_of(self, full_name: str) -> int:
         """The number of the set that the name of a field begins with."""
@@ -102,9 +101,10 @@ class Model:
     def sizes(self, f: Field) -> range:
         """The sizes of data with which the descriptor has this layout, given its constants.
 
-        Of several with the same constants it is the longest that the data hold, else the shortest.
+        Of several whose constants the data may have it is the longest that the data hold, else the shortest; of equal
+        ones, the first.
         """
-        others = [g.min_size for g in self.layouts(f) if g.signature == f.signature]
+        others = [g.min_size for g in self.layouts(f) if set(g.signature) <= set(f.signature)]
         first = f.min_size if min(others) < f.min_size else 0
         return range(first, min((n for n in others if n > f.min_size), default=MAX_FIELD_DATA + 1))
 
@@ -192,7 +192,7 @@ class Model:
     @kept
     def _fields(self) -> dict[str, Field]:
         every = (*self.fields, self.protocol.acknowledge)
-        return {f.name_in(o.set): f for f in every for o in f.occurrences} | {f.full_name: f for f in every}
+        return {name: f for f in every for name in f.names} | {f.full_name: f for f in every}
 
     @kept
     def _families(self) -> dict[str, Family]:

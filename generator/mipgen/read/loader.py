@@ -16,9 +16,12 @@ from mipgen.base.resources import MANIFEST
 from . import overlay
 from .documents import Document
 from .nodes import Node, read
+from .obeys import obeys
 from .position import Position
 from .problems import Problems, close, nearest
 from .spelling import strange
+
+_SUFFIX = ".schema.json"
 
 #: Words that other YAML parsers read as true and false.
 BOOLEANS = {**dict.fromkeys(("true", "yes", "on", "y"), "true"), **dict.fromkeys(("false", "no", "off", "n"), "false")}
@@ -83,7 +86,7 @@ def _documents(folder: Path, layout: dict[str, str], over: bool, problems: Probl
                     continue
                 of = _schema(kind, root, over)
                 before = len(problems)
-                if not _valid(_validators()[of], root, "the file", problems):
+                if not _valid(of, root, problems):
                     continue
                 if known and len(problems) == before:
                     valid[known] = pickle.dumps((of, root), 5)
@@ -107,8 +110,7 @@ def load_witnesses(folder: Path, problems: Problems) -> list[Document]:
 def load_witness(path: Path, problems: Problems) -> Document | None:
     """Reads one witness, which may lie anywhere; None if it cannot be read."""
     root = read(path, shown(path), problems)
-    valid = root is not None and _valid(_validators()["witness"], root, "the file", problems)
-    return Document("witness", path.name, root) if root is not None and valid else None
+    return Document("witness", path.name, root) if root is not None and _valid("witness", root, problems) else None
 
 
 def _key(path: Path, kind: str, over: bool) -> str:
@@ -169,29 +171,36 @@ def _is_integer(_: Any, value: Any) -> bool:
 
 @functools.cache
 def _validators() -> dict[str, Any]:
-    """The validator of each kind of file. Its library is slow to import, and not needed if all files are known."""
+    """The validator of each kind of file. Its library is slow to import, and only needed if a file is wrong."""
     import jsonschema
     import referencing
+    from referencing.jsonschema import DRAFT7
 
     types = jsonschema.Draft7Validator.TYPE_CHECKER.redefine("integer", _is_integer)
     extend: Any = jsonschema.validators.extend
     validator = extend(jsonschema.Draft7Validator, {"pattern": _matches}, type_checker=types)
     folder = resources.root() / "spec/schema"
     files = {name: json.loads(file.read_text("utf-8")) for name, file in resources.files(folder)}
+    for schema in files.values():
+        del schema["$schema"]  # where it is referred to, the library would take its own validator in place of this one
     registry: referencing.Registry[Any] = referencing.Registry().with_resources(
-        (name, referencing.Resource.from_contents(schema)) for name, schema in files.items()
+        (name, DRAFT7.create_resource(schema)) for name, schema in files.items()
     )
-    return {name.removesuffix(".schema.json"): validator(schema, registry=registry) for name, schema in files.items()}
+    return {name.removesuffix(_SUFFIX): validator(schema, registry=registry) for name, schema in files.items()}
 
 
 # --------------------------------------------------------------------------- schema errors in words
 
 
-def _valid(validator: Any, root: Node, name: str, problems: Problems) -> bool:
-    errors = list(validator.iter_errors(root.plain()))
+def _valid(kind: str, root: Node, problems: Problems) -> bool:
+    """Does a file obey its schema? If not, `problems` takes what is wrong."""
+    value = root.plain()
+    if obeys(f"{kind}{_SUFFIX}", value):
+        return True
+    errors = list(_validators()[kind].iter_errors(value))
     for error in errors:
         path = list(error.absolute_path)
-        for extra, message in messages(error, name):
+        for extra, message in messages(error, "the file"):
             problems.add(root.at([*path, *extra]) if extra else root.value_at(path), message)
     return not errors
 

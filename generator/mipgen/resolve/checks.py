@@ -130,14 +130,16 @@ def _descriptor_range(s: m.Family, f: m.Field | m.Named, problems: Problems) -> 
 
 
 def _told_apart(a: m.Field, b: m.Field) -> bool:
-    """By a constant that differs; or, with the same constants, by their sizes. A command has one layout."""
+    """By a constant that differs; or that only the first has, which is tried first; or, with the same constants, by
+    their sizes. A command has one layout."""
     if m.COMMAND in (a.role, b.role):
         return False
     mine = {(at, len(constant)): constant for at, constant in a.signature}
     if any(mine.get((at, len(constant)), constant) != constant for at, constant in b.signature):
         return True
     fixed = a.min_size == a.max_size and b.min_size == b.max_size
-    return a.signature == b.signature and fixed and a.min_size != b.min_size
+    differ = a.min_size != b.min_size if a.signature == b.signature else set(a.signature) > set(b.signature)
+    return fixed and differ
 
 
 def named(model: m.Model, problems: Problems) -> None:

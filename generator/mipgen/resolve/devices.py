@@ -124,6 +124,22 @@ def _with_variants(model: m.Model, variants: list[tuple[str, m.Variant]]) -> m.M
     return replace(model, protocol=protocol, families=families)
 
 
+def _by_device(model: m.Model) -> dict[str, list[m.DeviceVariant]]:
+    """What parameters are on each device."""
+    found: dict[str, list[m.DeviceVariant]] = {}
+    for f in (model.protocol.acknowledge, *model.fields):
+        for p in f.parameters:
+            for v in p.variants:
+                if v.by_device:
+                    found.setdefault(v.key, []).append(m.DeviceVariant(f, p, v))
+    return found
+
+
+def _asked(model: m.Model) -> dict[int, dict[str, m.Field]]:
+    """What a device may have, its commands and data, by set and name."""
+    return {s.number: {f.name: f for f in model.fields_in(s) if f.role != m.RESPONSE} for s in model.sets}
+
+
 # --------------------------------------------------------------------------- one device
 
 
@@ -187,13 +203,7 @@ class _Device:
                 )
                 for n in node.get("notes") or ()
             ),
-            variants=tuple(
-                m.DeviceVariant(f, p, v)
-                for f in (self.model.protocol.acknowledge, *self.model.fields)
-                for p in f.parameters
-                for v in p.variants
-                if v.by_device and v.key == self.id
-            ),
+            variants=tuple(self.model.derived(_by_device).get(self.id, ())),
             ack_codes=self.codes(),
             incomplete=sentences(node, "incomplete"),
             uncertain=sentences(node, "uncertain"),
@@ -271,7 +281,7 @@ class _Device:
                     near = nearest(set_name, [s.name for s in self.model.sets])
                     self.problems.add(node.keys[set_name], f"unknown set '{set_name}'{near}")
                     continue
-                known = {f.name: f for f in self.model.fields_in(of) if f.role != m.RESPONSE}
+                known = self.model.derived(_asked)[of.number]
                 for entry in entries:
                     f, full = known.get(entry.value), f"{set_name}.{entry.value}"
                     if f is None:
@@ -342,7 +352,7 @@ class _Device:
             if s.field.full_name not in told
             for f in (s.field, *self.model.responses(s.field))
         }
-        known = {f.name_in(o.set) for f in (self.model.protocol.acknowledge, *fields) for o in f.occurrences}
+        known = {name for f in (self.model.protocol.acknowledge, *fields) for name in f.names}
         for path in self.node["varies"].value if "varies" in self.node else ():
             name = path.rpartition(".")[0]
             if self.model.field(name) is not None and name not in known:
@@ -358,7 +368,7 @@ class _Device:
 
     def check_reading(self, f: m.Field, p: m.Parameter) -> None:
         """A parameter whose values are read by device needs a reading from each that supports it."""
-        own = self.own(p)
+        own = self.own(p) if p.by_device else None
         if p.by_device and not (own and (own.type or own.unknown)):
             path = f"{f.full_name}.{p.name}"
             self.problems.add(
@@ -368,6 +378,8 @@ class _Device:
 
     def check_valid(self, f: m.Field, p: m.Parameter) -> None:
         """The bit that says whether a value is valid is one that the flags have on this device."""
+        if not p.valid and not p.variants:
+            return
         own = self.own(p)
         explicit = own is not None and own.valid is not None
         path = f"{f.full_name}.{p.name}"

@@ -9,7 +9,7 @@ from fractions import Fraction
 from mipgen import model as m
 from mipgen.facts.sample_values import SampleValues
 from mipgen.lower import codec
-from mipgen.model.guides import Change, Guide, Migration, Sequence, Shown, Step, Stream
+from mipgen.model.guides import Change, Guide, Migration, Question, Sequence, Shown, Step, Stream
 from mipgen.read.nodes import Node
 from mipgen.read.problems import Problems, nearest
 
@@ -32,11 +32,16 @@ def resolve(roots: Iterable[Node], model: m.Model, words: Vocabulary, problems: 
 
 def _see(node: Node, guides: set[str], model: m.Model, problems: Problems) -> None:
     known = guides | set(model.names)
-    for entry in node.get("see") or ():
+    for entry in (e for n in (node, *(node.get("questions") or ())) for e in n.get("see") or ()):
         if entry.value not in known:
             problems.add(entry.position, f"no guide or field '{entry.value}'{nearest(entry.value, known)}")
         elif entry.value == node["guide"].value:
             problems.add(entry.position, f"'{entry.value}' is this guide itself; remove it")
+
+
+def _question(node: Node) -> Question:
+    see = tuple(n.value for n in node.get("see") or ())
+    return Question(node["question"].value, node["answer"].value, see)
 
 
 @dataclass
@@ -56,6 +61,7 @@ class _Guide:
             answer=node["answer"].value,
             sequences=tuple(self.sequence(n) for n in node.get("sequences") or ()),
             before=sentences(node, "before"),
+            questions=tuple(_question(n) for n in node.get("questions") or ()),
             notes=sentences(node, "notes"),
             tables=tuple(n.value for n in node.get("tables") or ()),
             migration=self.migration(migration) if migration is not None else None,

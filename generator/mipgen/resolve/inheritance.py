@@ -219,8 +219,7 @@ class _Heir:
         f = self.model.field(name)
         if f is None:
             return name in has or all(name != s.name for s in self.model.sets)
-        own = {f.full_name, *(f.name_in(o.set) for o in f.occurrences)}
-        return "family" in self.own or f is self.model.protocol.acknowledge or not own.isdisjoint(has)
+        return "family" in self.own or f is self.model.protocol.acknowledge or not has.isdisjoint(f.names)
 
     def named(self, key: str) -> Node:
         """The entries of both; one of the same name takes the place of the other's."""

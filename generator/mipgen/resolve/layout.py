@@ -190,10 +190,11 @@ class Layout:
         """Adds what the value means to how it is laid out."""
         words = self.types.vocabulary
         named = p.element if isinstance(p.element, (m.Enum, m.Bitfield, m.Struct)) else None
-        low, high = meaning.limits(node, p, self.problem)
-        above, below = meaning.open_limits(node, p, low, high, self.problem)
-        magnitude = meaning.magnitude(node, p, self.problem)
-        p = replace(p, minimum=low, maximum=high, above=above, below=below, magnitude=magnitude)
+        if not node.keys.keys().isdisjoint(meaning.LIMITS):
+            low, high = meaning.limits(node, p, self.problem)
+            above, below = meaning.open_limits(node, p, low, high, self.problem)
+            magnitude = meaning.magnitude(node, p, self.problem)
+            p = replace(p, minimum=low, maximum=high, above=above, below=below, magnitude=magnitude)
         frame = meaning.frame(node, words.frames, self.problem)
         elements = meaning.elements(p, frame, words.frames)
         if elements and isinstance(p.element, m.Vector):

@@ -89,7 +89,10 @@ def definitions(roots: dict[str, list[Node]], problems: Problems) -> tuple[Types
     shared = types.of(None)
     protocol = _protocol(root, types, functions, problems)
     families = Families(types, problems).resolve(roots["set"])
-    return types, m.Model(protocol, shared, families)
+    model = m.Model(protocol, shared, families)
+    if "barrier" in root:
+        model = replace(model, protocol=replace(protocol, barrier=_barrier(root["barrier"], model, problems)))
+    return types, model
 
 
 # --------------------------------------------------------------------------- protocol
@@ -207,6 +210,19 @@ def _session(node: Node | None) -> m.Session | None:
         ),
         position=node.position,
     )
+
+
+def _barrier(node: Node, model: m.Model, problems: Problems) -> tuple[int, int]:
+    """Set and descriptor of the command, which a part of a specification keeps although it may lack the command."""
+    f = model.field(node.value)
+    if f is None or f.role != m.COMMAND:
+        names = {x.full_name for x in model.fields if x.role == m.COMMAND}
+        problems.add(node.position, f"no command '{node.value}'{nearest(node.value, names)}")
+    elif f.parameters or f.responses:
+        problems.add(node.position, f"'{f.full_name}' has parameters or a response; name a command that has neither")
+    else:
+        return f.set, f.descriptor
+    return 0, 0
 
 
 def _vocabulary(node: Node | None) -> tuple[m.Usage, ...]:

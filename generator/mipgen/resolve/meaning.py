@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Callable, Collection, Iterable, Mapping
+from functools import cache
 
 from mipgen import model as m
 from mipgen.read.nodes import Node
@@ -45,11 +46,17 @@ def citation(
     elif section is None:
         problem(node.position, "'section' is missing; only a source of a field may leave it out")
     elif "section" not in node:
-        section = next((s for s in known.sections if _plain(s) == _plain(section)), section)
+        section = _headings(known.sections).get(_plain(section), section)
     if known and section and known.sections and section not in known.sections:
         near = close(section, known.sections) or "; add it to the sections of the manual if the manual has it"
         problem((node.get("section") or node).position, f"'{manual}' lists no section '{section}'{near}")
     return manual, section or ""
+
+
+@cache
+def _headings(sections: tuple[str, ...]) -> dict[str, str]:
+    """The first of each plain form."""
+    return {_plain(s): s for s in reversed(sections)}
 
 
 def _plain(heading: str) -> str:
@@ -93,6 +100,10 @@ def elements(p: m.Parameter, frame: str | None, frames: Mapping[str, tuple[str, 
     own = p.element.elements if isinstance(p.element, m.Vector) else ()
     wanted = frames.get(frame or "", ())
     return wanted if len(wanted) == len(own) and wanted != own else ()
+
+
+#: The keys of limits of a value.
+LIMITS = ("range", "above", "below", "magnitude")
 
 
 def limits(node: Node, p: m.Parameter, problem: Problem) -> tuple[Number | None, Number | None]:

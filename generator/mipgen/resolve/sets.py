@@ -58,7 +58,7 @@ class Families:
             fields += self.field(entry, name, kind, places)
         fields = self.shared(node, fields)
         order = {m.COMMAND: 0, m.DATA: 0, m.RESPONSE: 1}
-        fields.sort(key=lambda f: (order[f.role], f.descriptor))
+        fields.sort(key=lambda f: (order[f.role], f.descriptor, -_constants(f)))  # the most specific layout first
         return m.Family(
             name, kind, node["title"].value, node["description"].value, sets, self.types.of(name), tuple(fields),
             sources(node, self.types.vocabulary, self.problems), self.named(node, kind),
@@ -154,6 +154,8 @@ class Families:
                 responses.append(made)
             if made is not None or "same_as" in entry:
                 names.append(made.name if made else entry["same_as"].value)
+        specific = {r.name: _constants(r) for r in responses}
+        names.sort(key=lambda name: -specific.get(name, 0))  # as their fields: the most specific layout first
         return [replace(command, responses=tuple(names)), *responses]
 
     def response(self, node: Node, owner: Node, command: m.Field) -> m.Field | None:
@@ -270,7 +272,7 @@ class Families:
 
     def related(self, fields: Sequence[m.Field], sets: Collection[str]) -> None:
         """What commands change, and what bits concern, must exist; a command names each thing once."""
-        names = {name: f.role for f in fields for name in (f.full_name, *(f.name_in(o.set) for o in f.occurrences))}
+        names = {name: f.role for f in fields for name in f.names}
         data = [name for name, role in names.items() if role == m.DATA]
         for node in self.changes:
             said: set[str] = set()
@@ -418,3 +420,7 @@ class _Places:
         cited = list(self.sources(node, node))
         cited += [s for o in occurrences if own and o.set_name in own for s in o.sources]
         return tuple(dict.fromkeys(cited or [s for o in occurrences for s in o.sources]))
+
+
+def _constants(f: m.Field) -> int:
+    return sum(p.kind == "constant" for p in f.always)

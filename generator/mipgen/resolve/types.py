@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import partial
 
 from mipgen import model as m
@@ -85,7 +85,12 @@ class Types:
             return None
         parts = {"enum": "values", "bitfield": "bits", "bytes": "bits", "vector": "elements"}
         part = parts.get(kinds[0])
+        if "include" in node and part != "bits":
+            self.problems.add(node.keys["include"], f"'include' does not belong in the {kinds[0]} '{name}'")
+            return None
         for other in ("values", "bits", "elements"):
+            if other == "bits" and "bits" not in node and "include" in node:
+                continue
             if (other in node) != (other == part):
                 fault = "is missing in" if other == part else "does not belong in"
                 place = node.keys.get(other, node.position)
@@ -116,7 +121,9 @@ class Types:
             )  # fmt: skip
         base = m.SCALARS[node["bitfield"].value] if "bitfield" in node else None
         size = base.size if base else node["bytes"].value
-        bits = self._bits(node, owner, size * 8)
+        bits = self._bits(node.get("bits"), owner, size * 8) + self._included_bits(node, owner, size * 8)
+        if "include" in node:
+            bits = tuple(sorted(bits, key=lambda b: (b.first, -b.last)))
         return m.Bitfield(name, base, size, bits, *origin, short=short, position=node.position)
 
     def _values(self, node: Node) -> tuple[m.EnumValue, ...]:
@@ -136,32 +143,64 @@ class Types:
             for name, v in node["values"].items()
         )
 
-    def _bits(self, node: Node, owner: str | None, width: int) -> tuple[m.Bits, ...]:
+    def _bits(self, node: Node | None, owner: str | None, width: int) -> tuple[m.Bits, ...]:
         several = []
-        for name, entry in node["bits"].items():
+        for name, entry in node.items() if node else ():
             if isinstance(entry.value, dict) and ("bit" in entry) == ("bits" in entry):
                 self.problems.add(entry.position, f"'{name}' needs one bit, bit: 3, or a range of them, bits: 3-5")
                 several.append(_nowhere(name))
                 continue
-            span = entry.get("bits") or entry.get("bit") or entry
-            parts = re.fullmatch(r"([0-9]{1,4})(?:-([0-9]{1,4}))?", str(span.value))
-            if parts is None:
-                self.problems.add(span.position, f"'{name}': '{span.value}' is not a bit; write 3, or 3-5 for a range")
+            span = self._span(name, entry.get("bits") or entry.get("bit") or entry, width)
+            if span is None:
                 several.append(_nowhere(name))
                 continue
-            low, high = int(parts[1]), int(parts[2] or parts[1])
-            if high < low or high >= width:
-                wrong = f"write {high}-{low}, the lower bit first" if high < low else f"there are only 0 to {width - 1}"
-                self.problems.add(span.position, f"'{name}' is at bit {span.value}; {wrong}")
-                several.append(_nowhere(name))
-                continue
-            place = node["bits"].keys[name]
+            low, high = span
+            place = node.keys[name] if node else None
             enum = self._enum_of(entry, owner)
             description, alias = entry.scalar("description", ""), entry.scalar("alias", False)
             uncertain, short = sentences(entry, "uncertain"), short_name(entry, name, self.problems)
             concerns = sentences(entry, "concerns")
             self.concerned += entry.get("concerns") or ()
             several.append(m.Bits(name, low, high, description, alias, enum, concerns, uncertain, short, place))
+        return tuple(several)
+
+    def _span(self, name: str, span: Node, width: int) -> tuple[int, int] | None:
+        """The lowest and the highest bit, from 3 or 3-5."""
+        parts = re.fullmatch(r"([0-9]{1,4})(?:-([0-9]{1,4}))?", str(span.value))
+        if parts is None:
+            self.problems.add(span.position, f"'{name}': '{span.value}' is not a bit; write 3, or 3-5 for a range")
+            return None
+        low, high = int(parts[1]), int(parts[2] or parts[1])
+        if high < low or high >= width:
+            wrong = f"write {high}-{low}, the lower bit first" if high < low else f"there are only 0 to {width - 1}"
+            self.problems.add(span.position, f"'{name}' is at bit {span.value}; {wrong}")
+            return None
+        return low, high
+
+    def _included_bits(self, node: Node, owner: str | None, width: int) -> tuple[m.Bits, ...]:
+        """The bits of other bitfields that lie in the ranges of `include`."""
+        several: list[m.Bits] = []
+        own = node.get("bits")
+        for name, ranges in node["include"].items() if "include" in node else ():
+            place = node["include"].keys[name]
+            other = self.find(name, place, owner)
+            if not isinstance(other, m.Bitfield):
+                if other is not None:
+                    self.problems.add(place, f"'{name}' is not a bitfield; include bits of one")
+                continue
+            for entry in ranges:
+                span = self._span(name, entry, width)
+                if span is None:
+                    continue
+                chosen = [b for b in other.bits if span[0] <= b.first and b.last <= span[1]]
+                if other.bits and not chosen:
+                    self.problems.add(entry.position, f"'{name}' has no bits in {entry.value}; correct the range")
+                for bit in chosen:
+                    if (own and bit.name in own) or any(b.name == bit.name for b in several):
+                        twice = f"'{bit.name}' of '{name}' is here already; leave it out of {entry.value}"
+                        self.problems.add(entry.position, twice)
+                    else:
+                        several.append(replace(bit, position=entry.position))
         return tuple(several)
 
     def _enum_of(self, bits: Node, owner: str | None) -> m.Enum | None:

@@ -1,302 +1,491 @@
-// Decodes and encodes the data of a field by the operations of its layout.
+// The building blocks of layouts: each reads and writes one kind of value. A layout is an object of names and blocks:
 //
-// Values: integers, enumerations, bitfields and bools are numbers, of eight bytes BigInts; floats are numbers, except for
-// unusual NaNs (see readFloat); text is a string with one character for each byte; a bitfield of bytes is an array of
-// them; arrays are arrays, structures objects, and a union is an object with one member or none.
+//     { port: u8, baud: u32, position: array(double, 3) }
+//
+// Values have two forms. Programs get members in camel case, Booleans, and arrays that know their length. Tools ask for
+// the `plain` form, that of mip.json: names of the specification, Booleans as numbers, counters, and a NaN with other
+// bits than the usual one as the text of its bits, "0x7fe5bf7f".
 
-import {
-    MipError,
-    bytesOf,
-    concatenated,
-    described,
-    floatBits,
-    isList,
-    readFloat,
-    readInteger,
-    readText,
-    writeFloat,
-    writeInteger,
-    writeText,
-} from "./bytes.mjs";
+import { MipError, described, floatBits, isList, readFloat, readText, writeFloat, writeInteger, writeText } from "./bytes.mjs";
 
-/**
- * The values of a field, how many bytes are left over, and `parts`: each value that is not divided further, in wire order,
- * with its path (names and indices), its operation, and where its bytes are in the data (offset and size).
- *
- * @param options.floatBits every float is the text of its bits, "0x3e7a63a0"
- */
-export function decodeData(protocol, field, given, options = {}) {
-    refuseOtherField(field);
-    const data = bytesOf(given);
-    const reader = new Reader(protocol, data, options);
-    const values = {};
-    let required = protocol.required(field);
-    for (const op of field.operations) {
-        if (op.kind !== "group") {
-            reader.read(op, values, []);
-            continue;
-        }
-        if (op.first === 1 && field.calls) required = protocol.required(field, values.function);
-        if (!reader.readGroup(op, op.last <= required, values)) break;
+/** The most bytes of data that a field has. */
+export const MAX_FIELD_DATA = 253;
+
+// ---------------------------------------------------------------------------------------------------- bytes of a field
+
+export class Reader {
+    /** @param options.plain in the form for tools; @param options.floatBits there every float is the text of its bits */
+    constructor(bytes, { plain = false, floatBits = false } = {}) {
+        this.bytes = bytes;
+        this.view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
+        this.plain = plain;
+        this.floatBits = floatBits;
+        this.limit(0, bytes.length);
     }
-    return { values, trailing: data.length - reader.at, parts: reader.parts };
-}
 
-class Reader {
-    constructor(protocol, data, options) {
-        this.protocol = protocol;
-        this.data = data;
-        this.options = options;
-        this.at = 0;
-        this.parts = [];
+    /** Reads from here to there. */
+    limit(from, to) {
+        this.from = this.at = from;
+        this.end = to;
+        this.nans = undefined;
     }
 
     get left() {
-        return this.data.length - this.at;
+        return this.end - this.at;
     }
 
+    /** The offset of the next `size` bytes, which are read. */
     take(size) {
-        if (size > this.left) {
-            const short = size - this.left;
+        const at = this.at;
+        if (at + size > this.end) {
+            const short = at + size - this.end;
             throw new MipError("truncated", `the data is ${short} byte${short > 1 ? "s" : ""} short`);
         }
-        this.at += size;
-        return this.data.subarray(this.at - size, this.at);
+        this.at = at + size;
+        return at;
     }
 
-    readGroup(group, required, values) {
-        if (!required && this.left === 0) return false;
-        const before = this.at;
-        const parts = this.parts.length;
-        const inner = { ...values };
-        const absent = () => {
-            this.at = before;
-            this.parts.length = parts;
-            return false;
-        };
-        try {
-            for (const op of group.body) this.read(op, inner, []);
-        } catch (error) {
-            if (required || error.kind !== "truncated") throw error;
-            return absent();
+    slice(size) {
+        const at = this.take(size);
+        return this.bytes.subarray(at, at + size);
+    }
+
+    /** A float that is not the usual number: JavaScript does not keep the bits of a NaN, so these are noted. */
+    exactly(number, at, size) {
+        const bytes = this.bytes.subarray(at, at + size);
+        if (this.floatBits) return floatBits(bytes);
+        if (this.plain) return readFloat(bytes);
+        if (typeof readFloat(bytes) === "string") {
+            this.nans ??= new Map();
+            this.nans.set(at - this.from, floatBits(bytes));
         }
-        if (!required && this.at === before) return absent(); // an empty union: the same as no union
-        Object.assign(values, inner);
-        return true;
+        return number;
     }
-
-    read(op, values, path) {
-        if (op.kind === "constant") {
-            const value = this.number(op, [...path, op.member]);
-            if (BigInt(value) !== BigInt(op.value)) {
-                throw new MipError("constant", `${op.member} is ${value}, not ${op.value}`);
-            }
-        } else {
-            values[op.member] = this.item(op, values, [...path, op.member]);
-        }
-    }
-
-    item(op, values, path) {
-        switch (op.kind) {
-            case "scalar":
-            case "counter":
-                return this.number(op, path);
-            case "bits":
-                return this.leaf(op, path, op.size, (bytes) => Array.from(bytes));
-            case "text":
-                return this.leaf(op, path, this.count(op, 1, values), readText);
-            case "array": {
-                const count = this.count(op, sizeOf(this.protocol, op.item), values);
-                return Array.from({ length: count }, (_, i) => this.item(op.item, {}, [...path, i]));
-            }
-            case "struct": {
-                const inner = {};
-                for (const part of this.protocol.type(op.struct).operations) this.read(part, inner, path);
-                return inner;
-            }
-            case "switch": {
-                const inner = {};
-                const selected = selectedBy(op, values);
-                if (selected) this.read(selected, inner, path);
-                return inner;
-            }
-        }
-        throw new MipError("format", `the operation "${op.kind}" is not known`);
-    }
-
-    number(op, path) {
-        const { size, kind } = this.protocol.scalar(op.scalar);
-        if (kind !== "float") return this.leaf(op, path, size, (bytes) => readInteger(bytes, kind === "signed"));
-        return this.leaf(op, path, size, this.options.floatBits ? floatBits : readFloat);
-    }
-
-    leaf(operation, path, size, read) {
-        const offset = this.at;
-        const value = read(this.take(size));
-        this.parts.push({ path, operation, value, offset, size });
-        return value;
-    }
-
-    count(op, size, values) {
-        if (op.count !== undefined) return op.count;
-        if (op.counter === undefined) return Math.min(Math.floor(this.left / size), op.capacity);
-        const count = Number(values[op.counter]);
-        if (count * size > this.left) {
-            throw new MipError("count", `${op.counter} is ${count}, but ${this.left} bytes follow`);
-        }
-        if (count > op.capacity) throw new MipError("count", `${op.counter} is ${count}, but a field holds ${op.capacity}`);
-        return count;
-    }
-}
-
-/** The bytes of one item of an array, which are always the same number. */
-function sizeOf(protocol, op) {
-    switch (op.kind) {
-        case "bits":
-            return op.size;
-        case "struct":
-            return protocol.type(op.struct).max_size;
-        case "array":
-            return op.count * sizeOf(protocol, op.item);
-        case "text":
-            return op.count;
-        default:
-            return protocol.scalar(op.scalar).size;
-    }
-}
-
-function selectedBy(op, values) {
-    return op.cases.find((one) => one.value === Number(values[op.tag]))?.operation;
-}
-
-// ---------------------------------------------------------------------------------------------------- encoding
-
-/** The data of a field with these values, in the shortest form that holds them. Counters may be left out. */
-export function encodeData(protocol, field, values) {
-    refuseOtherField(field);
-    const writer = new Writer(protocol);
-    refuseOther(field.name, values, isObject(values), "an object");
-    refuseUnknown(values, field.parameters, field.name);
-    let required = protocol.required(field);
-    let ended; // the first parameter that was left out: all behind it must be, too
-    for (const op of field.operations) {
-        if (op.kind !== "group") {
-            writer.write(op, values);
-            continue;
-        }
-        if (op.first === 1 && field.calls) required = protocol.required(field, values.function);
-        const members = op.body.filter((inner) => inner.kind !== "constant");
-        const absent = members.find((inner) => !isGiven(inner, values))?.member;
-        if (absent !== undefined && op.last <= required) throw missing(absent);
-        ended ??= absent;
-        if (ended === undefined) {
-            for (const inner of op.body) writer.write(inner, values);
-        } else if (members.some((inner) => isGiven(inner, values))) {
-            throw missing(ended);
-        }
-    }
-    const data = concatenated(...writer.parts);
-    if (data.length > protocol.maxFieldData) {
-        throw new MipError("length", `${data.length} bytes do not fit in a field, which holds ${protocol.maxFieldData}`);
-    }
-    return data;
 }
 
 class Writer {
-    constructor(protocol) {
-        this.protocol = protocol;
-        this.parts = [];
+    constructor(plain, nans) {
+        this.plain = plain;
+        this.nans = nans;
+        this.bytes = [];
+    }
+
+    put(bytes) {
+        for (const byte of bytes) this.bytes.push(byte);
+    }
+}
+
+// ---------------------------------------------------------------------------------------------------- numbers
+
+const integer = (size, signed, read) => ({
+    size,
+    big: size > 4, // its values are BigInts
+    read,
+    write: (w, value, where) => w.put(writeInteger(value, size, signed, where)),
+});
+
+export const u8 = /* @__PURE__ */ integer(1, false, (r) => r.bytes[r.take(1)]);
+export const u16 = /* @__PURE__ */ integer(2, false, (r) => r.view.getUint16(r.take(2)));
+export const u32 = /* @__PURE__ */ integer(4, false, (r) => r.view.getUint32(r.take(4)));
+export const u64 = /* @__PURE__ */ integer(8, false, (r) => r.view.getBigUint64(r.take(8)));
+export const s8 = /* @__PURE__ */ integer(1, true, (r) => r.view.getInt8(r.take(1)));
+export const s16 = /* @__PURE__ */ integer(2, true, (r) => r.view.getInt16(r.take(2)));
+export const s32 = /* @__PURE__ */ integer(4, true, (r) => r.view.getInt32(r.take(4)));
+export const s64 = /* @__PURE__ */ integer(8, true, (r) => r.view.getBigInt64(r.take(8)));
+export const char = u8;
+
+const floating = (size, get) => ({
+    size,
+    read(r) {
+        const at = r.take(size);
+        const number = get(r.view, at);
+        return Number.isNaN(number) || r.floatBits ? r.exactly(number, at, size) : number;
+    },
+    write(w, value, where) {
+        const noted = Number.isNaN(value) ? w.nans?.get(w.bytes.length) : undefined;
+        w.put(writeFloat(noted?.length === 2 + 2 * size ? noted : value, size, where));
+    },
+});
+
+export const float = /* @__PURE__ */ floating(4, (view, at) => view.getFloat32(at));
+export const double = /* @__PURE__ */ floating(8, (view, at) => view.getFloat64(at));
+
+/** Bytes other than 0 and 1 stay numbers. */
+export const bool = {
+    size: 1,
+    read(r) {
+        const byte = r.bytes[r.take(1)];
+        return r.plain || byte > 1 ? byte : byte === 1;
+    },
+    write: (w, value, where) => w.put(writeInteger(typeof value === "boolean" ? Number(value) : value, 1, false, where)),
+};
+
+// ---------------------------------------------------------------------------------------------------- named numbers
+
+/** An object for names that reads and writes numbers: its own properties that can be listed are only the names. */
+class Names {
+    constructor({ size, read, write }) {
+        Object.defineProperties(this, { size: { value: size }, read: { value: read }, write: { value: write } });
+    }
+}
+
+class Enumeration extends Names {
+    constructor(of, values) {
+        super(of);
+        Object.assign(this, values);
+    }
+
+    nameOf(value) {
+        return Object.keys(this).find((name) => Number(this[name]) === Number(value));
+    }
+}
+
+/** An open enumeration: its names are properties with their numbers. */
+export const enumeration = (of, values) => new Enumeration(of, values);
+
+class Bitfield extends Names {
+    #bits;
+
+    constructor(of, bits) {
+        super(of);
+        this.#bits = bits;
+        const made = of.big ? BigInt : Number;
+        for (const [name, [first, last]] of Object.entries(bits)) {
+            this[name] = made(((1n << BigInt(last - first + 1)) - 1n) << BigInt(first));
+        }
+    }
+
+    has(value, flag) {
+        return (BigInt(value) & BigInt(flag)) !== 0n;
+    }
+
+    get(value, name) {
+        const [first, last] = this.#bits[name];
+        return Number((BigInt(value) >> BigInt(first)) & ((1n << BigInt(last - first + 1)) - 1n));
+    }
+
+    namesOf(value) {
+        return Object.keys(this).filter((name) => this.#bits[name][0] === this.#bits[name][1] && this.has(value, this[name]));
+    }
+}
+
+/** A bitfield: its names are properties with their masks. `bits`: name -> first and last bit. */
+export const bitfield = (of, bits) => new Bitfield(of, bits);
+
+/** The bits of several bytes, the least significant byte first: a BigInt, or plain an array of bytes. */
+export const octets = (size) => ({
+    size,
+    big: true,
+    read(r) {
+        const bytes = Array.from(r.slice(size));
+        return r.plain ? bytes : bytes.reduceRight((sum, byte) => (sum << 8n) | BigInt(byte), 0n);
+    },
+    write(w, value, where) {
+        if (!w.plain) {
+            w.put(writeInteger(value, size, false, where).reverse());
+            return;
+        }
+        refuseOther(where, value, isList(value), "an array");
+        if (value.length !== size) throw new MipError("count", `${where} needs ${size} bytes`);
+        for (const [i, byte] of value.entries()) w.put(writeInteger(byte, 1, false, `${where}[${i}]`));
+    },
+});
+
+// ---------------------------------------------------------------------------------------------------- several values
+
+/** How many items: always `fixed`; what the parameter `counter` says; or as many as the data hold. At most `most`. */
+function countOf(of, r, counts) {
+    if (of.fixed !== undefined) return of.fixed;
+    if (of.counter === undefined) return Math.min(Math.floor(r.left / of.item.size), of.most);
+    const count = Number(counts[of.counter]);
+    if (count * of.item.size > r.left) throw new MipError("count", `${of.counter} is ${count}, but ${r.left} bytes follow`);
+    if (count > of.most) throw new MipError("count", `${of.counter} is ${count}, but a field holds ${of.most}`);
+    return count;
+}
+
+function checkCount(of, value, where) {
+    if (value.length !== (of.fixed ?? value.length) || value.length > of.most) {
+        const right = of.fixed ?? `at most ${of.most}`;
+        throw new MipError("count", `${where} has ${value.length} elements, not ${right}`);
+    }
+}
+
+class Items {
+    constructor(item, fixed, most, counter) {
+        this.item = item;
+        this.fixed = fixed;
+        this.most = most;
+        this.counter = counter;
+        this.size = fixed === undefined ? undefined : fixed * item.size;
+    }
+
+    read(r, _, counts) {
+        const { item } = this;
+        const count = this.fixed ?? countOf(this, r, counts);
+        const items = [];
+        for (let i = 0; i < count; i++) items.push(item.read(r));
+        return items;
+    }
+
+    write(w, value, where) {
+        refuseOther(where, value, isList(value), "an array");
+        checkCount(this, value, where);
+        for (const [i, item] of value.entries()) this.item.write(w, item, `${where}[${i}]`);
+    }
+}
+
+/** A vector, or another array of always the same length. */
+export const array = (item, count) => new Items(item, count, count);
+/** An array whose length is the value of another parameter. */
+export const counted = (counter, item, most) => new Items(item, undefined, most, counter);
+/** An array that fills the field. */
+export const rest = (item, most) => new Items(item, undefined, most);
+
+class Text extends Items {
+    read(r, _, counts) {
+        return readText(r.slice(countOf(this, r, counts)));
+    }
+
+    write(w, value, where) {
+        refuseOther(where, value, typeof value === "string", "a text");
+        const padded = value.padEnd(this.fixed ?? 0); // with spaces, as those of devices are
+        checkCount(this, padded, where);
+        w.put(writeText(padded, where));
+    }
+}
+
+/** A text of Latin-1: of fixed length, of the length that another parameter holds, or one that fills the field. */
+export const text = (count) => new Text(u8, count, count);
+export const countedText = (counter, most) => new Text(u8, undefined, most, counter);
+export const restText = (most) => new Text(u8, undefined, most);
+
+// ---------------------------------------------------------------------------------------------------- what follows from others
+
+/** The number of elements of an array; programs do not see it. */
+export const counter = (of, counts) => ({ ...of, counts });
+
+/** A number that is always the same; no values have it. */
+export const constant = (of, value) => ({ ...of, value });
+
+/** A value that is sent as `initial`, unless it is given. */
+export const reserved = (of, initial) => Object.create(of, { initial: { value: initial } });
+
+/** One of several values, selected by another parameter: an object with one member or none. `cases`: value, name, block. */
+export const union = (tag, cases) => {
+    const found = cases.map(([value, name, of]) => [value, new Layout({ [name]: of })]);
+    const selected = (key, values) => found.find(([value]) => value === Number(values[key]))?.[1];
+    return {
+        tag,
+        read(r, values) {
+            const inner = {};
+            selected(r.plain ? tag : memberName(tag), values)?.read(r, inner);
+            return inner;
+        },
+        write(w, value, where, values) {
+            const key = w.plain ? tag : memberName(tag);
+            const layout = selected(key, values);
+            const [wanted] = layout?.keys(w) ?? [];
+            refuseOther(where, value, isObject(value), "an object");
+            const there = Object.keys(value).filter((name) => w.plain || value[name] !== undefined);
+            if (there.length !== (layout ? 1 : 0) || there[0] !== wanted) {
+                throw new MipError("tag", `${key} is ${values[key]}, so ${where} must hold ${wanted ?? "nothing"}`);
+            }
+            layout?.write(w, value, where);
+        },
+    };
+};
+
+// ---------------------------------------------------------------------------------------------------- layouts
+
+/** What objects have of themselves: a member that would be called so ends in "_". */
+const TAKEN = new Set(["constructor", "encode", "packet", "set", "answered", "replies", "toJSON", "toString", "valueOf"]);
+
+/** The name of a member in programs: "gnss_1" becomes "gnss1", and "3d_fix" "_3dFix". */
+export function memberName(words) {
+    const camel = words.replace(/_(.)/g, (both, next, at) => (/\d\d/.test(words[at - 1] + next) ? both : next.toUpperCase()));
+    return /^\d/.test(camel) ? `_${camel}` : TAKEN.has(camel) ? `${camel}_` : camel;
+}
+
+/** Named values one behind the other. */
+export class Layout {
+    /** @param blocks name -> block, in wire order; @param always how many are always there: others may be absent at the end */
+    constructor(blocks, always) {
+        this.names = Object.keys(blocks);
+        this.members = this.names.map(memberName);
+        this.blocks = Object.values(blocks);
+        this.always = always ?? this.names.length;
+        this.groups = groupsOf(this, this.always);
+        this.simple = !this.blocks.some((one) => one.counts !== undefined || one.value !== undefined);
+        const sizes = this.blocks.map((one) => one.size);
+        this.size = sizes.includes(undefined) ? undefined : sizes.reduce((sum, size) => sum + size, 0);
+    }
+
+    /** What the values are called, in the form of a reader or writer. */
+    keys(form) {
+        return form.plain ? this.names : this.members;
+    }
+
+    read(r, values, required = this.always) {
+        const counts = this.simple ? undefined : {};
+        this.#span(r, values, counts, 0, this.always);
+        for (const [first, last] of this.groups) {
+            const optional = last > required;
+            if (optional && r.left === 0) break;
+            const before = r.at;
+            const inner = Object.create(values); // it is there as a whole or not at all
+            try {
+                this.#span(r, inner, counts, first, last);
+            } catch (error) {
+                if (!optional || error.kind !== "truncated") throw error;
+                r.at = before;
+                break;
+            }
+            if (optional && r.at === before) break; // an empty union: the same as no union
+            Object.assign(values, inner);
+        }
+    }
+
+    #span(r, values, counts, first, last) {
+        const keys = this.keys(r);
+        const { blocks, names } = this;
+        if (this.simple) {
+            for (let i = first; i < last; i++) values[keys[i]] = blocks[i].read(r, values, counts);
+            return;
+        }
+        for (let i = first; i < last; i++) {
+            const block = blocks[i];
+            const value = block.read(r, values, counts);
+            if (block.value !== undefined) {
+                if (BigInt(value) !== BigInt(block.value)) {
+                    throw new MipError("constant", `${names[i]} is ${value}, not ${block.value}`);
+                }
+            } else if (block.counts !== undefined) {
+                counts[names[i]] = value;
+                if (r.plain) values[names[i]] = value;
+            } else {
+                values[keys[i]] = value;
+            }
+        }
     }
 
     /** `within` names the value that contains it, "segments[2]": errors say where they are. */
-    write(op, values, within = "") {
-        const where = within ? `${within}.${op.member}` : op.member;
-        if (op.kind === "constant") {
-            this.number(op, op.value, where);
-        } else if (Object.hasOwn(values, op.member)) {
-            this.put(op, values[op.member], values, where);
-        } else if (isGiven(op, values)) {
-            const counted = values[op.array];
-            refuseOther(op.array, counted, isList(counted) || typeof counted === "string", "an array");
-            this.number(op, counted.length, where);
+    write(w, values, within = "", required = this.always) {
+        this.refuseUnknown(values, within, w);
+        const there = (i) => this.#isGiven(i, values, w);
+        for (let i = 0; i < this.always; i++) this.#put(w, i, values, within);
+        const keys = this.keys(w);
+        let ended; // the first that was left out: all behind it must be, too
+        for (const [first, last] of this.groups) {
+            const members = range(first, last).filter((i) => this.blocks[i].value === undefined);
+            const filled = last <= required || range(last, keys.length).some(there);
+            const absent = members.find((i) => !there(i) && !(filled && this.#initial(i, w) !== undefined));
+            if (absent !== undefined && last <= required) throw missing(keys[absent]);
+            ended ??= absent;
+            if (ended === undefined) {
+                for (let i = first; i < last; i++) this.#put(w, i, values, within);
+            } else if (members.some(there)) {
+                throw missing(keys[ended]);
+            }
+        }
+    }
+
+    refuseUnknown(values, within, form) {
+        const keys = this.keys(form);
+        for (const name of Object.keys(values)) {
+            const i = keys.indexOf(name);
+            if (i < 0 || this.blocks[i].value !== undefined) {
+                throw new MipError("unknown", `${within || "it"} has no parameter "${name}"`);
+            }
+        }
+    }
+
+    /** Is there a value? A counter that is left out counts its array. */
+    #isGiven(i, values, w) {
+        const given = (key) => Object.hasOwn(values, key) && (w.plain || values[key] !== undefined);
+        const { counts } = this.blocks[i];
+        return given(this.keys(w)[i]) || (counts !== undefined && given(this.keys(w)[this.names.indexOf(counts)]));
+    }
+
+    /** What programs need not give. */
+    #initial(i, w) {
+        return w.plain ? undefined : this.blocks[i].initial;
+    }
+
+    #put(w, i, values, within) {
+        const block = this.blocks[i];
+        const key = this.keys(w)[i];
+        const where = within ? `${within}.${key}` : key;
+        if (block.value !== undefined) {
+            block.write(w, block.value, where);
+        } else if (!this.#isGiven(i, values, w)) {
+            const initial = this.#initial(i, w);
+            if (initial === undefined) throw missing(where);
+            block.write(w, initial, where);
+        } else if (block.counts === undefined) {
+            block.write(w, values[key], where, values);
         } else {
-            throw missing(where);
+            const array = this.keys(w)[this.names.indexOf(block.counts)];
+            const items = values[array];
+            if (!Object.hasOwn(values, key)) {
+                refuseOther(array, items, isList(items) || typeof items === "string", "an array");
+                block.write(w, items.length, where);
+                return;
+            }
+            block.write(w, values[key], where);
+            if (items?.length !== Number(values[key])) {
+                throw new MipError("count", `${where} is ${values[key]}, but ${array} has another number of elements`);
+            }
         }
     }
+}
 
-    text(op, value, where) {
-        checkCount(op, value, where);
-        this.parts.push(writeText(value, where));
-    }
-
-    put(op, value, values, where) {
-        switch (op.kind) {
-            case "scalar":
-                this.number(op, value, where);
-                break;
-            case "counter":
-                this.number(op, value, where);
-                if (values[op.array]?.length !== Number(value)) {
-                    throw new MipError("count", `${where} is ${value}, but ${op.array} has another number of elements`);
-                }
-                break;
-            case "bits":
-                refuseOther(where, value, isList(value), "an array");
-                if (value.length !== op.size) throw new MipError("count", `${where} needs ${op.size} bytes`);
-                for (const [i, byte] of value.entries()) this.parts.push(writeInteger(byte, 1, false, `${where}[${i}]`));
-                break;
-            case "text":
-                refuseOther(where, value, typeof value === "string", "a text");
-                this.text(op, value.padEnd(op.count ?? 0), where); // with spaces, as those of devices are
-                break;
-            case "array":
-                refuseOther(where, value, isList(value), "an array");
-                checkCount(op, value, where);
-                for (const [i, item] of value.entries()) this.put(op.item, item, {}, `${where}[${i}]`);
-                break;
-            case "struct": {
-                const struct = this.protocol.type(op.struct);
-                refuseOther(where, value, isObject(value), "an object");
-                refuseUnknown(value, struct.parameters, where);
-                for (const part of struct.operations) this.write(part, value, where);
-                break;
-            }
-            case "switch": {
-                const selected = selectedBy(op, values);
-                const wanted = selected ? [selected.member] : [];
-                refuseOther(where, value, isObject(value), "an object");
-                const there = Object.keys(value);
-                if (there.length !== wanted.length || there[0] !== wanted[0]) {
-                    const right = wanted[0] ?? "nothing";
-                    throw new MipError("tag", `${op.tag} is ${values[op.tag]}, so ${where} must hold ${right}`);
-                }
-                if (selected) this.write(selected, value, where);
-                break;
-            }
-            default:
-                throw new MipError("format", `the operation "${op.kind}" is not known`);
+/** The parameters that may be absent, from `first` on: one by one, but a counter goes with its array. */
+function groupsOf({ names, blocks }, first) {
+    const groups = [];
+    const arrays = new Set();
+    let begin = first;
+    for (let i = first; i < blocks.length; i++) {
+        arrays.delete(names[i]);
+        if (names.includes(blocks[i].counts)) arrays.add(blocks[i].counts);
+        if (arrays.size === 0) {
+            groups.push([begin, i + 1]);
+            begin = i + 1;
         }
     }
+    return groups;
+}
 
-    number(op, value, where) {
-        const { size, kind } = this.protocol.scalar(op.scalar);
-        if (kind === "bool" && typeof value === "boolean") value = Number(value);
-        const write = kind === "float" ? writeFloat : (number, width, what) => writeInteger(number, width, kind === "signed", what);
-        this.parts.push(write(value, size, where));
+/** A structure inside a field. */
+export const struct = (blocks) => structOf(new Layout(blocks));
+
+export const structOf = (layout) => ({
+    size: layout.size,
+    read(r) {
+        const values = {};
+        layout.read(r, values);
+        return values;
+    },
+    write(w, value, where) {
+        refuseOther(where, value, isObject(value), "an object");
+        layout.write(w, value, where);
+    },
+});
+
+/** The data of a field with these values, in the shortest form that holds them. */
+export function encoded(layout, name, values, { plain = false, nans, required } = {}) {
+    refuseOther(name, values, isObject(values), "an object");
+    const writer = new Writer(plain, nans);
+    layout.refuseUnknown(values, name, writer);
+    layout.write(writer, values, "", required);
+    if (writer.bytes.length > MAX_FIELD_DATA) {
+        throw new MipError("length", `${writer.bytes.length} bytes do not fit in a field, which holds ${MAX_FIELD_DATA}`);
     }
+    return Uint8Array.from(writer.bytes);
 }
 
-/** Is there a value? A counter that is left out counts its array. */
-function isGiven(op, values) {
-    return Object.hasOwn(values, op.member) || (op.kind === "counter" && Object.hasOwn(values, op.array));
-}
+export const isObject = (value) => typeof value === "object" && value !== null && !Array.isArray(value);
 
-function refuseOtherField(field) {
-    if (!Array.isArray(field?.operations))
-        throw new MipError("unknown", `${described(field)} is not a field; protocol.field(name) gives one`);
-}
-
-const isObject = (value) => typeof value === "object" && value !== null && !Array.isArray(value);
+const range = (first, last) => Array.from({ length: last - first }, (_, i) => first + i);
 
 function refuseOther(where, value, right, wanted) {
     if (!right) throw new MipError("range", `${where}: ${described(value)} is not ${wanted}`);
@@ -304,18 +493,4 @@ function refuseOther(where, value, right, wanted) {
 
 function missing(name) {
     return new MipError("missing", `${name} is missing`);
-}
-
-function refuseUnknown(values, parameters, where) {
-    const known = new Set(parameters.filter((one) => one.constant === undefined).map((one) => one.name));
-    for (const name of Object.keys(values)) {
-        if (!known.has(name)) throw new MipError("unknown", `${where} has no parameter "${name}"`);
-    }
-}
-
-function checkCount(op, value, where) {
-    if (value.length !== (op.count ?? value.length) || value.length > op.capacity) {
-        const right = op.count ?? `at most ${op.capacity}`;
-        throw new MipError("count", `${where} has ${value.length} elements, not ${right}`);
-    }
 }

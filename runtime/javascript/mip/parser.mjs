@@ -1,59 +1,88 @@
 // Finds packets in a stream, among anything else.
 
 import { bytesOf, concatenated } from "./bytes.mjs";
-import { Packet } from "./packet.mjs";
-import { isSet } from "./protocol.mjs";
+import { isSet, Packet, SYNC } from "./packet.mjs";
 
 /**
  * Takes bytes in pieces of any size and gives the same packets for each division. What is no packet costs nothing but
  * itself: the search goes on one byte behind its beginning.
  */
 export class Parser {
-    constructor(protocol) {
-        this.protocol = protocol;
+    /** @param options.onSkipped is called with bytes that belong to no packet, in order with the packets */
+    constructor({ onSkipped } = {}) {
         this.pending = new Uint8Array(0);
+        this.onSkipped = onSkipped;
         /** Bytes so far that belong to no packet. */
         this.skipped = 0;
     }
 
-    /** The packets that are complete with these bytes, a Uint8Array or an ArrayBuffer. */
+    /** The packets that are complete with these bytes, a Uint8Array or an ArrayBuffer, which are copied. */
     feed(bytes) {
         this.pending = concatenated(this.pending, bytesOf(bytes));
-        return this.search(false);
+        return this.#search(false);
     }
 
     /** The stream has ended: the packets behind one that is incomplete. */
     flush() {
-        return this.search(true);
+        return this.#search(true);
     }
 
-    search(ended) {
+    /** Gives up an incomplete packet only if whole packets follow its first bytes: it was noise. */
+    lookBehind() {
+        for (let at = 1; at < this.pending.length; at++) {
+            if (!packetAt(this.pending, at)) continue;
+            this.#skip(0, at);
+            this.pending = this.pending.subarray(at);
+            return this.#search(false);
+        }
+        return [];
+    }
+
+    #search(ended) {
         const packets = [];
+        const bytes = this.pending;
+        let from = 0; // the bytes from here on belong to no packet so far
         let at = 0;
-        while (at < this.pending.length) {
-            const size = packetAt(this.protocol, this.pending, at);
+        while (at < bytes.length) {
+            const size = packetAt(bytes, at);
             if (size === undefined && !ended) break;
             if (size) {
-                packets.push(new Packet(this.protocol, this.pending.slice(at, at + size)));
+                this.#skip(from, at);
+                packets.push(new Packet(bytes.subarray(at, at + size)));
                 at += size;
+                from = at;
             } else {
-                this.skipped++;
-                at++;
+                const next = bytes.indexOf(SYNC[0], at + 1);
+                at = next < 0 ? bytes.length : next;
             }
         }
-        this.pending = this.pending.slice(at);
+        this.#skip(from, at);
+        this.pending = bytes.subarray(at);
         return packets;
+    }
+
+    #skip(from, to) {
+        if (to <= from) return;
+        this.skipped += to - from;
+        this.onSkipped?.(this.pending.subarray(from, to));
     }
 }
 
 /** The size of the whole packet that begins here; 0 if there is none, undefined if the bytes do not tell yet. */
-function packetAt(protocol, bytes, at) {
-    const [first, second] = protocol.sync;
+function packetAt(bytes, at) {
     const left = bytes.length - at;
-    if (bytes[at] !== first || (left > 1 && bytes[at + 1] !== second) || (left > 2 && !isSet(bytes[at + 2]))) return 0;
-    if (left < 4 || left < bytes[at + 3] + 6) return undefined;
+    if (bytes[at] !== SYNC[0] || (left > 1 && bytes[at + 1] !== SYNC[1]) || (left > 2 && !isSet(bytes[at + 2]))) return 0;
+    if (left < 4) return undefined;
     const size = bytes[at + 3] + 6;
-    return new Packet(protocol, bytes.subarray(at, at + size)).sound ? size : 0;
+    if (left < size) return undefined;
+    let a = 0;
+    let b = 0; // at most 260 bytes: the sums need not be cut meanwhile
+    const end = at + size - 2;
+    for (let i = at; i < end; i++) {
+        a += bytes[i];
+        b += a;
+    }
+    return bytes[end] === (a & 0xff) && bytes[end + 1] === (b & 0xff) ? size : 0;
 }
 
 /**
@@ -61,7 +90,7 @@ function packetAt(protocol, bytes, at) {
  * wrong checksum whose fields end where it does; "incomplete", the beginning of a packet at the end; and "other".
  * A damaged or incomplete packet never hides a whole one.
  */
-export function segments(protocol, given) {
+export function segments(given) {
     const bytes = bytesOf(given);
     const found = [];
     const add = (kind, offset, size) => {
@@ -74,17 +103,17 @@ export function segments(protocol, given) {
         return size;
     };
     const wholeWithin = (from, to) => {
-        for (let at = from; at < to; at++) if (packetAt(protocol, bytes, at)) return true;
+        for (let at = from; at < to; at++) if (packetAt(bytes, at)) return true;
         return false;
     };
     for (let at = 0; at < bytes.length; ) {
-        const size = packetAt(protocol, bytes, at);
+        const size = packetAt(bytes, at);
         const left = bytes.length - at;
         if (size) {
             at += add("packet", at, size);
         } else if (size === undefined && left > 1 && !wholeWithin(at + 1, bytes.length)) {
             at += add("incomplete", at, left);
-        } else if (isDamaged(protocol, bytes, at) && !wholeWithin(at + 1, at + bytes[at + 3] + 6)) {
+        } else if (isDamaged(bytes, at) && !wholeWithin(at + 1, at + bytes[at + 3] + 6)) {
             at += add("damaged", at, bytes[at + 3] + 6);
         } else {
             at += add("other", at, 1);
@@ -93,15 +122,8 @@ export function segments(protocol, given) {
     return found;
 }
 
-function isDamaged(protocol, bytes, at) {
-    const [first, second] = protocol.sync;
-    if (bytes[at] !== first || bytes[at + 1] !== second || !isSet(bytes[at + 2])) return false;
+function isDamaged(bytes, at) {
+    if (bytes[at] !== SYNC[0] || bytes[at + 1] !== SYNC[1] || !isSet(bytes[at + 2])) return false;
     const size = bytes[at + 3] + 6;
-    if (!(at + size <= bytes.length)) return false;
-    try {
-        for (const _ of new Packet(protocol, bytes.subarray(at, at + size)).fields());
-        return true;
-    } catch {
-        return false;
-    }
+    return at + size <= bytes.length && new Packet(bytes.subarray(at, at + size)).walk(() => false) === undefined;
 }

@@ -20,8 +20,11 @@ from .errors import DecodeError, EncodeError, MissingResponse, PacketError
 from .field import Command, Response
 from .packet import Packet, PacketBuilder, RawField
 from .parser import Parser
-from .protocol import Acknowledge
+from .protocol import BARRIER, Acknowledge
 from .types import AckCode
+
+#: How many barriers there are. They have 2 to 63 commands: the answer to each is one packet.
+BARRIERS = 62
 
 
 @dataclass(frozen=True)
@@ -94,10 +97,19 @@ class _Pending:
     command: Command
     expected: tuple[type[Response], ...]
     deadline: float
+    behind: int  # the size of a barrier that must be answered first; 0: none
 
 
 class Client:
-    """Tracks the commands that wait for an answer. Data between the answers is passed through."""
+    """Tracks the commands that wait for an answer. Data between the answers is passed through.
+
+    After a command without an answer, its answer may still come, and MIP has no mark by which it
+    could be told from that of the next such command. `send` then begins with a barrier: a packet of
+    several commands that change nothing. The device answers in order, and those of one packet in
+    one packet, whose size tells which barrier it answers. Until then, nothing answers the commands
+    behind it, and from then on nothing those before it, which have timed out. A command whose
+    barrier is not answered times out, although the device may have carried it out.
+    """
 
     def __init__(self, timeout: float = 1.0, skipped: bool = False) -> None:
         """`timeout`: seconds until a command times out; longer for commands that take longer.
@@ -109,6 +121,8 @@ class Client:
         self._parser = Parser()
         self._wants_skipped = skipped
         self._pending: list[_Pending] = []
+        self._missed = 0  # commands without an answer, since a barrier was answered
+        self._behind = 0  # the size of the last barrier, until it is answered
 
     @property
     def pending(self) -> tuple[Command, ...]:
@@ -120,10 +134,14 @@ class Client:
         """The number of bytes received that are not part of a packet."""
         return self._parser.skipped
 
-    def send(self, *commands: Command, now: float, timeout: float | None = None) -> bytes:
-        """The bytes to send: one packet with these commands, all of one descriptor set.
+    def send(
+        self, *commands: Command, now: float, timeout: float | None = None, wait: bool = True
+    ) -> bytes:
+        """The bytes to send: one packet with these commands, all of one descriptor set, behind a
+        barrier if an earlier command was not answered.
 
-        `timeout`: seconds for these commands, in place of their usual time-outs.
+        `timeout`: seconds for these commands, in place of their usual time-outs. `wait`: False if
+        answers are not expected, and are events like data.
 
         Raises EncodeError, and waits for no answer, if they do not fit into one packet; ValueError
         if the time-out is NaN or negative.
@@ -140,11 +158,49 @@ class Client:
             if command.SET != commands[0].SET:
                 raise EncodeError("set", "the commands of one packet must be of one descriptor set")
             builder.add(command.DESCRIPTOR, command.encode())
+        if not wait:
+            self._miss(sum(command.answered for command in commands))
+            return bytes(builder.build())
+        barrier = self._barrier()
         for command in commands:
             if command.answered:
-                wait = max(self._timeout, command.TIMEOUT or 0.0) if timeout is None else timeout
-                self._pending.append(_Pending(command, command.expected, now + wait))
+                allowed = max(self._timeout, command.TIMEOUT or 0.0) if timeout is None else timeout
+                self._pending.append(
+                    _Pending(command, command.expected, now + allowed, self._behind)
+                )
+        return barrier + bytes(builder.build())
+
+    def _barrier(self) -> bytes:
+        number, descriptor = BARRIER
+        if not number or not self._missed or self._behind == self._missed + 1:
+            return b""
+        self._miss(len(self._pending))  # they may be of its kind
+        self._behind = self._missed + 1
+        builder = PacketBuilder(number)
+        for _ in range(self._behind):
+            builder.add(descriptor, b"")
         return bytes(builder.build())
+
+    def _miss(self, count: int) -> None:
+        if count:
+            self._missed = (self._missed + count - 1) % BARRIERS + 1
+
+    def _passes(self, packet: Packet) -> list[Event] | None:
+        """If the packet answers the last barrier: the time-outs of all that was sent before it."""
+        number, descriptor = BARRIER
+        if not self._behind or (packet.set, len(packet.payload)) != (number, 4 * self._behind):
+            return None
+        for at in range(0, len(packet.payload), 4):  # with any code
+            if packet.payload[at : at + 3] != bytes((4, Acknowledge.DESCRIPTOR, descriptor)):
+                return None
+        before = [p for p in self._pending if p.behind != self._behind]
+        self._pending = [p for p in self._pending if p.behind == self._behind]
+        for waiting in self._pending:
+            waiting.behind = 0
+        if self._behind == self._missed + 1:
+            self._missed = 0
+        self._behind = 0
+        return [TimedOut(p.command) for p in before]
 
     def receive(self, data: bytes, now: float) -> list[Event]:
         """The events of these bytes and this time: answers, other packets, time-outs."""
@@ -170,9 +226,25 @@ class Client:
         """When the next command times out; None if no command waits."""
         return min((p.deadline for p in self._pending), default=None)
 
-    def cancel(self, command: Command) -> None:
-        """Stops waiting for this command."""
-        self._pending = [p for p in self._pending if p.command is not command]
+    def cancel(self, command: Command, silent: bool = False) -> None:
+        """Stops waiting for this command. Its answer, if it still comes, answers no other.
+
+        `silent`: the device does not answer it.
+        """
+        left = [p for p in self._pending if p.command is not command]
+        if not silent:
+            self._miss(len(self._pending) - len(left))
+        self._pending = left
+
+    def interrupt(self) -> list[Event]:
+        """The connection was lost: the commands that wait time out, and an incomplete packet is
+        discarded. What still comes over the next connection is not taken for an answer to later
+        commands."""
+        events = self._events(self._parser.flush_all())
+        events += [TimedOut(p.command) for p in self._pending]
+        self._miss(len(self._pending))
+        self._pending = []
+        return events
 
     def poll(self, now: float) -> list[Event]:
         """The commands that have timed out.
@@ -186,9 +258,10 @@ class Client:
             if not items:
                 break
             events += self._events(items)
-        events += [TimedOut(p.command) for p in self._pending if p.deadline <= now]
+        late = [p for p in self._pending if p.deadline <= now]
         self._pending = [p for p in self._pending if p.deadline > now]
-        return events
+        self._miss(len(late))
+        return [*events, *(TimedOut(p.command) for p in late)]
 
     def _events(self, items: Iterable[Packet | bytes]) -> list[Event]:
         events: list[Event] = []
@@ -201,8 +274,11 @@ class Client:
 
     def _taken(self, packet: Packet) -> list[Event]:
         """The answers in a packet, and the packet itself if it contains other fields."""
-        if packet.set >= 0x80 or not self._pending:
+        if packet.set >= 0x80:
             return [Received(packet)]
+        passed = self._passes(packet)
+        if passed is not None:
+            return passed
         fields, malformed = _fields(packet)
         answers: list[Event] = []
         taken: set[int] = set()
@@ -231,7 +307,7 @@ class Client:
         left_alone: _Pending | None = None
         for waiting in self._pending:
             command = waiting.command
-            if (command.SET, command.DESCRIPTOR) != (raw.set, ack.command):
+            if waiting.behind or (command.SET, command.DESCRIPTOR) != (raw.set, ack.command):
                 continue
             if ack.code != 0:
                 return self._done(waiting, Answer(command, ack.code))

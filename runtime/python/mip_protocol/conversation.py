@@ -117,29 +117,23 @@ class Conversation:
             raise ValueError(f"timeout {timeout}: a device needs some time to answer")
         self.arrivals: deque[Arrival] = deque()
         self.dropped = 0
-        self._timeout = timeout
         self._capacity = capacity
         self._on_skipped = on_skipped
         self._tickets: list[Ticket] = []
         self._settings: dict[tuple[int, int], Field] = {}
-        self._skipped = 0
         self._client = Client(timeout, skipped=on_skipped is not None)
         self._heard = 0.0
         self._incomplete = False
 
     def restart(self) -> None:
         """The port has been opened again. Waiting data is kept."""
-        for ticket in self._tickets:
-            ticket.end(TimedOut(ticket.command))
-        self._tickets.clear()
         self._settings.clear()
-        self._skipped += self._client.skipped
-        self._client = Client(self._timeout, skipped=self._on_skipped is not None)
+        self._handle(self._client.interrupt(), time.monotonic(), time.time())
         self._incomplete = False
 
     @property
     def skipped(self) -> int:
-        return self._skipped + self._client.skipped
+        return self._client.skipped
 
     # ----------------------------------------------------------------- commands
 
@@ -152,12 +146,12 @@ class Conversation:
         those of all if nobody is going to `wait`: answers are data then.
         """
         tickets = [Ticket(command) for command in commands]
-        packet = self._client.send(*(t.sent for t in tickets), now=now, timeout=timeout)
+        packet = self._client.send(*(t.sent for t in tickets), now=now, timeout=timeout, wait=wait)
         for ticket in tickets:
-            if not ticket.command.answered:
+            if not wait or not ticket.command.answered:
                 ticket.end(None)
-            elif not wait or self._silenced(ticket.command):
-                self._client.cancel(ticket.sent)
+            elif self._silenced(ticket.command):
+                self._client.cancel(ticket.sent, silent=True)
                 ticket.end(None)
         self._tickets += [t for t in tickets if not t.done]
         return packet, tickets

@@ -61,6 +61,7 @@ class BitInfo(MemberInfo):
 
     mask: int = 0
     alias: bool = False  # it overlaps other bits
+    concerns: tuple[str, ...] = ()  # names of the fields and commands that it is about
     type: Any = None  # the enumeration of a number
 
     @property
@@ -103,12 +104,23 @@ class EnumInfo(_Members):
 @dataclass(frozen=True)
 class BitsInfo(_Members):
     aliases: tuple[str, ...] = ()  # names of bits that overlap others
+    concerns: dict[str, tuple[str, ...]] = field(
+        default_factory=dict
+    )  # bit -> the fields and commands it is about
     numbers: dict[str, Any] = field(default_factory=dict)  # name -> its enumeration
 
     @cached_property
     def bits(self) -> tuple[BitInfo, ...]:
         return tuple(
-            BitInfo(name, self.type, member, mask, name in self.aliases, self.numbers.get(name))
+            BitInfo(
+                name,
+                self.type,
+                member,
+                mask,
+                name in self.aliases,
+                self.concerns.get(name, ()),
+                self.numbers.get(name),
+            )
             for name, member, mask in self._named()
         )
 

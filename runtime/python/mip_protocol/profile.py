@@ -47,6 +47,7 @@ class Limit:
     value: float
     unit: str | None
     description: str
+    firmware: str | None = None  # the versions that have it: ">= 1.0.04"
 
 
 @dataclass(frozen=True)
@@ -78,6 +79,7 @@ class Device:
     evidence: tuple[Evidence, ...]  # strongest first
     base_rates: dict[int, float]  # data set -> Hz; 0: sent as the data arrives
     functions: dict[tuple[int, int], str] = field(default_factory=dict)  # where not as defined
+    firmware: dict[tuple[int, int], str] = field(default_factory=dict)  # if not all: "> 1.0.07"
     ports: tuple[Port, ...] = ()
     limits: dict[str, Limit] = field(default_factory=dict)
     notes: dict[str, Note] = field(default_factory=dict)

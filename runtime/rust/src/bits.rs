@@ -350,6 +350,16 @@ pub(crate) fn debug<S: Storage + Hexadecimal>(
     f: &mut fmt::Formatter<'_>,
 ) -> fmt::Result {
     write!(f, "{name}(")?;
+    text(storage, bits, f)?;
+    f.write_str(")")
+}
+
+/// Writes the names of the bits that are set, as in `ready | level=3 | 0x40`.
+pub(crate) fn text<S: Storage + Hexadecimal>(
+    storage: S,
+    bits: &[Bits],
+    f: &mut fmt::Formatter<'_>,
+) -> fmt::Result {
     let (mut left, mut separator) = (storage, "");
     for Bits { name, first, last } in bits {
         let number = storage.get(*first, *last);
@@ -364,8 +374,7 @@ pub(crate) fn debug<S: Storage + Hexadecimal>(
         }
         separator = " | ";
     }
-    left.write(separator, f)?;
-    f.write_str(")")
+    left.write(separator, f)
 }
 
 /// Writes bytes as one hexadecimal number.

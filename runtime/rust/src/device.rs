@@ -29,16 +29,14 @@
 //! **An answer** may arrive in a packet by itself or with others. Before a command times out, bytes
 //! held back by noise are searched.
 //!
-//! **After a command that was not answered**, its answer may still arrive. The next command, and
-//! those of the ten seconds after it, therefore first read what has already arrived, and keep it as
-//! data: a late answer is not taken for that of another command of the same type. This takes as long
-//! as one read without data; while data keeps arriving, at most 64 reads or 100 ms. An
-//! `AsyncDevice` does this before every command. An answer that arrives after the next command of
-//! the same type was sent is taken for its answer: if a device may be that slow, use a longer
-//! time-out.
+//! **After a command that was not answered**, its answer may still arrive. The next command is
+//! therefore sent behind a barrier (see [`Client::barrier`]), and what comes before the answer of that
+//! is data: a late answer is never taken for that of another command. This costs a packet each way, and
+//! no further wait. It holds as long as the device answers commands in order; at another baud rate, and
+//! after a port was opened again, too.
 //!
-//! **A command that changes the baud rate** is acknowledged at the old rate. Then set the rate of
-//! the port ([`Device::port_mut`]), and check with a ping that the device answers.
+//! **A command that changes the baud rate** is acknowledged at the old rate. `Device::change_baud`
+//! sends it, and changes the rate of the port, if the specification has the commands for it.
 
 use core::fmt;
 
@@ -53,6 +51,8 @@ use crate::parser::Parser;
 mod asynchronous;
 #[cfg(feature = "embedded-io")]
 mod embedded;
+#[cfg(feature = "open")]
+mod line;
 #[cfg(feature = "std")]
 mod standard;
 
@@ -60,6 +60,10 @@ mod standard;
 pub use asynchronous::AsyncDevice;
 #[cfg(feature = "embedded-io")]
 pub use embedded::{EmbeddedError, EmbeddedPort};
+#[cfg(feature = "open")]
+pub(crate) use line::nobody;
+#[cfg(feature = "open")]
+pub use line::Line;
 #[cfg(feature = "std")]
 pub use standard::StdPort;
 
@@ -85,6 +89,22 @@ pub trait Port {
 
     /// A count of milliseconds that goes on, and may wrap around.
     fn now_ms(&mut self) -> u32;
+
+    /// Changes the baud rate, and discards what was received at the old one. `false`: the port has no
+    /// baud rate, or not this one.
+    ///
+    /// # Errors
+    ///
+    /// Those of the port.
+    fn set_baud(&mut self, rate: u32) -> Result<bool, Self::Error> {
+        let _ = rate;
+        Ok(false)
+    }
+
+    /// The baud rate, if the port has one.
+    fn baud(&self) -> Option<u32> {
+        None
+    }
 }
 
 impl<P: Port + ?Sized> Port for &mut P {
@@ -100,6 +120,14 @@ impl<P: Port + ?Sized> Port for &mut P {
 
     fn now_ms(&mut self) -> u32 {
         (**self).now_ms()
+    }
+
+    fn set_baud(&mut self, rate: u32) -> Result<bool, P::Error> {
+        (**self).set_baud(rate)
+    }
+
+    fn baud(&self) -> Option<u32> {
+        (**self).baud()
     }
 }
 
@@ -118,6 +146,8 @@ pub enum DeviceError<E> {
     Port(E),
     /// The port is closed: no more bytes will arrive, or it accepts none.
     Closed,
+    /// The command was not sent: the port has no baud rate that could be changed.
+    NoBaudRate,
 }
 
 impl<E> From<RequestError> for DeviceError<E> {
@@ -140,6 +170,7 @@ impl<E: fmt::Display> fmt::Display for DeviceError<E> {
             Self::Command(error) => error.fmt(f),
             Self::Port(error) => write!(f, "port: {error}"),
             Self::Closed => f.write_str("the port is closed"),
+            Self::NoBaudRate => f.write_str("not sent: the port has no baud rate"),
         }
     }
 }
@@ -156,9 +187,6 @@ const BACKLOG: u8 = 64;
 
 /// Reading them takes no longer than this many milliseconds; what takes longer is arriving now.
 const CATCH_UP: u32 = 100;
-
-/// For so many milliseconds after a command that was not answered, a late answer is looked for.
-const LATE: u32 = 10_000;
 
 /// Ends waiting after the deadline: nothing more has arrived, or too much.
 fn is_over(late: bool, came: bool, backlog: &mut u8) -> bool {
@@ -210,11 +238,14 @@ impl<const N: usize, const Q: usize> Core<N, Q> {
         chunk.get_mut(..size).unwrap_or_default()
     }
 
-    /// Takes received bytes.
-    fn arrived(&mut self, mut bytes: &[u8]) {
+    /// Takes received bytes. Do they end a packet?
+    fn arrived(&mut self, mut bytes: &[u8]) -> bool {
+        let mut found = false;
         while let Some(packet) = self.parser.next(&mut bytes) {
             sort(&mut self.client, &mut self.data, &packet);
+            found = true;
         }
+        found
     }
 
     /// Lets commands time out, after processing what noise holds back.
@@ -323,10 +354,6 @@ impl<const Q: usize> fmt::Debug for Queue<Q> {
 pub struct Device<P, const N: usize = 8, const Q: usize = 4096> {
     port: P,
     core: Core<N, Q>,
-    /// Was the last command not answered in time?
-    missed: bool,
-    /// Until when late answers may come.
-    late: Option<u32>,
 }
 
 impl<P: Port> Device<P> {
@@ -341,7 +368,7 @@ impl<P, const N: usize, const Q: usize> Device<P, N, Q> {
     /// With a client of another time-out or size: `let device: Device<_, 1, 600> = …`.
     #[must_use]
     pub const fn with_client(port: P, client: Client<N>) -> Self {
-        Self { port, core: Core::new(client), missed: false, late: None }
+        Self { port, core: Core::new(client) }
     }
 
     /// The port.
@@ -404,7 +431,6 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
     ) -> Result<Option<C::Response>, DeviceError<P::Error>> {
         let now_ms = self.begin()?;
         let (ticket, packet) = self.core.client.send(command, now_ms)?;
-        self.missed = true; // until it is answered
         self.port.write(packet.bytes()).map_err(DeviceError::Port)?;
         self.wait()?;
         self.core.result(&ticket)
@@ -428,7 +454,6 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
         let tickets = add(&mut request)?;
         let packet = request.send(now_ms);
         if !packet.payload().is_empty() {
-            self.missed = true;
             self.port.write(packet.bytes()).map_err(DeviceError::Port)?;
         }
         self.wait()?;
@@ -448,40 +473,75 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
         self.core.client.known_event(ticket)
     }
 
-    /// Forgets the commands before. If one was not answered, what has arrived is read first.
+    /// Forgets the commands before. If one was not answered, a barrier is sent.
     fn begin(&mut self) -> Result<u32, DeviceError<P::Error>> {
-        let now_ms = self.port.now_ms();
-        if core::mem::take(&mut self.missed) {
-            self.late = Some(now_ms);
-        }
         self.core.client.clear();
-        if self.late.map_or(true, |since| now_ms.wrapping_sub(since) >= LATE) {
-            self.late = None;
-            return Ok(now_ms);
+        if let Some(barrier) = self.core.client.barrier() {
+            self.port.write(barrier.bytes()).map_err(DeviceError::Port)?;
         }
-        let mut waited = Waited::new();
-        loop {
-            let came = self.read()?;
-            let now = self.port.now_ms();
-            if waited.is_over(now_ms, now, came) {
-                self.core.look_behind();
-                return Ok(now);
-            }
-        }
+        Ok(self.port.now_ms())
     }
 
     /// Until no command waits.
     fn wait(&mut self) -> Result<(), DeviceError<P::Error>> {
-        let (mut waited, mut missed) = (Waited::new(), false);
+        let mut waited = Waited::new();
         while let Some(deadline) = self.core.client.deadline() {
             let came = self.read()?;
             let now_ms = self.port.now_ms();
             if waited.is_over(deadline, now_ms, came) {
                 self.core.tick(now_ms);
-                missed = true;
             }
         }
-        self.missed = missed;
+        Ok(())
+    }
+
+    /// Sends pings, two at most, until any packet arrives: bytes of another baud rate may damage the
+    /// answer to the first. What arrives is discarded.
+    #[allow(dead_code)] // without the features of command sets
+    pub(crate) fn is_heard<C: Command>(
+        &mut self,
+        ping: &C,
+        wait_ms: u32,
+    ) -> Result<bool, DeviceError<P::Error>> {
+        let mut heard = false;
+        self.core.parser = Parser::new();
+        for _ in 0..2 {
+            self.core.client.clear();
+            let end = after(self.port.now_ms(), wait_ms);
+            let (_, packet) = self.core.client.send(ping, end)?;
+            self.port.write(packet.bytes()).map_err(DeviceError::Port)?;
+            let mut waited = Waited::new();
+            while !heard {
+                let mut chunk = [0; CHUNK];
+                let count = self.port.read(&mut chunk).map_err(DeviceError::Port)?;
+                heard = self.core.arrived(chunk.get(..count).unwrap_or_default());
+                if waited.is_over(end, self.port.now_ms(), count > 0) {
+                    heard = heard || self.core.look_behind();
+                    break;
+                }
+            }
+            if heard {
+                break;
+            }
+        }
+        self.core.client.clear();
+        self.discard();
+        Ok(heard)
+    }
+
+    /// Discards the data that was kept.
+    #[allow(dead_code)] // without the features of command sets
+    pub(crate) fn discard(&mut self) {
+        while self.core.data.pop().is_some() {}
+    }
+
+    /// Keeps data for a time.
+    #[allow(dead_code)] // without the features of command sets
+    pub(crate) fn pass(&mut self, wait_ms: u32) -> Result<(), DeviceError<P::Error>> {
+        let end = after(self.port.now_ms(), wait_ms);
+        while !has_passed(end, self.port.now_ms()) {
+            self.read()?;
+        }
         Ok(())
     }
 

@@ -188,6 +188,95 @@ pub trait Visitor {
     fn unknown(self, field: &RawField<'_>) -> Self::Output;
 }
 
+/// A field that the specification lacks, and what a visitor does with it: a row of the table for
+/// [`visit_with`].
+pub struct Own<V: Visitor> {
+    is: fn(&RawField<'_>) -> bool,
+    visit: fn(V, &RawField<'_>) -> V::Output,
+}
+
+impl<V: Visitor> Own<V> {
+    /// A row for the fields of type `T`.
+    #[must_use]
+    pub const fn of<T: Field>(visit: fn(V, &RawField<'_>) -> V::Output) -> Self {
+        Self { is: |field| field.is::<T>(), visit }
+    }
+}
+
+impl<V: Visitor> fmt::Debug for Own<V> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Own").finish_non_exhaustive()
+    }
+}
+
+/// Calls the visitor as [`visit`] does, but with fields of your own, which come first: they take the
+/// place of those that the registry lists for the same descriptor.
+///
+/// ```
+/// use mip_protocol::error::{EncodeErrorKind, Invalid};
+/// use mip_protocol::registry::{visit_with, Listed, Own, Visitor};
+/// use mip_protocol::{Field, RawField, Reader, Wire, Writer};
+///
+/// /// What a device of your own sends.
+/// struct Wind {
+///     speed: f32,
+/// }
+///
+/// impl Wire for Wind {
+///     const SIZE: usize = 4;
+///     const FIXED: bool = true;
+///
+///     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, Invalid> {
+///         Ok(Self { speed: reader.read()? })
+///     }
+///
+///     fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeErrorKind> {
+///         writer.write(&self.speed)
+///     }
+/// }
+///
+/// impl Field for Wind {
+///     const SETS: &'static [u8] = &[0x80];
+///     const DESCRIPTOR: u8 = 0xCF;
+///     const NAME: &'static str = "own.wind";
+///
+///     fn occurs_in(set: u8) -> bool {
+///         set == 0x80
+///     }
+/// }
+///
+/// /// A line of text for any field.
+/// struct Text;
+///
+/// impl Visitor for Text {
+///     type Output = String;
+///
+///     fn visit<T: Listed>(self, field: &RawField<'_>) -> String {
+///         T::decode(field.data).map_or_else(|e| e.to_string(), |value| format!("{value:?}"))
+///     }
+///
+///     fn unknown(self, field: &RawField<'_>) -> String {
+///         format!("{field:?}")
+///     }
+/// }
+///
+/// let own = [Own::of::<Wind>(|_: Text, field| match Wind::decode(field.data) {
+///     Ok(wind) => format!("{} m/s", wind.speed),
+///     Err(error) => error.to_string(),
+/// })];
+/// let field = RawField { set: 0x80, descriptor: 0xCF, data: &[0x40, 0, 0, 0] };
+/// assert_eq!(visit_with(&field, &own, Text), "2 m/s");
+/// let field = RawField { set: 0x01, descriptor: 0xF1, data: &[1, 0] };
+/// assert!(visit_with(&field, &own, Text).starts_with("Acknowledge"));
+/// ```
+#[inline]
+pub fn visit_with<V: Visitor>(field: &RawField<'_>, own: &[Own<V>], visitor: V) -> V::Output {
+    match own.iter().find(|row| (row.is)(field)) {
+        Some(row) => (row.visit)(visitor, field),
+        None => visit(field, visitor),
+    }
+}
+
 /// A field of any type that was decoded, and the descriptor set of its packet: one type may occur in
 /// several, each of which is another sensor or receiver.
 #[derive(Clone, Debug, PartialEq)]

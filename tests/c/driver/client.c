@@ -102,6 +102,9 @@ static const char *send(struct session *s, const struct json *step) {
         return REQUEST;
     }
     tick(s);
+    uint8_t barrier[MIP_MAX_BARRIER];
+    const struct mip_client before = s->client;
+    const size_t size = mip_client_barrier(&s->client, barrier);
     struct mip_builder builder;
     mip_builder_start(&builder, (uint8_t *)arena_take(s->arena, MIP_MAX_PACKET), MIP_MAX_PACKET, (uint8_t)set);
     struct command *commands = NULL;
@@ -112,6 +115,8 @@ static const char *send(struct session *s, const struct json *step) {
             for (; commands != NULL; commands = commands->next) {
                 mip_client_cancel(&s->client, &commands->request);
             }
+            s->client.missed = before.missed; /* nothing is sent */
+            s->client.behind = before.behind;
             if (wrong == REQUEST) {
                 return REQUEST;
             }
@@ -126,6 +131,7 @@ static const char *send(struct session *s, const struct json *step) {
     const struct mip_packet packet = mip_builder_finish(&builder);
     begin(s, "sent");
     put(s->out, ",\"packet\":\"");
+    put_hex(s->out, barrier, size);
     put_hex(s->out, packet.bytes, packet.size);
     put(s->out, "\",\"commands\":[");
     for (struct command *c = commands; c != NULL; c = c->next) {
@@ -135,6 +141,7 @@ static const char *send(struct session *s, const struct json *step) {
     }
     put(s->out, "]}");
     if (s->port != NULL) {
+        port_write(s->port, barrier, size);
         port_write(s->port, packet.bytes, packet.size);
     }
     for (const struct command *c = commands; c != NULL; c = c->next) {
@@ -210,12 +217,25 @@ static void put_answer(struct session *s, const struct command *c, const struct 
     put_char(s->out, '}');
 }
 
+static void tell_timed_out(struct session *s) {
+    for (struct command *c = s->sent; c != NULL; c = c->next) {
+        if (c->request.state == MIP_REQUEST_TIMED_OUT && !c->timed_out) {
+            c->timed_out = true;
+            happened(s, "timed_out", c);
+        }
+    }
+}
+
 static void take(struct session *s, const struct mip_packet *packet) {
     struct output others = {NULL, 0, 0};
     struct mip_walk walk = mip_walk_packet(packet);
     struct mip_request *answered;
     struct mip_field field;
     bool any = false;
+    if (mip_client_passes(&s->client, packet)) {
+        tell_timed_out(s); /* what was sent before it */
+        return;
+    }
     while (mip_client_next(&s->client, &walk, &answered, &field)) {
         if (answered != NULL) {
             any = true;
@@ -246,12 +266,7 @@ static void poll(struct session *s) {
     while (mip_client_poll(&s->client, s->parser, s->now, &packet)) {
         take(s, &packet);
     }
-    for (struct command *c = s->sent; c != NULL; c = c->next) {
-        if (c->request.state == MIP_REQUEST_TIMED_OUT && !c->timed_out) {
-            c->timed_out = true;
-            happened(s, "timed_out", c);
-        }
-    }
+    tell_timed_out(s);
 }
 
 static void arrived(struct session *s, const uint8_t *data, size_t size) {
@@ -363,7 +378,7 @@ static const char *take_step(struct session *s, const struct json *step) {
 }
 
 static const char *play_steps(struct output *out, struct arena *arena, const struct json *steps, struct port *port) {
-    struct session s = {arena, out, {NULL, 0}, NULL, 0, 0, true, port, false, NULL, NULL};
+    struct session s = {arena, out, {NULL, 0, 0, 0}, NULL, 0, 0, true, port, false, NULL, NULL};
     mip_client_init(&s.client);
     s.parser = (struct mip_parser *)arena_take(arena, sizeof(struct mip_parser));
     mip_parser_init(s.parser);

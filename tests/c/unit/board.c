@@ -31,18 +31,12 @@ static void transmit(struct mip_builder *b) {
     line_end += p.size;
 }
 
-static void acknowledge(const struct mip_field *command) {
-    uint8_t bytes[MIP_MAX_PACKET];
-    struct mip_builder b;
-    const uint8_t good[] = {command->descriptor, 0};
-    mip_builder_start(&b, bytes, sizeof(bytes), command->descriptor_set);
-    CHECK(mip_builder_add(&b, 0xF1, good, sizeof(good)) == MIP_OK);
-    transmit(&b);
-}
-
-static void obey(const struct mip_field *command) {
+static void obey(const struct mip_field *command, struct mip_builder *answer) {
     struct mip_3dm_message_format formats;
-    if (++commands < 3) {
+    const uint8_t good[] = {command->descriptor, 0};
+    const bool asked = mip_field_key(command) != MIP_BASE_PING; /* else it is part of a barrier */
+    commands += asked;
+    if (commands + !asked < 3) {
         return; /* still starting */
     }
     switch (mip_field_key(command)) {
@@ -59,10 +53,12 @@ static void obey(const struct mip_field *command) {
     case MIP_BASE_RESUME:
         running = true;
         break;
+    case MIP_BASE_PING:
+        break;
     default:
         CHECK(false);
     }
-    acknowledge(command);
+    CHECK(mip_builder_add(answer, 0xF1, good, sizeof(good)) == MIP_OK);
 }
 
 static void measure(void) {
@@ -104,8 +100,14 @@ void uart_send(uint8_t byte) {
     while (mip_parser_next(&parser, &data, &size, &packet)) {
         struct mip_walk walk = mip_walk_packet(&packet);
         struct mip_field field;
+        uint8_t bytes[MIP_MAX_PACKET];
+        struct mip_builder answer;
+        CHECK(mip_builder_start(&answer, bytes, sizeof(bytes), packet.descriptor_set) == MIP_OK);
         while (mip_walk_next(&walk, &field)) {
-            obey(&field);
+            obey(&field, &answer);
+        }
+        if (answer.length > MIP_HEADER_SIZE) {
+            transmit(&answer);
         }
     }
     a_byte_comes();

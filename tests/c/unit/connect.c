@@ -61,6 +61,17 @@ static bool fake_write(void *user, const uint8_t *bytes, size_t size) {
         return false;
     }
     CHECK(f->count < 300 && size >= 8);
+    if (command == 0x0101 && bytes[3] > 2 && f->rate == f->baud) { /* a barrier */
+        CHECK(mip_builder_start(&answer, f->out + f->out_size, MIP_MAX_PACKET, 0x01) == MIP_OK);
+        for (unsigned left = bytes[3]; left > 0; left -= 2) {
+            CHECK(mip_builder_add(&answer, 0xF1, "\x01\0", 2) == MIP_OK);
+        }
+        f->out_size += mip_builder_finish(&answer).size;
+        return true;
+    }
+    if (command == 0x0101 && bytes[3] > 2) {
+        return true;
+    }
     f->commands[f->count++] = command;
     if (f->rate != f->baud) {
         memset(f->out, 0x75, 40); /* noise */
@@ -71,7 +82,7 @@ static bool fake_write(void *user, const uint8_t *bytes, size_t size) {
         f->lose--;
         return true;
     }
-    CHECK(mip_builder_start(&answer, f->out, sizeof(f->out), bytes[2]) == MIP_OK);
+    CHECK(mip_builder_start(&answer, f->out + f->out_size, MIP_MAX_PACKET, bytes[2]) == MIP_OK);
     CHECK(mip_builder_add(&answer, 0xF1, acknowledge, 2) == MIP_OK);
     memset(data, ' ', sizeof(data));
     if (acknowledge[1] == 0 && command == 0x0103) {
@@ -96,7 +107,7 @@ static bool fake_write(void *user, const uint8_t *bytes, size_t size) {
     if (command == 0x0C11) {
         f->stream = bytes[7];
     }
-    f->out_size = mip_builder_finish(&answer).size;
+    f->out_size += mip_builder_finish(&answer).size;
     return true;
 }
 

@@ -230,7 +230,7 @@ static void no_answers(void) {
     COMES(0, 0x01, PONG); /* too late: unasked for */
     CHECK(mip_device_poll(&device) && seen.count == 1 && mip_field_key(&seen.fields[0]) == MIP_PROTOCOL_ACKNOWLEDGE);
     device.client.timeout = 100;
-    CHECK(is(mip_call_tools_ping(&device), MIP_TIMED_OUT, 0, MIP_OK) && line.clock == 6110);
+    CHECK(is(mip_call_tools_ping(&device), MIP_TIMED_OUT, 0, MIP_OK) && line.clock == 6100);
     line.clock = UINT32_MAX - 40; /* the time wraps around meanwhile */
     CHECK(is(mip_call_tools_ping(&device), MIP_TIMED_OUT, 0, MIP_OK) && line.clock == 59);
 
@@ -259,33 +259,36 @@ static void late_answers(void) {
     bytes_come(&line, 0, "ue\x80\xFF", 4); /* noise hides it */
     COMES(0, 0x01, PONG);
     COMES(0, 0x80, ACCEL);
+    COMES(10, 0x01, PONG PONG); /* the barrier */
     COMES(20, 0x01, "\x04\xF1\x01\x03");
+    unsigned writes = line.writes;
     CHECK(is(mip_call_tools_ping(&device), MIP_REFUSED, MIP_ACK_CODE_INVALID_PARAMETER, MIP_OK));
     CHECK(seen.count == 2 && mip_field_key(&seen.fields[0]) == MIP_PROTOCOL_ACKNOWLEDGE);
-    CHECK(device.parser.skipped == 4);
+    CHECK(device.parser.skipped == 4 && line.writes == writes + 2);
 
-    /* This one may have had that of another; after a while, none can come. */
-    line.clock += 9900;
+    /* There is no other. */
     COMES(0, 0x01, PONG);
-    CHECK(is(mip_call_tools_ping(&device), MIP_TIMED_OUT, 0, MIP_OK));
-    line.clock += 10000;
-    COMES(0, 0x01, PONG);
-    const unsigned reads = line.reads;
-    CHECK(is(mip_call_tools_ping(&device), MIP_ACKNOWLEDGED, 0, MIP_OK) && line.reads == reads + 1);
+    CHECK(is(mip_call_tools_ping(&device), MIP_ACKNOWLEDGED, 0, MIP_OK) && line.writes == writes + 3);
 
-    /* Bytes without end hold no command up. */
+    /* What is answered although its barrier is not may be late; so may be the answer of that. */
     device.client.timeout = 100;
     CHECK(is(mip_call_tools_ping(&device), MIP_TIMED_OUT, 0, MIP_OK));
+    COMES(0, 0x01, PONG);
+    CHECK(is(mip_call_tools_ping(&device), MIP_TIMED_OUT, 0, MIP_OK));
+    COMES(0, 0x01, PONG PONG);
+    COMES(0, 0x01, PONG);
+    COMES(0, 0x01, PONG PONG PONG);
+    COMES(0, 0x01, "\x04\xF1\x01\x03");
+    CHECK(is(mip_call_tools_ping(&device), MIP_REFUSED, MIP_ACK_CODE_INVALID_PARAMETER, MIP_OK));
+
+    /* Bytes without end hold no command up. */
+    CHECK(is(mip_call_tools_ping(&device), MIP_TIMED_OUT, 0, MIP_OK));
     line.endless = true;
-    const uint32_t takes[] = {0, 1, 30}, ends[] = {0, 64, 120};
-    for (int i = 0; i < 3; i++) {
-        const unsigned writes = line.writes, before = line.reads;
-        line.deaf = true; /* so that it does not wait afterwards */
-        line.takes = takes[i];
-        const uint32_t start = line.clock;
-        CHECK(is(mip_call_tools_ping(&device), MIP_NOT_SENT, 0, MIP_OK) && line.writes == writes + 1);
-        CHECK(line.clock - start == ends[i] && line.reads - before == (i < 2 ? 64 : 4));
-    }
+    line.deaf = true; /* so that it does not wait afterwards */
+    const unsigned reads = line.reads;
+    writes = line.writes;
+    CHECK(is(mip_call_tools_ping(&device), MIP_NOT_SENT, 0, MIP_OK) && line.writes == writes + 1);
+    CHECK(line.reads == reads);
 }
 
 static void closed(void) {

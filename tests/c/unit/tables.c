@@ -16,6 +16,8 @@ static bool is(const char *a, const char *b) {
 static void registry(void) {
     /* Layouts are told apart by constants, as far as the data reach, then by size. */
     struct mip_field field = field_of(1, 0x90, "1267");
+    CHECK(is(mip_registry_find(&field)->name, "status_paged"));
+    field = field_of(1, 0x90, "12670100");
     CHECK(is(mip_registry_find(&field)->name, "status_short"));
     field = field_of(1, 0x90, "126703");
     CHECK(mip_registry_find(&field) == NULL);
@@ -181,6 +183,8 @@ static void uncertain(void) {
     const struct mip_profile *c = mip_profile_find("Model C");
     CHECK(c->refused_count == 1 && mip_profile_support(c, 0x01, 0x08) == MIP_SUPPORT_NO);
     CHECK(is(mip_profile_find_field(c, 0x01, 0x08)->evidence->why, "Rejected by the device (firmware 1.2)."));
+    CHECK(is(mip_profile_firmware_of(c, 0x01, 0x06), ">= 1.0, < 1.1") && mip_profile_firmware_of(c, 0x01, 0x01) == NULL);
+    CHECK(is(c->limits[0].firmware, "< 2.0") && is(mip_profile_find("Model A")->limits[0].firmware, ""));
 }
 
 static uint16_t number_of(const char *text) {

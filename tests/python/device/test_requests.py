@@ -100,6 +100,8 @@ class Counted(port.SocketPort):
 
 
 LATE = packet(0x0C, "f1 0e 00", "8e 82 0007")
+#: The answer to the two pings that are sent in front of the command after one without an answer.
+BARRIER = packet(0x01, "f1 01 00", "f1 01 00")
 
 
 def comes_late(peer: Peer, port: Counted) -> int:
@@ -107,7 +109,7 @@ def comes_late(peer: Peer, port: Counted) -> int:
     peer.command()
     reads = port.reads
     peer.send(LATE)
-    peer.answering(packet(0x0C, "f1 0e 00", "8e 80 03e8"))
+    peer.answering(BARRIER + packet(0x0C, "f1 0e 00", "8e 80 03e8"))
     return reads
 
 

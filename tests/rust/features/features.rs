@@ -15,13 +15,14 @@ fn json<T: Serialize + DeserializeOwned + PartialEq + std::fmt::Debug>(value: &T
 #[test]
 fn fields_go_to_json_and_come_back() {
     let settings = tools::Settings::write(1, Mode::SLOW, 9600);
-    let text = r#"{"function":1,"port":1,"mode":2,"baud":9600,"limit":null,"reserved":null}"#;
+    let text =
+        r#"{"function":"write","port":1,"mode":"slow","baud":9600,"limit":null,"reserved":null}"#;
     assert_eq!(json(&settings), text);
     let accel = measurements::Accel {
         scaled_accel: Vector3f::from([1.0, 2.0, 3.0]),
         valid_flags: StateFlags::READY,
     };
-    assert_eq!(json(&accel), r#"{"scaled_accel":[1.0,2.0,3.0],"valid_flags":1}"#);
+    assert_eq!(json(&accel), r#"{"scaled_accel":[1.0,2.0,3.0],"valid_flags":"ready"}"#);
     assert_eq!(json(&AnyField::ToolsPing(tools::Ping)), r#"{"tools.ping":null}"#);
     assert_eq!(json(&tools::List::write([1, 2]).items), "[1,2]");
     let label = tools::ChoiceParameters::Label(Text::padded("é").unwrap());
@@ -39,8 +40,6 @@ fn names_are_those_of_the_specification() {
     let text = json(&field);
     assert_eq!(text, r#"{"class":1,"type":2,"register":3,"self":4,"present":5}"#);
     assert_eq!(serde_json::to_string(&field.to_value()).unwrap(), text);
-    let accel = measurements::Accel::default();
-    assert_eq!(serde_json::to_string(&accel.to_value()).unwrap(), json(&accel));
     assert_eq!(json(&mip_protocol::Role::Command), "\"command\"");
     let other = tools::ChoiceParameters::Other(tools::Shape(9));
     assert_eq!(json(&other), r#"{"other":9}"#);
@@ -77,4 +76,57 @@ fn trees_of_values_have_the_names_of_the_specification() {
     let numbers = measurements::Numbers { u64: u64::MAX, s64: i64::MIN, ..Default::default() };
     let text = serde_json::to_string(&numbers.to_value()).unwrap();
     assert!(text.contains("18446744073709551615") && text.contains("-9223372036854775808"));
+}
+
+#[test]
+fn readable_formats_have_names() {
+    assert_eq!(json(&Mode::SLOW), "\"slow\"");
+    assert_eq!(json(&Mode(99)), "99");
+    assert_eq!(serde_json::from_str::<Mode>("2").unwrap(), Mode::SLOW);
+    for wrong in ["256", "-1", "\"sluggish\"", "null", "1.5"] {
+        let error = serde_json::from_str::<Mode>(wrong).unwrap_err().to_string();
+        assert!(error.contains("the name of a value, or its number"), "{error}");
+    }
+    let flags = StateFlags::from(!0);
+    let text = json(&flags);
+    assert!(text.starts_with("\"ready | "), "{text}");
+    assert_eq!(serde_json::from_str::<StateFlags>(&flags.bits().to_string()).unwrap(), flags);
+    assert_eq!(json(&StateFlags::empty()), "\"\"");
+    for wrong in ["\"redy\"", "\"ready=2\"", "\"0x10000\"", "\"0xg\"", "-1", "65536"] {
+        assert!(serde_json::from_str::<StateFlags>(wrong).is_err(), "{wrong}");
+    }
+}
+
+#[test]
+fn floats_that_are_no_numbers_keep_their_bits() {
+    let bits = [
+        0x7FE5_BF7F,
+        0xFFC0_0001,
+        0x7F80_0001,
+        f32::NAN.to_bits(),
+        0x7F80_0000,
+        0xFF80_0000,
+        0x8000_0000,
+    ];
+    for bits in bits {
+        let vector = Vector3f::from([f32::from_bits(bits), 0.1, 1.0]);
+        let text = serde_json::to_string(&vector).unwrap();
+        let back: Vector3f = serde_json::from_str(&text).unwrap();
+        assert_eq!((back.x.to_bits(), back.y, back.z), (bits, 0.1, 1.0), "{text}");
+    }
+    let text = |x| serde_json::to_string(&Vector3f::from([x, 1.0, f32::NEG_INFINITY])).unwrap();
+    assert_eq!(text(f32::from_bits(0x7FE5_BF7F)), r#"["NaN(0x7fe5bf7f)",1.0,"-inf"]"#);
+    assert_eq!(text(f32::NAN), r#"["NaN",1.0,"-inf"]"#);
+    let numbers = measurements::Numbers {
+        float: f32::from_bits(0xFFC0_1234),
+        double: f64::from_bits(0x7FF0_0000_0000_0001),
+        ..Default::default()
+    };
+    let text = serde_json::to_string(&numbers).unwrap();
+    let back: measurements::Numbers = serde_json::from_str(&text).unwrap();
+    assert_eq!(back.float.to_bits(), 0xFFC0_1234, "{text}");
+    assert_eq!(back.double.to_bits(), 0x7FF0_0000_0000_0001, "{text}");
+    for wrong in ["\"NaN(0x1)x\"", "\"NaN(0x1ffffffff)\"", "\"one\"", "null", "[]"] {
+        assert!(serde_json::from_str::<Vector3f>(&format!("[{wrong},0,0]")).is_err(), "{wrong}");
+    }
 }

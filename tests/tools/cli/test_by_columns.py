@@ -1,4 +1,4 @@
-"""`mip info` and `mip export` say the same by columns as packet by packet, to the byte."""
+"""`mip info` and `mip dump` say the same by columns as packet by packet; parts of what they use."""
 
 from __future__ import annotations
 
@@ -10,9 +10,11 @@ from typing import Any
 
 import pytest
 from mip_protocol import EncodeError, Packet, PacketBuilder, filter_data, registry, sensor, shared
-from mip_tools.cli import clocks, csv_columns, info, info_columns, inputs, intervals, scan, values
+from mip_protocol.text import shortest
+from mip_tools.cli import clocks, decoding, dump, info, intervals, lines, log_report, scan
 from mip_tools.columns import log as columns_log
-from mip_tools.columns import read_log, times
+from mip_tools.columns import read_log, text, times
+from mip_tools.sentences import Sentences
 from program import log, run
 from support import SEED, later, rounds
 
@@ -75,9 +77,9 @@ STREAMS = {
 
 
 @pytest.fixture(params=sorted(STREAMS))
-def path(request: pytest.FixtureRequest, tmp_path: Path) -> Path:
-    (tmp_path / "log.bin").write_bytes(STREAMS[request.param]())
-    return tmp_path / "log.bin"
+def stream(request: pytest.FixtureRequest) -> bytes:
+    data: bytes = STREAMS[request.param]()
+    return data
 
 
 def held(found: intervals.Intervals) -> dict[str, Any]:
@@ -85,57 +87,65 @@ def held(found: intervals.Intervals) -> dict[str, Any]:
     return {**vars(found), "_longest": sorted(found._longest)}
 
 
+def plain_report(stream: bytes) -> log_report.Report:
+    """The same packet by packet."""
+    report, damaged, sentences, scanner = log_report.Report(len(stream)), scan.Damaged(), Sentences(), scan.Scanner()
+    for piece in (*scanner.feed(stream), *scanner.flush()):
+        if piece.packet is None:
+            report.skipped += len(piece.data)
+            damaged.feed(piece.data)
+            report.sentences += len(sentences.feed(piece.data))
+            continue
+        damaged.end()
+        report.packets += 1
+        number = piece.packet.set
+        report.sets[number] = report.sets.get(number, 0) + 1
+        report.malformed += bool(decoding.malformed(piece.packet))
+        seen = set()
+        for raw in decoding.raw_fields(piece.packet):
+            name = decoding.name_of(decoding.decoded(raw))
+            kind = report.fields.setdefault((raw.set, raw.descriptor), log_report.Kind(name))
+            kind.count += 1
+            kind.packets += raw.descriptor not in seen
+            seen.add(raw.descriptor)
+        for clock, time in clocks.moments(piece.packet).items():
+            if time is not None:
+                report.clocks[clock].setdefault(number, intervals.Intervals()).add(time, piece.offset)
+    damaged.end()
+    report.runs, report.damaged = damaged.runs, damaged.count
+    return report
+
+
 @pytest.mark.parametrize("piece", [300, 4096, 1 << 20])
-def test_info(path: Path, piece: int, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_info(stream: bytes, piece: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The same by columns as packet by packet, however the log is divided."""
     monkeypatch.setattr(columns_log, "_PIECE", piece)
-    monkeypatch.setattr(info_columns, "PART", 5 * piece)
-    seen = []
-    by_columns = info_columns.examine
-    monkeypatch.setattr(info_columns, "examine", lambda *given: seen.append(1) or by_columns(*given))
-    fast = info.examine(str(path))
-    monkeypatch.setattr(inputs, "as_columns", lambda name: None)
-    slow = info.examine(str(path))
-    assert len(seen) == 1
+    monkeypatch.setattr(log_report, "PART", 5 * piece)
+    fast, slow = log_report.examine(read_log(stream)), plain_report(stream)
     assert info.lines("log", fast) == info.lines("log", slow)
     assert info.as_json("log", fast) == info.as_json("log", slow)
     for clock, sets in slow.clocks.items():
         assert {n: held(i) for n, i in fast.clocks[clock].items()} == {n: held(i) for n, i in sets.items()}
 
 
-@pytest.mark.parametrize(
-    "options",
-    [
-        (),
-        ("--invalid", "mask", "--time", "clock"),
-        ("--invalid", "drop", "--time", "start"),
-        ("--time", "none", "--names"),
-        ("sensor.scaled_accel",),
-        ("sensor", "filter_data", "--without", "filter_data.euler_angles", "--invalid", "mask"),
-        ("shared.gps_timestamp", "sensor", "--without", "0x80:0xD3"),
-        ("--split",),
-        ("--only", "0x01,0x0C,0x0D,0x0E,0x13,0x7F,sensor,acknowledge"),
-    ],
-    ids=" ".join,
-)
-def test_csv(
-    path: Path, options: tuple[str, ...], tmp_path: Path, capsys: Any, monkeypatch: pytest.MonkeyPatch
+@pytest.mark.parametrize("words", [(), ("--device", "3dm-gx5-15"), ("--only", "sensor,shared"), ("--without", "0x82")])
+def test_dump(
+    stream: bytes, words: tuple[str, ...], tmp_path: Path, capsys: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(csv_columns, "PART", 9000)
+    """The same lines by columns as packet by packet."""
+    (tmp_path / "log.bin").write_bytes(stream)
     seen = []
-    by_columns = csv_columns.Lines.write
-    monkeypatch.setattr(csv_columns.Lines, "write", lambda *given: seen.append(1) or by_columns(*given))
-    found = []
-    for way in ("fast", "slow"):
-        folder = tmp_path / way
-        folder.mkdir()
-        said = run(capsys, "export", path, *options, "-o", folder / "log.csv")
-        found.append((said, {p.name: p.read_bytes() for p in folder.iterdir()}))
-        monkeypatch.setattr(inputs, "as_columns", lambda name: None)
-    assert found[0] == found[1]
-    assert bool(seen) == bool(found[0][1])
+    monkeypatch.setattr(lines, "PART", 3000)
+    whole = lines.lines
+    monkeypatch.setattr(lines, "lines", lambda *given: seen.append(1) or whole(*given))
+    fast = run(capsys, "dump", tmp_path / "log.bin", *words)
+    monkeypatch.setattr(dump, "_by_columns", lambda *given: False)
+    assert fast == run(capsys, "dump", tmp_path / "log.bin", *words)
+    assert len(seen) == 1
 
 
 def test_fields_that_come_twice_make_rows_in_their_order(tmp_path: Path, capsys: Any) -> None:
+    """The second field of a type in a packet begins a second row."""
     a, b = ((4, struct.pack(">3f", i, i, i)) for i in (1, 2))
     c = (5, struct.pack(">3f", 3, 3, 3))
     data = b""
@@ -147,7 +157,7 @@ def test_fields_that_come_twice_make_rows_in_their_order(tmp_path: Path, capsys:
     (tmp_path / "log").write_bytes(data)
     run(capsys, "export", tmp_path / "log", "-o", tmp_path / "out.csv")
     rows = (tmp_path / "out.csv").read_text().splitlines()[1:]
-    assert rows == ["1.0,1.0,1.0,3.0,3.0,3.0", "2.0,2.0,2.0,,,", "1.0,1.0,1.0,,,", "2.0,2.0,2.0,3.0,3.0,3.0"]
+    assert rows == ["1.0,1.0,1.0,3.0,3.0,3.0", "2.0,2.0,2.0,,,"] * 2
 
 
 def test_decimals_of_numbers_of_four_bytes() -> None:
@@ -165,10 +175,8 @@ def test_decimals_of_numbers_of_four_bytes() -> None:
             np.array([0, -0.0, np.nan, np.inf, -np.inf], np.float32),
         ]
     )
-    assert list(map(repr, csv_columns.shortest(numbers).tolist())) == [
-        values.number(x, "float") for x in numbers.tolist()
-    ]
-    assert csv_columns.shortest(numbers[:0]).tolist() == []
+    assert list(map(repr, text.shortest(numbers).tolist())) == [shortest(x) for x in numbers.tolist()]
+    assert text.shortest(numbers[:0]).tolist() == []
 
 
 @pytest.mark.parametrize("most", [3, 10**9, 2**52, 8 * 10**18])
@@ -211,7 +219,7 @@ def test_damaged_packets_are_counted_however_the_bytes_come(chunk: int) -> None:
 def test_sentences_are_those_with_a_right_checksum(tmp_path: Path) -> None:
     """As `Device.on_skipped` finds them."""
     (tmp_path / "log").write_bytes(GOOD + WRONG + b"noise" + GOOD + GOOD[:-2] + b"ue")
-    assert info.examine(str(tmp_path / "log")).sentences == 2
+    assert log_report.examine(read_log(tmp_path / "log")).sentences == 2
 
 
 def test_hexadecimal_digits_can_be_exported_by_columns(tmp_path: Path, capsys: Any) -> None:

@@ -12,12 +12,23 @@ import subprocess
 import sys
 import zlib
 from contextlib import suppress
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
 import pytest
-from mip_protocol import EncodeError, Packet, PacketBuilder, Parser, filter_data, registry, sensor, shared
-from mip_tools.cli import export_columns
+from mip_protocol import (
+    EncodeError,
+    Packet,
+    PacketBuilder,
+    Parser,
+    base,
+    gnss_data,
+    registry,
+    sensor,
+    shared,
+)
+from mip_tools.columns import tables
 from program import ENVIRONMENT, log, mip, run
 from support import later
 
@@ -77,10 +88,8 @@ def compare(folder: Path) -> None:
     table = pq.read_table(folder / "t.parquet")
     assert table.num_rows == len(rows) - 1 > 10
     names = [name.partition(" [")[0] for name in rows[0]]
-    lists = {n for n in table.schema.names if f"{n}.0" in names}
-    expected = [n for n in names if n.rpartition(".")[0] not in lists]
-    assert [n for n in table.schema.names if n not in lists] == expected
-    for name in expected:
+    assert table.schema.names == names
+    for name in names:
         if name == "time" and pa.types.is_timestamp(table.schema.field(name).type):
             continue  # below
         for text, value in zip([row[names.index(name)] for row in rows[1:]], table[name].to_pylist(), strict=True):
@@ -112,7 +121,7 @@ def test_align(path: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, caps
     words = ["sensor.scaled_accel", "filter_data", "scaled_mag", "--align", "sensor.scaled_accel"]
     assert run(capsys, "export", path, *words, "-o", tmp_path / "t.csv")[0] == 0
     for size in (1 << 25, 1000):
-        monkeypatch.setattr(export_columns, "PART", size)
+        monkeypatch.setattr(tables, "PART", size)
         assert run(capsys, "export", path, *words, "-o", tmp_path / "t.parquet")[0] == 0
         compare(tmp_path)
 
@@ -123,7 +132,7 @@ def test_in_parts(
     for words in ([], ["--time", "start"], ["gnss_1"]):
         assert run(capsys, "export", path, *words, "-o", tmp_path / "whole.arrow")[0] == 0
         with monkeypatch.context() as patch:
-            patch.setattr(export_columns, "PART", 777)
+            patch.setattr(tables, "PART", 777)
             assert run(capsys, "export", path, *words, "-o", tmp_path / "parts.arrow")[0] == 0
         first, second = (pa.ipc.open_file(tmp_path / f"{name}.arrow").read_all() for name in ("whole", "parts"))
         assert first.equals(second) and first.schema.equals(second.schema, check_metadata=True)
@@ -147,12 +156,33 @@ def _packets() -> list[Packet]:
 def test_numpy_files(path: Path, tmp_path: Path) -> None:
     assert mip("export", path, "filter_data", "gnss_1.llh_position", "-o", tmp_path / "t.npz") == (0, "", "")
     with np.load(tmp_path / "t.npz") as found:
-        position = [f for p in _packets() if (f := filter_data.LlhPosition.find(p))]
-        assert found["filter_data.llh_position/latitude"].tolist() == [f.latitude for f in position]
-        assert len(found["shared.gps_timestamp/tow"]) == sum(p.set == 0x82 for p in _packets())
-        assert found["gnss_1.llh_position/time"].dtype == "datetime64[ns]"
-    code, _, error = mip("export", path, "-o", tmp_path / "u.npz", "--align", "sensor.scaled_accel")
-    assert code == 2 and error == "mip export: --align is for csv, jsonl, parquet and arrow\n"
+        position = [f for p in _packets() if (f := gnss_data.LlhPosition.find(p))]
+        latitude, there = (found[f"gnss_1.llh_position.latitude{end}"] for end in ("", "/valid"))
+        assert latitude[there].tolist() == [f.latitude for f in position]
+        assert found["time"].dtype == "datetime64[ns]" and "time/valid" not in found
+
+
+def test_lists_and_texts_in_numpy_files(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Lists of any length are two arrays, in parts of the log too."""
+    rows = [[2, 5, 1], [], [7], [1, 2]]
+    replies = [base.GetDeviceDescriptorsResponse(tuple(row)) for row in rows]
+    names = [base.GetDeviceInfoResponse(base_info(name)) for name in ("", "CV7", "a long name")]
+    data = b"".join(bytes(PacketBuilder(1).add(f.DESCRIPTOR, f.encode()).build()) for f in (*replies, *names))
+    (tmp_path / "log").write_bytes(data)
+    for size in (1 << 22, 40):
+        monkeypatch.setattr(tables, "PART", size)
+        assert mip("export", tmp_path / "log", "base", "-o", tmp_path / "t.npz") == (0, "", "")
+        with np.load(tmp_path / "t.npz") as found:
+            lists = "base.get_device_descriptors_response.descriptors"
+            offsets = found[f"{lists}/offsets"]
+            cells = [found[lists][a:b].tolist() for a, b in pairwise(offsets)]
+            assert cells == [*rows, [], [], []]
+            model = found["base.get_device_info_response.device_info.model_name"]
+            assert model.tolist() == [""] * 5 + ["CV7", "a long name"]
+
+
+def base_info(name: str) -> base.BaseDeviceInfo:
+    return base.BaseDeviceInfo(1, name.ljust(16), *["x" * 16] * 4)
 
 
 def test_a_table_in_a_pipe(path: Path) -> None:
@@ -175,11 +205,9 @@ def test_a_table_in_a_pipe(path: Path) -> None:
 @pytest.mark.parametrize(
     ("words", "error"),
     [
-        (
-            ["export", "log.bin", "-o", "t.parquet"],
-            "export: numpy is missing; pip install numpy; csv and ",
-        ),
-        (["export", "log.bin", "-o", "t.npz"], "export: numpy is missing; "),
+        (["export", "log.bin", "-o", "t.parquet"], "export: numpy is missing; pip install numpy"),
+        (["info", "log.bin"], "info: numpy is missing; pip install numpy"),
+        (["export", "log.bin", "-o", "t.npz"], "export: numpy is missing; pip install numpy"),
         (["plot", "log.bin", "sensor", "-o", "t.png"], "plot: matplotlib is missing; pip install matplotlib"),
     ],
 )

@@ -87,6 +87,14 @@ def test_a_serial_port_needs_an_extra() -> None:
             ["3dm.message_format", "write", "0x80", '[{"descriptor": 4, "decimation": 10}]'],
             mip_3dm.MessageFormat.write(0x80, (types.DescriptorRate(4, 10),)),
         ),
+        (
+            ["3dm.message_format", "write", "filter_data", "gps_timestamp:10,ned_velocity:10"],  # not of aiding
+            mip_3dm.MessageFormat.write(0x82, (types.DescriptorRate(0xD3, 10), types.DescriptorRate(0x02, 10))),
+        ),
+        (
+            ["3dm.message_format", "write", "filter_data", '[{"descriptor": "ned_velocity", "decimation": 10}]'],
+            mip_3dm.MessageFormat.write(0x82, (types.DescriptorRate(0x02, 10),)),
+        ),
         (["3dm.message_format", "READ", "descriptor_set=128"], mip_3dm.MessageFormat.read(0x80)),
         (["3dm.data_stream_control", "write", "128", "off"], mip_3dm.DataStreamControl.write(0x80, False)),
         (
@@ -165,7 +173,11 @@ def _value(p: Parameter) -> Any:
         (["3dm.message_format", "read", "fast"], "descriptor_set: 'fast' is not a whole number"),
         (
             ["3dm.message_format", "write", "sensor", "scaled_acel:7"],
-            "descriptor: 'scaled_acel' is neither a number nor a field; did you mean sensor.scaled_accel",
+            "descriptor: 'scaled_acel' is not a field of sensor; did you mean scaled_accel",
+        ),
+        (
+            ["3dm.message_format", "write", "sensor", "dop:7"],
+            "descriptor: 'dop' is not a field of sensor; `mip fields sensor` lists them",
         ),
         (
             ["3dm.message_format", "read", "sensr"],

@@ -25,8 +25,7 @@ PROFILES = list(devices.DEVICES.values())
 WITHOUT = {
     "system_data.built_in_test.result",
     "sensor.pps_timestamp_with_flags.flags",
-    "displacement_data.displacement.displacement",
-    "displacement_data.displacement_raw.counts",
+    "displacement_data.timestamp.time",
     "gnss_data.gps_iono_correction.alpha",
     "gnss_data.gps_iono_correction.beta",
     "gnss_data.galileo_iono_correction.alpha",

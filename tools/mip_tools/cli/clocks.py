@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from datetime import datetime, timedelta
 
-from ..binding import CLOCKS, REACH, SECOND, Packet, from_date, headers, moments, moments_of, utc
+from ..binding import CLOCKS, SECOND, Packet, from_date, moments
 
 _UNIX = datetime(1970, 1, 1)
 
@@ -13,25 +13,6 @@ _UNIX = datetime(1970, 1, 1)
 def dated(clock: str | None) -> bool:
     """Does it have a date? Then its times are UTC."""
     return clock is not None and CLOCKS[clock] is not None
-
-
-class Timeline:
-    """The time of each packet: its own, else the last one of its set."""
-
-    def __init__(self, clock: str | None) -> None:
-        self._clock = clock
-        self._last: dict[int, tuple[int | None, int]] = {}
-
-    def at(self, packet: Packet, offset: int) -> tuple[int | None, bool]:
-        """The time, None if none is known or it is not valid, and whether it is the packet's own."""
-        if self._clock is None:
-            return None, False
-        own = moments(packet)
-        if self._clock in own:
-            self._last[packet.set] = own[self._clock], offset
-            return own[self._clock], True
-        time, place = self._last.get(packet.set, (None, offset))
-        return (time if offset - place <= REACH else None), False
 
 
 def best(packets: Callable[[], Iterable[Packet]]) -> str | None:
@@ -67,14 +48,10 @@ def seconds(time: int, digits: int = 9) -> str:
 __all__ = [
     "CLOCKS",
     "SECOND",
-    "Timeline",
     "best",
     "dated",
     "from_date",
-    "headers",
     "moments",
-    "moments_of",
     "seconds",
     "stamp",
-    "utc",
 ]

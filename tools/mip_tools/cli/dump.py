@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 import argparse
+import json
 import re
 import sys
 from collections.abc import Iterator
+from importlib.util import find_spec
+from typing import Any
 
 from ..errors import Failure, Misuse
-from . import inputs, ports, show
+from . import inputs, ports, show, silence, values
 from .arguments import add_device, add_selection, device_id, positive
+from .decoding import Found, malformed, name_of
 from .scan import Piece, Scanner
 from .selection import Selection
 
@@ -19,7 +23,7 @@ examples:
   mip dump log.bin | head                a line for each packet
   mip dump log.bin --only sensor.scaled_accel --tree
   mip dump /dev/ttyACM0 --skipped        live, with what comes between packets
-  cat log.bin | mip dump -
+  cat log.bin | mip dump - --json | jq .
 """
 
 
@@ -37,10 +41,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     form = parser.add_mutually_exclusive_group()
     form.add_argument("--tree", action="store_true", help="a line for each value, with bytes")
     form.add_argument("--line", action="store_true", help="a line for each packet (default, except for bytes)")
+    form.add_argument("--json", action="store_true", help="a JSON object for each packet, as it arrives")
     add("--raw", action="store_true", help="add each packet in hexadecimal")
     add("--skipped", action="store_true", help="also show bytes outside packets")
     add("--count", type=positive, metavar="N", help="end after N packets")
     add_device(parser)
+    silence.add_arguments(parser)
     ports.add_arguments(parser)
 
 
@@ -49,39 +55,40 @@ def run(options: argparse.Namespace) -> int:
     device = device_id(options.device)
     given = inputs.hex_bytes(options.input)
     explain = given is not None and not inputs.exists(options.input[0])
-    as_tree = options.tree or (explain and not options.line)
+    as_tree = options.tree or (explain and not options.line and not options.json)
     between = options.skipped or explain
     if not explain:
         _check(options.input)
+    if _by_columns(options, explain) and (done := _fast(options.input, selection, device)) is not None:
+        return done
     shown = packets = bytes_skipped = 0
     damage = ""
     for name in options.input if not explain else [""]:
-        live = not explain and inputs.is_port(name)
-        source = (
-            _given(given or b"")
-            if explain
-            else ports.pieces(name, options)
-            if live
-            else inputs.pieces(name, progress=not sys.stdout.isatty())
-        )
-        for piece in source:
+        for piece in _given(given or b"") if explain else _source(name, options):
+            if piece is None:
+                sys.stdout.flush()  # whoever reads it sees what has arrived
+                continue
             if piece.packet is None:
                 bytes_skipped += len(piece.data)
                 damage = damage or show.damage(piece.data)
-                if between:
-                    print(f"{piece.offset:08x} {show.skipped(piece.data)}", flush=live)
+                if between and options.json:
+                    print(json.dumps({"offset": piece.offset, "skipped": piece.data.hex()}))
+                elif between:
+                    print(f"{piece.offset:08x} {show.skipped(piece.data)}")
                 continue
             packets += 1
             fields = show.selected(piece.packet, selection)
             if not fields and not selection.everything:
                 continue
-            where = "" if explain else f"{piece.offset:08x} "
-            if as_tree:
-                text = "\n".join(show.tree(piece.packet, fields, device))
+            if options.json:
+                print(json.dumps(_as_json(piece, fields, device, options.raw), allow_nan=False))
             else:
+                where = "" if explain else f"{piece.offset:08x} "
                 text = show.line(piece.packet, fields, device)
-            raw = f"\n  {piece.data.hex(' ')}" if options.raw else ""
-            print(f"{where}{text}{raw}", flush=live)
+                if as_tree:
+                    text = "\n".join(show.tree(piece.packet, fields, device))
+                raw = f"\n  {piece.data.hex(' ')}" if options.raw else ""
+                print(f"{where}{text}{raw}")
             shown += 1
             if options.count is not None and shown >= options.count:
                 return 0
@@ -89,8 +96,66 @@ def run(options: argparse.Namespace) -> int:
         count = inputs.counted(bytes_skipped, "byte")
         raise Failure(f"no packet in {count}: {damage or 'packets begin with 75 65'}")
     if not shown:
-        print(f"mip dump: {inputs.counted(packets, 'packet')}, none with these fields", file=sys.stderr)
+        _none_shown(packets)
     return 0
+
+
+def _none_shown(packets: int) -> None:
+    print(f"mip dump: {inputs.counted(packets, 'packet')}, none with these fields", file=sys.stderr)
+
+
+def _by_columns(options: argparse.Namespace, explain: bool) -> bool:
+    """Are these files of which only lines are wanted, and is NumPy there?"""
+    if explain or options.tree or options.json or options.raw or options.skipped or options.count is not None:
+        return False
+    if not all(not inputs.is_port(name) and inputs.is_log(name) for name in options.input):
+        return False
+    return find_spec("numpy") is not None
+
+
+def _fast(names: list[str], selection: Selection, device: str | None) -> int | None:
+    """Shows whole files; None if they have no packet, which needs a look at each byte."""
+    from .lines import lines
+
+    packets = shown = 0
+    for name in names:
+        with inputs.columns(name) as log:
+            for count, texts in lines(log, selection, device):
+                packets += count
+                shown += len(texts)
+                if texts:
+                    print("\n".join(texts))
+    if packets and not shown:
+        _none_shown(packets)
+    return 0 if packets else None
+
+
+def _source(name: str, options: argparse.Namespace) -> Iterator[Piece | None]:
+    if inputs.is_port(name):
+        return ports.pieces(name, options)
+    return inputs.arriving(name, progress=not sys.stdout.isatty())
+
+
+def _as_json(piece: Piece, fields: list[Found], device: str | None, raw: bool) -> dict[str, Any]:
+    assert piece.packet is not None
+    wrong = malformed(piece.packet)
+    return {
+        "offset": piece.offset,
+        "set": show.set_name(piece.packet.set),
+        "fields": [_field(found, device) for found in fields],
+        **({"malformed": wrong} if wrong else {}),
+        **({"raw": piece.data.hex()} if raw else {}),
+    }
+
+
+def _field(found: Found, device: str | None) -> dict[str, Any]:
+    """A field with its values; with its bytes, if they cannot be decoded or there are more of them."""
+    said: dict[str, Any] = {"field": name_of(found)}
+    if found.value is not None:
+        said["values"] = values.plain(found.value, True, device)
+    if found.value is None or found.trailing:
+        said["data"] = found.raw.data.hex()
+    return said | ({"error": found.error} if found.error else {})
 
 
 def _check(given: list[str]) -> None:

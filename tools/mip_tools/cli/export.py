@@ -5,43 +5,55 @@ from __future__ import annotations
 import argparse
 import os
 import re
+from collections.abc import Iterator, Sequence
 from contextlib import ExitStack
-from typing import Any
+from importlib import import_module
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple, NoReturn
 
 from ..errors import Failure, Misuse
 from ..occurrence import Occurrence
-from . import inputs, outputs
-from .arguments import add_selection
+from . import inputs, live, outputs, table_options
+from .arguments import add_selection, hertz
 from .selection import Selection, field
+from .table_options import Time, check_clock
 
-#: Format -> the module that writes it.
-FORMATS = {
-    "csv": "export_text",
-    "jsonl": "export_text",
-    "npz": "export_columns",
-    "parquet": "export_columns",
-    "arrow": "export_columns",
-}
+if TYPE_CHECKING:
+    from ..columns import Log
+    from ..columns.tables import Series
 
-TIMES = ("utc", "unix", "start", "clock", "none")
+TABLES = ("csv", "jsonl", "npz", "parquet", "arrow")
+#: Formats of messages, and the modules that write them.
+MESSAGES = {"mcap": "export_mcap", "ros2": "export_ros2"}
+FORMATS = (*TABLES, *MESSAGES)
+#: In place of a field: the NMEA sentences between packets.
+NMEA = "nmea"
 
 EPILOG = """\
 examples:
-  mip export log.bin -o log.csv                             all data, a row for each packet
+  mip export log.bin -o log.csv                             all data, a row for each instant
   mip export log.bin sensor.scaled_accel -o accel.csv       one field
+  mip export log.bin sensor filter_data -o log.parquet --rate 100
   mip export log.bin --split -o tables.csv                  tables.sensor.scaled_accel.csv, …
   mip export log.bin sensor filter_data -o log.parquet --align sensor.scaled_accel
-  mip export log.bin --format jsonl -o - | jq .
-  mip export log.bin acknowledge base 3dm -o answers.csv    also commands and answers, if named
+  mip record /dev/ttyACM0 -o - | mip export - --format jsonl -o - | jq .
+  mip export log.bin --format ros2 -o drive --messages generated/ros2
+  mip export log.bin nmea -o nmea.csv                       NMEA sentences, with times
+  mip export log.bin acknowledge base 3dm -o replies.csv    also commands and replies, if named
 
-csv: units are in the names of the columns; lists are JSON. jsonl: a line for each field; with
---align, a line has all fields. npz needs NumPy, parquet and arrow (the file format of Feather) need
-pyarrow.
+All formats have the same rows and columns. Packets with the same timestamp are one row; with --by
+packet, each packet is. csv has units in the names of the columns, and lists as JSON; jsonl has an
+object for each row, without what is missing. parquet and arrow (the file format of Feather) need
+pyarrow and have units in the metadata; npz has an array for each column. mcap has a
+channel for each field, with JSON; ros2 is a bag, a folder with standard messages in the axes of
+REP 103. From standard input, jsonl and mcap are written as it arrives.
 
 time: `utc` is that of GPS as UTC, `unix` the same in seconds since 1970, `start` in seconds since
-the first packet, `clock` in seconds of the first clock that the log has: gps, external, reference.
-It is that of the packet, or the last one of its set: `time_own` says which. --align gives each row
-of one field the last values of the others.
+the first row, `clock` in seconds of the first clock that the log has: gps, external, reference.
+It is that of the packet, or the last one of its set: `time_own` says which.
+
+--align gives each row of one field the last values of the others. --rate has rows at equal steps,
+with values by --method: linear, nearest, or last, the value before.
 """
 
 
@@ -53,38 +65,69 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add("-o", "--output", required=True, metavar="FILE", help="where to write; - for standard output")
     add("--format", choices=FORMATS, help="default: by the ending of the output, else csv")
     add("--split", action="store_true", help="a file for each field, named after it")
-    add("--time", choices=TIMES, help="time of each row (default: utc if the log has it, else clock)")
-    add(
-        "--invalid",
-        choices=("keep", "mask", "drop"),
-        default="keep",
-        help="values that their flags say are not valid: keep them (default), leave them empty, or drop their rows",
-    )
+    table_options.add_arguments(parser)
     add("--align", metavar="NAME", help="a row for each of this field, with the last of the others")
-    add("--names", action="store_true", dest="named", help="names of values and flags, not numbers")
+    add("--rate", type=hertz, metavar="HZ", help="rows at equal steps; invalid values do not count")
+    add("--method", choices=("linear", "nearest", "last"), help="values between two others (default: linear)")
+    add("--messages", type=Path, metavar="FOLDER", help="ros2: the package mip_msgs, for messages of all fields, too")
+    add("--position", action="store_true", help="add the packet's number, set and place in the log")
     add_selection(parser)
 
 
 def run(options: argparse.Namespace) -> int:
     form = options.format or _by_ending(options.output)
-    if options.split and options.output == "-":
-        raise Misuse("--split writes several files; name one with -o, and fields are added to it")
-    if options.split and options.align:
-        raise Misuse("--split and --align cannot be combined; leave one out")
-    selection = Selection([*options.names, *options.only], options.without, data=True)
+    _check(options)
+    names = [name for name in options.names if name != NMEA]
+    selection = Selection([*names, *options.only], options.without, data=True)
     aligned = field(options.align) if options.align else None
-    module: Any = __import__(f"{__package__}.{FORMATS[form]}", fromlist=["write"])
-    module.require(form)
+    if form in MESSAGES or (form == "jsonl" and options.file == "-"):
+        whole = (aligned, options.split, options.rate, options.position, NMEA in options.names)
+        if options.file == "-" and form != "ros2" and not any(whole):
+            with outputs.whole(options.output) as out:  # a pipe: as it comes
+                live.write(out, form, inputs.arriving("-"), options, selection)
+            return 0
+        if form in MESSAGES:
+            return _messages(options, form, selection)
+    inputs.need_numpy()
+    writers: Any = import_module(".writers", __package__)
+    writers.require(form)
     with ExitStack() as stack:
-        name = stack.enter_context(inputs.seekable(options.file))
-        job = module.Job(name, form, options, selection, aligned)
-        if not job.types:
-            what = "none of these fields" if selection.named else "no data (commands and answers must be named)"
-            raise Failure(f"{options.file} has {what}; `mip info` lists the fields that it has")
-        if aligned is not None and aligned not in job.types:
+        log = stack.enter_context(inputs.columns(options.file))
+        if NMEA in options.names:
+            with outputs.whole(options.output) as out, writers.FORMS[form](out) as write:
+                write(_sentences(options, log))
+            return 0
+        job = _job(options, selection, log)
+        if not job.kinds:
+            _nothing(options, selection)
+        if aligned is not None and aligned not in job.kinds:
             if not selection.has(aligned.set, aligned.kind.DESCRIPTOR):
                 raise Misuse(f"{aligned.name} is not exported; name it, too, to align with it")
             raise Failure(f"{options.file} has no {aligned.name} to align with")
+        files = _files(options, job.kinds)
+        for path, _ in files:
+            outputs.refuse_input(path, options.file)
+        for path, kinds in files:
+            with outputs.whole(path) as out, writers.FORMS[form](out) as write:
+                for columns in job._replace(kinds=kinds).tables(options, aligned):
+                    write(columns)
+            outputs.note(f"{path}: {', '.join(k.name for k in kinds)}")
+    return 0
+
+
+def _messages(options: argparse.Namespace, form: str, selection: Selection) -> int:
+    """Writes a message for each field, with times."""
+    for name in ("align", "rate", "position"):
+        if getattr(options, name):
+            raise Misuse(f"--{name} is for tables; {form} has messages for each field")
+    if NMEA in options.names:
+        raise Misuse(f"{NMEA} is a table; use csv, jsonl or another format of tables")
+    module: Any = import_module(f".{MESSAGES[form]}", __package__)
+    module.require(form)
+    with inputs.seekable(options.file) as name:
+        job = module.Job(name, options, selection)
+        if not job.types:
+            _nothing(options, selection)
         files = _files(options, job.types)
         for path, _ in files:
             outputs.refuse_input(path, options.file)
@@ -92,6 +135,86 @@ def run(options: argparse.Namespace) -> int:
             job.write(path, types)
             outputs.note(f"{path}: {', '.join(t.name for t in types)}")
     return 0
+
+
+def _nothing(options: argparse.Namespace, selection: Selection) -> NoReturn:
+    what = "none of these fields" if selection.named else "no data (commands and replies must be named)"
+    raise Failure(f"{options.file} has {what}; `mip info` lists the fields that it has")
+
+
+def _check(options: argparse.Namespace) -> None:
+    """Raises Misuse if options contradict each other."""
+    if options.split and options.output == "-":
+        raise Misuse("--split writes several files; name one with -o, and fields are added to it")
+    for one, other in (("split", "align"), ("rate", "align"), ("rate", "position")):
+        if getattr(options, one) and getattr(options, other):
+            raise Misuse(f"--{one} and --{other} cannot be combined; leave one out")
+    others = (options.only, options.without, options.split, options.rate, options.align)
+    if NMEA in options.names and (len(options.names) > 1 or any(others)):
+        raise Misuse(f"{NMEA} is a table of its own, without other fields, --split, --rate and --align")
+    if options.method and not options.rate:
+        raise Misuse("--method is for --rate; name a rate")
+    if options.rate and (options.by == "packet" or options.time == "none"):
+        raise Misuse("--rate has rows by time; leave out --by packet and --time none")
+
+
+class _Job(NamedTuple):
+    """What is written of a log."""
+
+    log: Log
+    kinds: list[Occurrence]
+    form: Any
+
+    def tables(self, options: argparse.Namespace, aligned: Occurrence | None) -> Iterator[Sequence[Series]]:
+        """The columns of each part."""
+        from ..columns import resample, tables
+
+        clock = self.form.clock if options.time != "none" else ""
+        started = Time(options.time, clock)
+        if options.rate:
+            columns = self.log.columns(self.kinds)
+            every = resample.step(options.rate)
+            form = self.form._replace(invalid="mask")
+            try:
+                yield started.of(resample.resampled(self.log, columns, every, options.method or "linear", form))
+            except ValueError as error:
+                raise Failure(f"{options.file}: {error}") from None
+            return
+        rows = tables.Aligned(self.kinds.index(aligned)) if aligned else None
+        progress = inputs.Progress(self.log.size)
+        for table, end in tables.parts(self.log, self.kinds, self.form):
+            progress.at(end)
+            yield started.of((rows.of(table) if rows else table).columns)
+        progress.clear()
+
+
+def _job(options: argparse.Namespace, selection: Selection, log: Log) -> _Job:
+    from ..columns import tables
+
+    form = tables.Form(
+        options.by,
+        time=options.time != "none",
+        invalid=options.invalid,
+        position=options.position,
+        named=options.named,
+        wanted=selection.has,
+    )
+    kinds, clock = tables.survey(log, form)
+    check_clock(options.time, clock)
+    return _Job(log, [Occurrence(*one) for one in kinds], form._replace(clock=clock))
+
+
+def _sentences(options: argparse.Namespace, log: Log) -> Sequence[Series]:
+    """The columns of the NMEA sentences. Raises Failure if there are none."""
+    from ..columns import between, times
+
+    outputs.refuse_input(options.output, options.file)
+    clock = "" if options.time == "none" else times.chosen(log, [n for n in log.sets() if n >= 0x80])
+    check_clock(options.time, clock)
+    table = between.table(log, clock)
+    if not len(table):
+        raise Failure(f"{options.file} has no NMEA sentences with a right checksum")
+    return Time(options.time, clock).of(table.columns)
 
 
 def _by_ending(output: str) -> str:
@@ -103,8 +226,8 @@ def _by_ending(output: str) -> str:
     return form
 
 
-def _files(options: argparse.Namespace, types: list[Occurrence]) -> list[tuple[str, list[Occurrence]]]:
+def _files(options: argparse.Namespace, kinds: list[Occurrence]) -> list[tuple[str, list[Occurrence]]]:
     if not options.split:
-        return [(options.output, types)]
+        return [(options.output, kinds)]
     base, ending = os.path.splitext(options.output)
-    return [(f"{base}.{re.sub(r'[^A-Za-z0-9_.-]', '_', t.name)}{ending}", [t]) for t in types]
+    return [(f"{base}.{re.sub(r'[^A-Za-z0-9_.-]', '_', k.name)}{ending}", [k]) for k in kinds]

@@ -4,16 +4,14 @@ from __future__ import annotations
 
 import argparse
 import json
-from collections import Counter
-from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from ..binding import Packet
-from ..sentences import Sentences
-from . import clocks, inputs, scan, show
-from .clocks import CLOCKS, SECOND, dated, stamp
-from .decoding import decoded, name_of, raw_fields
+from . import inputs, show
+from .clocks import SECOND, dated, stamp
 from .intervals import Intervals, Place
+
+if TYPE_CHECKING:
+    from .log_report import Report
 
 EPILOG = """\
 examples:
@@ -32,126 +30,14 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--json", action="store_true", help="print JSON, for programs")
 
 
-#: How many layouts of packets are counted apart before they are added up.
-MOST = 10_000
-
-
-@dataclass
-class Kind:
-    """A descriptor in packets of a set."""
-
-    name: str
-    count: int = 0
-    packets: int = 0
-
-
-@dataclass
-class Report:
-    """What was found; all of it in bounded memory."""
-
-    size: int = 0
-    packets: int = 0
-    malformed: int = 0
-    skipped: int = 0
-    runs: int = 0
-    damaged: int = 0
-    sentences: int = 0
-    sets: dict[int, int] = field(default_factory=dict)
-    fields: dict[tuple[int, int], Kind] = field(default_factory=dict)
-    clocks: dict[str, dict[int, Intervals]] = field(default_factory=lambda: {clock: {} for clock in CLOCKS})
-
-    #: (set, length, headers of the fields) -> packets that are not counted yet.
-    layouts: dict[tuple[int, int, bytes], int] = field(default_factory=dict)
-    seen: set[tuple[int, bytes]] = field(default_factory=set)
-
-    @property
-    def clock(self) -> str | None:
-        """The best clock that the log has."""
-        return next((clock for clock in CLOCKS if self.clocks[clock]), None)
-
-    @property
-    def times(self) -> dict[int, Intervals]:
-        """Set -> when its packets came, by that clock."""
-        return self.clocks[self.clock] if self.clock else {}
-
-
-def examine(name: str) -> Report:
-    """Reads a log once: by columns if NumPy is there, else packet by packet."""
-    report = Report()
-    log = inputs.as_columns(name)
-    if log is not None:
-        from . import info_columns
-
-        with log:
-            info_columns.examine(report, log)
-        return report
-    damaged = scan.Damaged()
-    sentences = Sentences()
-    for piece in inputs.pieces(name):
-        report.size += len(piece.data)
-        if piece.packet is None:
-            report.skipped += len(piece.data)
-            damaged.feed(piece.data)
-            report.sentences += len(sentences.feed(piece.data))
-        else:
-            damaged.end()
-            _packet(report, piece)
-    damaged.end()
-    report.runs, report.damaged = damaged.runs, damaged.count
-    _sum(report)
-    return report
-
-
-def _packet(report: Report, piece: scan.Piece) -> None:
-    packet, data = piece.packet, piece.data
-    assert packet is not None
-    report.packets += 1
-    headers = clocks.headers(data)
-    key = packet.set, len(data), headers
-    count = report.layouts.get(key)
-    if count is None:
-        _first_of(report, packet, headers)
-        report.layouts[key] = 1
-    else:
-        report.layouts[key] = count + 1
-    if packet.set >= 0x80:
-        for clock, time in clocks.moments_of(data, headers).items():
-            if time is not None:
-                sets = report.clocks[clock]
-                if packet.set not in sets:
-                    sets[packet.set] = Intervals()
-                sets[packet.set].add(time, piece.offset)
-    if len(report.layouts) >= MOST:
-        _sum(report)
-
-
-def _first_of(report: Report, packet: Packet, headers: bytes) -> None:
-    """Fields that are new get their names."""
-    if (packet.set, headers) not in report.seen:
-        report.seen.add((packet.set, headers))
-        for raw in raw_fields(packet):
-            if (raw.set, raw.descriptor) not in report.fields:
-                report.fields[raw.set, raw.descriptor] = Kind(name_of(decoded(raw)))
-
-
-def _sum(report: Report) -> None:
-    """Adds the counts of layouts to those of sets and fields."""
-    for (number, length, headers), count in report.layouts.items():
-        report.sets[number] = report.sets.get(number, 0) + count
-        report.malformed += count * (sum(headers[::2]) != length - 6)
-        for descriptor, several in Counter(headers[1::2]).items():
-            kind = report.fields[number, descriptor]
-            kind.count += several * count
-            kind.packets += count
-    report.layouts.clear()
-    report.seen.clear()
-
-
 # --------------------------------------------------------------------------- for people
 
 
 def run(options: argparse.Namespace) -> int:
-    report = examine(options.file)
+    with inputs.columns(options.file) as log:
+        from .log_report import examine
+
+        report = examine(log)
     if options.json:
         print(json.dumps(as_json(options.file, report), indent=2))
     else:
@@ -295,4 +181,4 @@ def _set_json(report: Report, number: int) -> dict[str, Any]:
     }
 
 
-__all__ = ["Kind", "Report", "duration", "examine", "hz"]
+__all__ = ["duration", "hz"]

@@ -3,21 +3,29 @@
 from __future__ import annotations
 
 import os
+import queue
 import re
 import sys
 import tempfile
+import threading
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from itertools import chain
 from pathlib import Path
-from typing import IO, Any
+from typing import IO, TYPE_CHECKING
 
+from ..binding import MissingExtra
 from ..errors import Failure
 from . import outputs
 from .scan import Piece, Scanner
 
+if TYPE_CHECKING:
+    from ..columns import Log
+
 CHUNK = 1 << 16
+#: Seconds after which it is said that nothing has arrived.
+_TURN = 0.1
 _HEX = re.compile(rb"(?:0[xX])?[0-9A-Fa-f]{2}(?:[\s,:]*(?:0[xX])?[0-9A-Fa-f]{2})*[\s,]*")
 _TEXT = re.compile(rb"[0-9A-Fa-fxX\s,:]*")
 _SEPARATORS = re.compile(rb"0[xX]|[\s,:]")
@@ -62,7 +70,8 @@ def chunks(name: str, progress: bool = True) -> Iterator[bytes]:
         raise Failure(f"{name} is a port, not a log; `mip record` writes a log of what it sends")
     try:
         if name == "-":
-            yield from _converted(_read(sys.stdin.buffer), name)
+            # Without the lock of a buffer, which a thread that still waits would hold when the program ends.
+            yield from _converted(_read(getattr(sys.stdin.buffer, "raw", sys.stdin.buffer)), name)
         else:
             with open(name, "rb") as file:
                 yield from _converted(_shown(file) if progress else _read(file), name)
@@ -74,10 +83,42 @@ def chunks(name: str, progress: bool = True) -> Iterator[bytes]:
 
 def pieces(name: str, progress: bool = True) -> Iterator[Piece]:
     """The packets of a file or of standard input, and the bytes between them."""
+    return (piece for piece in arriving(name, progress) if piece is not None)
+
+
+def arriving(name: str, progress: bool = True) -> Iterator[Piece | None]:
+    """The same; None when it may take a while until more arrives, again and again until it does."""
     scanner = Scanner()
-    for chunk in chunks(name, progress):
+    source = chunks(name, progress)
+    for chunk in _waited_for(source) if name == "-" else source:
         yield from scanner.feed(chunk)
+        yield None
     yield from scanner.flush()
+
+
+def _waited_for(source: Iterator[bytes]) -> Iterator[bytes]:
+    """What a source has, as it arrives; empty after pauses, in which a thread waits for it."""
+    came: queue.Queue[bytes | BaseException | None] = queue.Queue(maxsize=16)
+
+    def read() -> None:
+        try:
+            for chunk in source:
+                came.put(chunk)
+            came.put(None)
+        except BaseException as error:
+            came.put(error)
+
+    threading.Thread(target=read, daemon=True).start()
+    while True:
+        try:
+            item = came.get(timeout=_TURN)
+        except queue.Empty:
+            item = b""
+        if item is None:
+            return
+        if isinstance(item, BaseException):
+            raise item
+        yield item
 
 
 def is_log(name: str) -> bool:
@@ -91,15 +132,22 @@ def is_log(name: str) -> bool:
         return False
 
 
-def as_columns(name: str) -> Any:
-    """The log in columns, a `columns.Log`; None without NumPy, or if it is no file of bytes."""
-    if not is_log(name):
-        return None
+def need_numpy() -> None:
+    """Raises Failure without NumPy, which everything that reads whole logs needs."""
     try:
-        from ..columns import read_log
+        import numpy  # noqa: F401
     except ImportError:
-        return None
-    return read_log(name)
+        raise Failure(str(MissingExtra("numpy", "numpy"))) from None
+
+
+@contextmanager
+def columns(name: str) -> Iterator[Log]:
+    """The log in a file or in standard input, as columns. Raises Failure."""
+    need_numpy()
+    from ..columns import read_log
+
+    with seekable(name) as path, read_log(existing(path)) as log:
+        yield log
 
 
 @contextmanager
@@ -151,24 +199,38 @@ def _converted(source: Iterator[bytes], name: str) -> Iterator[bytes]:
 
 
 class Progress:
-    """The progress of a long task, on standard error if that is a terminal."""
+    """The progress of a long task, on standard error if that is a terminal: how much, how fast, and how long yet."""
 
     def __init__(self, size: int) -> None:
         self._size = size
-        self._shown = time.monotonic()
+        self._begun = self._shown = time.monotonic()
         self._on = size >= 1 << 22
 
     def at(self, done: int) -> None:
         """Shows it, but not too often."""
         now = time.monotonic()
-        if self._on and now - self._shown > 0.2:
+        if self._on and done and now - self._shown > 0.2:
             self._shown = now
-            outputs.progress(f"{done / self._size:.0%} of {readable(self._size)}")
+            rate = done / (now - self._begun)
+            left = (self._size - done) / rate
+            outputs.progress(
+                f"{done / self._size:.0%} of {readable(self._size)}, {readable(rate)}/s, {spent(left)} left"
+            )
 
     def clear(self) -> None:
         """Removes it from the terminal."""
         if self._on:
             outputs.progress("")
+
+
+def spent(seconds: float) -> str:
+    """A time in seconds for people who wait: `12 s`, `3:05 min`, `1:02:03 h`."""
+    whole = round(seconds)
+    if whole < 60:
+        return f"{whole} s"
+    minutes, rest = divmod(whole, 60)
+    hours, minutes = divmod(minutes, 60)
+    return f"{hours}:{minutes:02}:{rest:02} h" if hours else f"{minutes}:{rest:02} min"
 
 
 def _shown(file: IO[bytes]) -> Iterator[bytes]:
@@ -210,15 +272,18 @@ def existing(name: str) -> Path:
 __all__ = [
     "CHUNK",
     "Progress",
-    "as_columns",
+    "arriving",
     "chunks",
+    "columns",
     "counted",
     "existing",
     "exists",
     "hex_bytes",
     "is_log",
     "is_port",
+    "need_numpy",
     "pieces",
     "readable",
     "seekable",
+    "spent",
 ]

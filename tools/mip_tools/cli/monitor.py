@@ -9,7 +9,7 @@ import time
 from collections import deque
 from collections.abc import Iterator
 
-from . import inputs, outputs, ports, show, signals
+from . import inputs, outputs, ports, show, signals, silence
 from .arguments import add_device, device_id, hertz, seconds
 from .decoding import Found, decoded, name_of, raw_fields
 from .scan import Piece
@@ -33,6 +33,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add("--rate", type=hertz, default=4.0, metavar="HZ", help="how often to show (default: 4)")
     add("--duration", type=seconds, metavar="S", help="end after S seconds")
     add_device(parser)
+    silence.add_arguments(parser)
     ports.add_arguments(parser)
 
 
@@ -96,9 +97,9 @@ def run(options: argparse.Namespace) -> int:
 
 def _pieces(options: argparse.Namespace, live: bool) -> Iterator[Piece | None]:
     if live:
-        yield from ports.pieces(options.input, options, options.duration, idle=True)
+        yield from ports.pieces(options.input, options, options.duration)
     else:
-        yield from inputs.pieces(options.input, progress=False)
+        yield from inputs.arriving(options.input, progress=False)
 
 
 def _lines(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 import os
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -64,11 +64,8 @@ def run(options: argparse.Namespace) -> int:
     if options.output is not None:
         outputs.refuse_input(options.output, options.file)
     curves = [curve for name in options.names for curve in _curves(name)]
-    from ..columns import read_log
-
-    with inputs.seekable(options.file) as name, read_log(inputs.existing(name)) as log:
-        clock = clocks.best(lambda: (p.packet for p in inputs.pieces(name) if p.packet is not None))
-        figure = draw(pyplot, log, curves, clock, options)
+    with inputs.columns(options.file) as log:
+        figure = draw(pyplot, log, curves, options)
         if options.output is None:
             pyplot.show()
             return 0
@@ -153,11 +150,12 @@ def _split(name: str) -> tuple[Occurrence, list[str]]:
     raise last or Misuse(f"'{name}' is not a field")
 
 
-def draw(pyplot: Any, log: Log, curves: Sequence[Curve], clock: str | None, options: argparse.Namespace) -> Any:
+def draw(pyplot: Any, log: Log, curves: Sequence[Curve], options: argparse.Namespace) -> Any:
     """A figure with a diagram for each parameter, one above another, or with a single one."""
     np: Any = import_module("numpy")  # its masked arrays are not typed in all versions
     kinds = list(dict.fromkeys(c.kind for c in curves))
     columns = dict(zip(kinds, log.columns(kinds)))
+    clock = _clock(log, columns.values())
     for kind, column in columns.items():
         if not len(column):
             raise Failure(f"{options.file} has no {kind.name}; `mip info` lists what it has")
@@ -204,6 +202,13 @@ def draw(pyplot: Any, log: Log, curves: Sequence[Curve], clock: str | None, opti
         axes[-1][0].xaxis.set_major_formatter(dates.ConciseDateFormatter(places))
     axes[-1][0].set_xlabel(_time_label(clock))
     return figure
+
+
+def _clock(log: Log, columns: Iterable[Any]) -> str | None:
+    """The clock of the axis, the same for all curves."""
+    from ..columns import times
+
+    return times.chosen(log, sorted({number for column in columns for number in column.sets})) or None
 
 
 def _title(curve: Curve) -> str:

@@ -6,19 +6,22 @@ import argparse
 import os
 import queue
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from typing import TYPE_CHECKING, Any, overload
+from typing import TYPE_CHECKING, Any
 
 from ..binding import MipError
 from ..errors import Failure
 from .scan import Piece, Scanner
+from .silence import Silence
 
 if TYPE_CHECKING:
     from ..binding import DeviceAtPort
 
+    Begin = Callable[[DeviceAtPort], object]
+
 #: Seconds without a byte until an incomplete packet is discarded.
-SILENCE = 0.5
+INCOMPLETE = 0.5
 _TURN = 0.1
 
 
@@ -69,13 +72,19 @@ def reason(error: BaseException) -> str:
     return " ".join(str(said).split())
 
 
-def received(name: str, options: argparse.Namespace, seconds: float | None = None) -> Iterator[bytes]:
+def received(
+    name: str, options: argparse.Namespace, seconds: float | None = None, begin: Begin | None = None
+) -> Iterator[bytes]:
     """The bytes received at a port, as they arrive, until the time is over; empty after a pause.
 
-    Raises Lost when the port closes, after all that was received.
+    `begin` gets the device as soon as the port is open. Raises Lost when the port closes, after all that was received.
     """
     came: queue.SimpleQueue[bytes] = queue.SimpleQueue()
     with opened(name, options, capacity=1, on_bytes=lambda data: came.put(bytes(data))) as device:
+        if begin is not None:
+            begin(device)
+            while not came.empty():  # from before
+                came.get()
         end = None if seconds is None else time.monotonic() + seconds
         while True:
             left = _TURN if end is None else min(_TURN, end - time.monotonic())
@@ -90,26 +99,30 @@ def received(name: str, options: argparse.Namespace, seconds: float | None = Non
                 yield b""
 
 
-@overload
-def pieces(name: str, options: argparse.Namespace, seconds: float | None = None) -> Iterator[Piece]: ...
-@overload
-def pieces(name: str, options: argparse.Namespace, seconds: float | None, idle: bool) -> Iterator[Piece | None]: ...
-def pieces(name: str, options: argparse.Namespace, seconds: float | None = None, idle: bool = False) -> Iterator[Any]:
-    """The packets received at a port, and the bytes between them; `idle`: None after pauses.
+def pieces(
+    name: str, options: argparse.Namespace, seconds: float | None = None, begin: Begin | None = None
+) -> Iterator[Piece | None]:
+    """The packets received at a port, and the bytes between them; None when nothing more has arrived.
 
-    Raises Lost when the port closes, after all that was received.
+    A silence is reported, see `silence`. Raises Lost when the port closes, after all that was received.
     """
     scanner = Scanner()
+    silence: Silence | None = None
     last = time.monotonic()
     try:
-        for data in received(name, options, seconds):
+        for data in received(name, options, seconds, begin):
+            silence = silence or Silence(name, options)  # the port is open now
             if data:
                 last = time.monotonic()
-                yield from scanner.feed(data)
-            elif time.monotonic() - last > SILENCE:
+                silence.data()
+                for piece in scanner.feed(data):
+                    if piece.packet is not None:
+                        silence.packet()
+                    yield piece
+            elif time.monotonic() - last > INCOMPLETE:
                 yield from scanner.flush()
-            if idle and not data:
-                yield None
+            silence.check()
+            yield None
     except Lost:
         yield from scanner.flush()
         raise

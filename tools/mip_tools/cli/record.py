@@ -7,7 +7,7 @@ import time
 from typing import IO
 
 from ..errors import Failure
-from . import inputs, outputs, ports, signals
+from . import inputs, outputs, ports, signals, silence
 from .arguments import positive, seconds
 from .scan import Scanner
 
@@ -31,6 +31,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add("--duration", type=seconds, metavar="S", help="end after S seconds")
     add("--packets", type=positive, metavar="N", help="end after N packets")
     add("--force", action="store_true", help="replace an older recording, if anything is received")
+    silence.add_arguments(parser)
     ports.add_arguments(parser)
 
 
@@ -71,9 +72,15 @@ class _Recording:
     def write(self, out: IO[bytes]) -> None:
         """Writes the received bytes until there are enough."""
         options = self._options
+        watch: silence.Silence | None = None
         for data in ports.received(options.port, options, options.duration):
+            watch = watch or silence.Silence(options.port, options)
             keep = len(data)
+            if data:
+                watch.data()
             for piece in self._scanner.feed(data):
+                if piece.packet is not None:
+                    watch.packet()
                 self.packets += piece.packet is not None
                 self.skipped += len(piece.data) * (piece.packet is None)
                 if self.packets == options.packets:
@@ -83,6 +90,7 @@ class _Recording:
             out.flush()  # what is written is safe, whatever happens to this program
             self.size += keep
             self._show()
+            watch.check()
             if self.packets == options.packets:
                 return
 

@@ -6,12 +6,13 @@ import inspect
 import json
 import re
 from collections.abc import Callable, Mapping, Sequence
+from difflib import get_close_matches
 from enum import IntEnum, IntFlag
 from typing import Any
 
-from ..binding import Command, EncodeError, FunctionSelector, Parameter, Structure, info
+from ..binding import SETS, Command, EncodeError, FunctionSelector, Parameter, Structure, info, lookup, registry
 from ..errors import Failure, Misuse
-from .selection import keys, near
+from .selection import fields, keys, near
 
 _INTEGERS = ("u8", "u16", "u32", "u64", "s8", "s16", "s32", "s64")
 
@@ -99,32 +100,41 @@ def _assigned(kind: type[Command], wanted: list[Parameter], words: list[str]) ->
 # --------------------------------------------------------------------------- values
 
 
-def value(p: Parameter, text: str, before: Mapping[str, Any]) -> Any:
-    """The value of a text for a parameter; `before` has the parameters before it."""
+def value(p: Parameter, text: str, before: Mapping[str, Any], set: int | None = None) -> Any:
+    """The value of a text for a parameter; `before` has the parameters before it, `set` is that of fields it names."""
+    set = _set_of(p, before, set)
     if p.kind == "switch":
         tag = before.get(p.tag)
         case = p.cases.get(int(tag)) if tag is not None else None
         if case is None:
             raise Misuse(f"{p.name} has nothing to be given for {p.tag}={tag}")
-        return value(case, text, before)
+        return value(case, text, before, set)
     if text[:1] in "[{" and text:
         try:
-            return _from_json(p, json.loads(text))
+            return _from_json(p, json.loads(text), set)
         except json.JSONDecodeError as error:
             raise Misuse(f"{p.name}: '{text}' is not JSON: {error.msg}") from None
     if p.kind == "struct":
-        return _structure(p, text)
+        return _structure(p, text, set)
     if p.kind == "array":
         parts = [part for part in text.split(",") if part]
-        return tuple(_structure(p, t) if _is_structure(p) else scalar(p, t) for t in parts)
-    return scalar(p, text)
+        return tuple(_structure(p, t, set) if _is_structure(p) else scalar(p, t, set) for t in parts)
+    return scalar(p, text, set)
+
+
+def _set_of(p: Parameter, before: Mapping[str, Any], inside: int | None) -> int | None:
+    """The set of the fields that a parameter names: always the same, or that of a parameter before it."""
+    if not p.fields_of:
+        return inside
+    beside = before.get(p.fields_of)
+    return lookup.set_number(p.fields_of) if beside is None else int(beside)
 
 
 def _is_structure(p: Parameter) -> bool:
     return isinstance(p.type, type) and issubclass(p.type, Structure)
 
 
-def _structure(p: Parameter, text: str) -> Any:
+def _structure(p: Parameter, text: str, set: int | None) -> Any:
     """`1:2` is a structure of two members."""
     members = [m for m in info(p.type).parameters if m.attribute and m.kind != "constant"]
     parts = text.split(":")
@@ -133,7 +143,7 @@ def _structure(p: Parameter, text: str) -> Any:
         raise Misuse(f"{p.name}: '{text}' has too many parts; write {names}")
     given: dict[str, Any] = {}
     for m, part in zip(members, parts):
-        given[m.attribute] = value(m, part, given)
+        given[m.attribute] = value(m, part, given, set)
     return _made(p, given)
 
 
@@ -145,9 +155,9 @@ def _made(p: Parameter, given: dict[str, Any]) -> Any:
         raise Misuse(f"{p.name} has parts that are missing; write {names}") from None
 
 
-def _from_json(p: Parameter, given: Any) -> Any:
+def _from_json(p: Parameter, given: Any, set: int | None) -> Any:
     if isinstance(given, list):
-        return tuple(_from_json(p, v) for v in given)
+        return tuple(_from_json(p, v, set) for v in given)
     if isinstance(given, dict) and _is_structure(p):
         members = {m.name: m for m in info(p.type).parameters}
         unknown = [name for name in given if name not in members]
@@ -158,15 +168,15 @@ def _from_json(p: Parameter, given: Any) -> Any:
             m = members[name]
             m = p if m is None else m
             case = m.cases.get(int(values.get(m.tag, -1))) if m.kind == "switch" else m
-            values[m.attribute] = _from_json(case or m, v)
+            values[m.attribute] = _from_json(case or m, v, _set_of(m, values, set))
         return _made(p, values)
     if isinstance(given, (dict, type(None))):
         raise Misuse(f"{p.name}: {json.dumps(given)} is not a value for it")
-    return scalar(p, str(given).lower() if isinstance(given, bool) else str(given))
+    return scalar(p, str(given).lower() if isinstance(given, bool) else str(given), set)
 
 
-def scalar(p: Parameter, text: str) -> Any:
-    """One value of a text. Raises Misuse."""
+def scalar(p: Parameter, text: str, set: int | None = None) -> Any:
+    """One value of a text; `set` is that of a field that it names. Raises Misuse."""
     kind = p.type if isinstance(p.type, type) else None
     if p.kind == "text" or p.scalar == "char":
         return text
@@ -177,7 +187,7 @@ def scalar(p: Parameter, text: str) -> Any:
     if p.scalar == "bool":
         return _truth(p, text)
     if p.scalar in _INTEGERS or p.kind == "bits":
-        return _whole(p, text)
+        return _whole(p, text, set)
     try:
         return float(text)
     except ValueError:
@@ -202,9 +212,11 @@ def _truth(p: Parameter, text: str) -> bool | int:
     raise Misuse(f"{p.name}: '{text}' is neither true nor false")
 
 
-def _whole(p: Parameter, text: str) -> int:
+def _whole(p: Parameter, text: str, set: int | None) -> int:
     """A number; of a byte, also the name of a set or a field."""
     number = _integer(text)
+    if number is None and p.refers == "field" and set is not None:
+        return _descriptor(p, text, set)
     if number is None and p.scalar == "u8":
         number = _named_number(text)
         if number is None and (close := near(text)):
@@ -212,6 +224,24 @@ def _whole(p: Parameter, text: str) -> int:
     if number is None:
         raise Misuse(f"{p.name}: '{text}' is not a whole number")
     return number
+
+
+def _descriptor(p: Parameter, text: str, set: int) -> int:
+    """The descriptor of a field of this set, or of a shared one. Other sets may have a field of the same name."""
+    own = SETS.get(set, ())
+    for name in (*(f"{word}.{text}" for word in own), text):
+        try:
+            known = fields(name)
+        except Failure:
+            continue
+        for number, kind in known:
+            if number in (set, registry.SHARED_SET):
+                return int(kind.DESCRIPTOR)
+    where = own[0] if own else f"0x{set:02X}"
+    names = [kind.NAME.partition(".")[2] for number, kind in registry.all_types() if number == set]
+    close = get_close_matches(text, names, n=3)
+    hint = f"did you mean {' or '.join(close)}?" if close else f"`mip fields {where}` lists them"
+    raise Misuse(f"{p.name}: '{text}' is not a field of {where}; {hint}")
 
 
 def _integer(text: str) -> int | None:

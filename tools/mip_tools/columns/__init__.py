@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Any
 try:
     import numpy as _numpy  # noqa: F401
 except ImportError:
-    # The package itself can be imported, so that `python -m mip_tools.columns.build` can say it.
     if not TYPE_CHECKING:  # for type checkers it would have any name
 
         def __getattr__(name: str) -> Any:

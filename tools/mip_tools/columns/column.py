@@ -31,38 +31,42 @@ class Column(Generic[F]):
     """
 
     def __init__(self, log: Log, kind: type[F], values: dict[str, Values], where: Where, only: int | None) -> None:
-        self._log, self._only = log, only
-        self._values, self._where = values, where
+        self._log = log
+        self._values = values
+        #: Where its rows come from, for `times`.
+        self.where = where
+        #: The descriptor set that all rows are of, if it was named or there is only one.
+        self.only = only
         #: The class of the field.
         self.type = kind
 
     def __len__(self) -> int:
-        return len(self._where)
+        return len(self.where)
 
     @cached_property
     def packet(self) -> Array:
         """The number of the packet of each row in this log, from 0: shape (rows,), int64."""
-        return self._where.packet()
+        return self.where.packet()
 
     @cached_property
     def offset(self) -> Array:
         """Where that packet begins, in bytes from the beginning of the file: (rows,), int64."""
-        return self._where.offset()
+        return self.where.offset()
 
     @cached_property
     def set(self) -> Array:
         """The descriptor set of that packet: (rows,), uint8. It varies for shared fields."""
-        return self._where.set()
+        return self.where.set()
 
     @property
     def sets(self) -> list[int]:
         """The descriptor sets of the packets, each once."""
-        return self._where.sets()
+        return self.where.sets()
 
     @property
     def name(self) -> str:
         """The full name of the field, in its set: "gnss_2.dop"."""
-        return self.type.NAME if self._only is None else self.type.name_in(self._only)
+        return self.type.NAME if self.only is None else self.type.name_in(self.only)
 
     def __repr__(self) -> str:
         return f"<Column {self.name}: {len(self)} rows of {', '.join(self.names)}>"
@@ -91,6 +95,12 @@ class Column(Generic[F]):
         device = self._log.device
         known = described(info(self.type).parameters, "")
         return {name: p if device is None else p.on(device) for name, p in known}
+
+    @cached_property
+    def titles(self) -> Mapping[str, str]:
+        """The name of each column in the specification: as in tables, whatever Python calls it."""
+        parameters = info(self.type).parameters
+        return dict(zip((name for name, _ in described(parameters, "")), _titles(parameters, "")))
 
     def time(self, clock: str | None = None) -> Times:
         """The time of each row, by its packet's own timestamp or the last one before it."""
@@ -124,7 +134,7 @@ class Column(Generic[F]):
 
     def objects(self) -> Iterator[F]:
         """The same rows as objects."""
-        return self._log.objects(self.type, self._only)
+        return self._log.objects(self.type, self.only)
 
 
 def absent(values: Array) -> Array:
@@ -149,3 +159,16 @@ def described(parameters: tuple[Parameter, ...], prefix: str) -> Iterator[tuple[
             yield from described(info(p.type).parameters, name + ".")
         else:
             yield name, p
+
+
+def _titles(parameters: tuple[Parameter, ...], prefix: str) -> Iterator[str]:
+    """The names of the same columns in the specification."""
+    for p in parameters:
+        if p.kind == "counter" or p.constant is not None:
+            continue
+        if p.kind == "switch":
+            yield from _titles(tuple(c for c in p.cases.values() if c is not None), f"{prefix}{p.name}.")
+        elif p.type is not None and issubclass(p.type, Structure):
+            yield from _titles(info(p.type).parameters, f"{prefix}{p.name}.")
+        else:
+            yield prefix + p.name

@@ -37,6 +37,18 @@ class _Span(NamedTuple):
 
 def types(log: Log) -> list[TypeCount]:
     """The types in the order of sets and descriptors; what cannot be decoded comes behind the others."""
+    return [
+        TypeCount(n, d, kind, name, span.rows, times.rate(log, n, *span) if kind else None)
+        for n, d, kind, name, span in _types(log)
+    ]
+
+
+def kinds(log: Log) -> list[tuple[int, type[Field]]]:
+    """The sets and types of all fields that can be decoded, in the same order."""
+    return [(n, kind) for n, _, kind, *_ in _types(log) if kind is not None]
+
+
+def _types(log: Log) -> list[tuple[int, int, type[Field] | None, str, _Span]]:
     rows: list[tuple[int, int, type[Field] | None, str, _Span]] = []
     for (number, descriptor), lengths in sorted(_lengths(log).items()):
         every = _together(list(lengths.values()))
@@ -49,10 +61,7 @@ def types(log: Log) -> list[TypeCount]:
         if left:
             name = f"0x{number:02X},0x{descriptor:02X}"
             rows.append((number, descriptor, None, name, every._replace(rows=left)))
-    return [
-        TypeCount(n, d, kind, name, span.rows, times.rate(log, n, *span) if kind else None)
-        for n, d, kind, name, span in rows
-    ]
+    return rows
 
 
 def _together(spans: list[_Span]) -> _Span:

@@ -1,163 +1,99 @@
-"""Columns as a data frame: pandas, Polars or an Arrow table."""
+"""Tables as data frames: pandas, Polars or an Arrow table."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from importlib import import_module
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..binding import CLOCKS, MissingExtra
-from . import times
-from .column import Column, absent
-from .general import Ragged, Values
-from .scan import Array
+from ..binding import CLOCKS, MissingExtra, timestamps
+from . import between, resample, tables, times
+from .column import Column
+from .tables import Form, Series
 
 if TYPE_CHECKING:
     from .log import Log
+    from .reader import Kind
 
-#: What a frame has beside the parameters of fields.
-_OWN = ("time", "time_own", "packet", "set", "offset")
-
-
-class Series(NamedTuple):
-    """One column of a frame."""
-
-    name: str
-    values: Values
-    mask: Array | None  # True where there is no value
-    facts: dict[str, str]  # unit, frame, …
+LIBRARIES = ("pandas", "polars", "pyarrow")
 
 
 def frame(
-    log: Log, columns: Sequence[Column[Any]], library: str, time: str | None, invalid: str, units: bool, position: bool
+    log: Log,
+    kinds: Sequence[Kind],
+    by: str,
+    library: str,
+    time: str | None,
+    invalid: str,
+    units: bool,
+    position: bool,
 ) -> Any:
     """See `Log.frame`."""
-    if library not in ("pandas", "polars", "pyarrow"):
-        raise ValueError(f"library {library!r}: pandas, polars or pyarrow")
-    if invalid not in ("keep", "mask"):
-        raise ValueError(f"invalid {invalid!r}: keep or mask")
-    if time is not None and time != "auto" and time not in CLOCKS:
+    form = Form(by, invalid=invalid, time=time is not None, position=position)
+    form.check()
+    _library(library)
+    columns = log.columns(kinds)
+    form = form._replace(clock=_clock(log, columns, time))
+    return made(tables.whole(log, columns, form).columns, library, units)
+
+
+def resampled(
+    log: Log, kinds: Sequence[Kind] | None, rate: str | float, method: str, library: str, time: str, units: bool
+) -> Any:
+    """See `Log.resample`."""
+    every = resample.step(rate)
+    form = Form(invalid="mask")
+    if kinds is None:
+        kinds = data_of(log)
+    columns = log.columns(kinds)
+    form = form._replace(clock=_clock(log, columns, time))
+    return made(resample.resampled(log, columns, every, method, form), _library(library), units)
+
+
+def nmea(log: Log, library: str, time: str | None) -> Any:
+    """See `Log.nmea`."""
+    clock = times.chosen(log, [n for n in log.sets() if n >= 0x80]) if time == "auto" else time or ""
+    if clock and clock not in CLOCKS:
         raise ValueError(f"time {time!r}: auto, None or one of {', '.join(CLOCKS)}")
-    made = import_module(f".{library}_frame", __package__).made
-    return made(_series(log, columns, time, invalid, position), units)
+    return made(between.table(log, clock).columns, _library(library), True)
 
 
-def _series(log: Log, columns: Sequence[Column[Any]], time: str | None, invalid: str, position: bool) -> list[Series]:
-    clock = time
-    if time == "auto":
-        clock = times.chosen(log, sorted({n for c in columns for n in c.sets})) or None
-    places, rows = _rows(columns)
-    series: list[Series] = []
-    if clock is not None:
-        known = [column.time(clock) for column in columns]
-        values = np.full(rows, "NaT", times.dtype(clock))
-        own = np.zeros(rows, bool)
-        for place, one in zip(places, known):
-            values[place], own[place] = one.values, one.own
-        series.append(Series("time", values, None, {"clock": clock}))
-        series.append(Series("time_own", own, None, {}))
-    if position:
-        for name in ("packet", "set", "offset"):
-            numbers = np.zeros(rows, np.uint8 if name == "set" else np.int64)
-            for place, column in zip(places, columns):
-                numbers[place] = getattr(column, name)
-            series.append(Series(name, numbers, None, {}))
-    for column, place, prefix in zip(columns, places, _prefixes(columns)):
-        if not column.names:
-            there = np.zeros(rows, bool)
-            there[place] = True
-            name = prefix or column.type.NAME.rpartition(".")[2]
-            series.append(Series(name, there, None, {}))
-        for part in _parameters(column, invalid, prefix):
-            series.append(part if len(columns) == 1 else _spread(part, place, rows))
-    return series
+def data_of(log: Log) -> list[Kind]:
+    """All data that a log has, but for timestamps."""
+    found = tables.survey(log, Form(wanted=lambda set, descriptor: set >= 0x80))[0]
+    return [one for one in found if timestamps.clock_of(max(one[0], 0x80), one[1].DESCRIPTOR) is None]
 
 
-def _rows(columns: Sequence[Column[Any]]) -> tuple[list[Any], int]:
-    """The rows of the frame that those of each column go to: packets together, and their number."""
-    if len(columns) == 1:
-        return [slice(None)], len(columns[0])
-    keys = [column.packet * 256 + _turn(column.packet) for column in columns]
-    whole = np.unique(np.concatenate(keys)) if keys else np.zeros(0, np.int64)
-    return [np.searchsorted(whole, key) for key in keys], len(whole)
+def _library(name: str) -> str:
+    if name not in LIBRARIES:
+        raise ValueError(f"library {name!r}: {', '.join(LIBRARIES)}")
+    return name
 
 
-def _turn(packet: Array) -> Array:
-    """0 for the first row of a packet, 1 for the second one, …"""
-    numbers = np.arange(len(packet))
-    new = np.ones(len(packet), bool)
-    new[1:] = packet[1:] != packet[:-1]
-    return np.asarray(numbers - np.maximum.accumulate(np.where(new, numbers, 0)))
+def _clock(log: Log, columns: Sequence[Column[Any]], time: str | None) -> str:
+    """The clock of a table; the first one that the log has if none is named."""
+    if time in (None, "auto"):
+        return times.chosen(log, sorted({n for c in columns for n in c.sets}))
+    if time not in CLOCKS:
+        raise ValueError(f"time {time!r}: auto, None or one of {', '.join(CLOCKS)}")
+    return str(time)
 
 
-def _prefixes(columns: Sequence[Column[Any]]) -> list[str]:
-    """What stands before the names of each column's parameters: its name, in full if others share it."""
-    short = [column.type.NAME.rpartition(".")[2] for column in columns]
-    if len(set(short)) < len(short):
-        return [column.name for column in columns]
-    return [name if len(columns) > 1 else "" for name in short]
+def made(columns: Sequence[Series], library: str, units: bool) -> Any:
+    """The frame of a library. Raises MissingExtra."""
+    return import_module(f".{library}_frame", __package__).made(columns, units)
 
 
-def _parameters(column: Column[Any], invalid: str, prefix: str) -> list[Series]:
-    """The columns of a frame for one type: vectors get one for each element."""
-    series = []
-    for name in column.names:
-        p, values = column.parameters[name], column[name]
-        full = name
-        if (prefix and prefix.rpartition(".")[2] != name) or "." in prefix:
-            full = f"{prefix}.{name}"
-        if full in _OWN:
-            full = f"{column.type.NAME.rpartition('.')[2]}.{name}"
-        facts = {"frame": p.frame} if p.frame else {}
-        if p.type is not None:
-            facts["type"] = p.type.__name__
-        bad = ~column.valid(name) if invalid == "mask" and p.flags else None
-        single = {"unit": p.units[0]} if len(set(p.units)) == 1 else {}
-        if isinstance(values, Ragged):
-            series.append(Series(full, values, values.mask, facts | single))
-            continue
-        gone = absent(values) if isinstance(values, np.ma.MaskedArray) else None
-        if p.elements and values.ndim == 2:
-            for i, element in enumerate(p.elements):
-                unit = {"unit": p.units[min(i, len(p.units) - 1)]} if p.units else {}
-                wrong = bad if bad is None or bad.ndim == 1 else np.asarray(bad[:, i])
-                part = np.asarray(values)[:, i]
-                series.append(Series(f"{full}.{element}", part, _either(gone, wrong), facts | unit))
-        else:
-            wrong = bad if bad is None or bad.ndim == 1 else np.asarray(bad.all(axis=1))
-            series.append(Series(full, np.asarray(values), _either(gone, wrong), facts | single))
-    return series
-
-
-def _either(first: Array | None, second: Array | None) -> Array | None:
-    if first is None or second is None:
-        return second if first is None else first
-    return first | second
-
-
-def _spread(one: Series, place: Array, rows: int) -> Series:
-    """The same with the rows that other types have."""
-    mask = np.ones(rows, bool)
-    mask[place] = False if one.mask is None else one.mask
-    if isinstance(one.values, Ragged):
-        items = np.empty(rows, object)
-        items[place] = np.fromiter(one.values.rows(), object, len(one.values))
-        return one._replace(values=items, mask=mask)
-    values = np.zeros((rows, *one.values.shape[1:]), one.values.dtype)
-    values[place] = one.values
-    return one._replace(values=values, mask=mask if mask.any() else None)
-
-
-def titled(one: Series, units: bool) -> str:
+def titled(one: Series, units: bool = True) -> str:
     """The name with its unit: "scaled_accel.x [g]"."""
-    unit = one.facts.get("unit", "1")
-    return f"{one.name} [{unit}]" if units and unit not in ("", "1") else one.name
+    unit = one.facts.get("unit", "")
+    return f"{one.name} [{unit}]" if units and unit else one.name
 
 
 def library(name: str) -> Any:
-    """A library that an extra of the package brings."""
+    """A library that an extra of the package brings. Raises MissingExtra."""
     try:
         return import_module(name)
     except ImportError as error:
@@ -166,8 +102,7 @@ def library(name: str) -> Any:
 
 def objects(one: Series) -> list[Any]:
     """The values as Python has them; None where there is none."""
-    rows = one.values.rows() if isinstance(one.values, Ragged) else one.values
-    items = [item.tolist() if isinstance(item, np.ndarray) else item for item in rows]
+    items = [item.tolist() if isinstance(item, np.ndarray) else item for item in one.values]
     if one.mask is None:
         return items
     return [None if gone else item for item, gone in zip(items, one.mask.tolist())]

@@ -1,8 +1,12 @@
-/* The innermost loops of reading a log as columns. `native.py` calls them if this file has been
- * compiled (`python -m mip_tools.columns.build`), `scan.py` and `walk.py` do the same without.
+/* The innermost loops of reading a log as columns. `native.py` calls them, if this file has been compiled, by
+ * their names; `scan.py` and `walk.py` do the same without. Callers give arrays that are large enough.
  *
- * Plain C99 that knows nothing of Python. Callers give arrays that are large enough.
+ * Plain C99, but for the few lines that make it a module of Python, so that any of its build tools can compile it.
  */
+
+#ifdef MIP_MODULE
+#include <Python.h>
+#endif
 
 #include <stdint.h>
 #include <string.h>
@@ -183,3 +187,12 @@ API void mip_gather(const uint8_t *data, const int32_t *begin, const int32_t *pa
         }
     }
 }
+
+#ifdef MIP_MODULE
+static struct PyModuleDef module = {PyModuleDef_HEAD_INIT, "_kernel", NULL, 0, NULL, NULL, NULL, NULL, NULL};
+
+PyMODINIT_FUNC PyInit__kernel(void)
+{
+    return PyModule_Create(&module);
+}
+#endif

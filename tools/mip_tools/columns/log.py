@@ -4,7 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from copy import copy
-from typing import Any, TypeVar, overload
+from html import escape
+from typing import TYPE_CHECKING, Any, Literal, TypeAlias, TypeVar, overload
+
+import numpy as np
 
 from ..binding import Field, device_id
 from ..occurrence import every, of
@@ -16,7 +19,19 @@ from .reader import Kind, Reader
 from .source import Source
 from .times import Stamps, Times
 
+if TYPE_CHECKING:
+    import pandas
+    import polars
+    import pyarrow
+
 F = TypeVar("F", bound=Field)
+
+#: What a row of a table is.
+By: TypeAlias = Literal["time", "packet"]
+#: What becomes of values that are not valid according to their flags.
+Invalid: TypeAlias = Literal["keep", "mask", "drop"]
+Method: TypeAlias = Literal["linear", "nearest", "last"]
+Library: TypeAlias = Literal["pandas", "polars", "pyarrow"]
 
 _PIECE = 1 << 20  # bytes that are looked at together
 #: Packets whose places are kept, so that they are found only once: some 250 MB. Those behind them
@@ -39,9 +54,10 @@ class Log:
         self.device = None if device is None else device_id(device)
         if begin < 0 or (end is not None and end < begin):
             raise ValueError(f"bytes {begin} to {end}: `begin` is 0 or more, and not behind `end`")
-        self._source = source if isinstance(source, Source) else Source(source)
+        self._earlier: Log | None = None
+        self.source = source if isinstance(source, Source) else Source(source)
         #: Bytes of the whole file.
-        self.size = self._source.size
+        self.size = self.source.size
         #: The bytes that the packets begin in.
         self.begin = min(begin, self.size)
         self.end = self.size if end is None else min(end, self.size)
@@ -49,7 +65,8 @@ class Log:
         self._first: int | None = None
         self._counts: tuple[int, int] | None = None  # of packets, of skipped bytes
         self._types: list[TypeCount] | None = None
-        #: (set, clock) -> timestamps, for `times`.
+        #: (set, clock) -> timestamps, for `times`; also with those of packets shortly before.
+        self.own_stamps: dict[tuple[int, str], Stamps] = {}
         self.stamps: dict[tuple[int, str], Stamps] = {}
 
     def __enter__(self) -> Log:
@@ -60,26 +77,41 @@ class Log:
 
     def close(self) -> None:
         """Closes the file. Columns already read remain valid."""
-        self._source.close()
+        self.source.close()
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Copies, also in other processes, open the file again."""
-        origin = self._source.origin
+        origin = self.source.origin
         if origin is None:
             raise TypeError("a log of an open file or a buffer cannot be pickled: read it from a path or from bytes")
         return Log, (origin, self.begin, self.end, self.device)
 
     def __repr__(self) -> str:
-        origin = self._source.origin
+        origin = self.source.origin
         name = repr(origin) if isinstance(origin, str) else "in memory"
         return f"<Log {name}: bytes {self.begin} to {self.end}>"
+
+    def _repr_html_(self) -> str:
+        """For notebooks: what is in it."""
+        rows = "".join(
+            f"<tr><td>{escape(one.name)}</td><td style='text-align: right'>{one.count}</td>"
+            f"<td style='text-align: right'>{'' if one.rate is None else f'{one.rate:.4g}'}</td></tr>"
+            for one in self.types()
+        )
+        facts = f"{self.packets} packets, {self.skipped} bytes outside packets"
+        head = "<tr><th>field</th><th>count</th><th>rate in Hz</th></tr>"
+        return f"<p>{escape(repr(self))}: {facts}</p><table>{head}{rows}</table>"
+
+    def _ipython_key_completions_(self) -> list[str]:
+        """The names for `log[...]`."""
+        return list(dict.fromkeys(one.name for one in self.types() if one.type is not None))
 
     def parts(self, size: int = 1 << 26) -> Iterator[Log]:
         """The same log in parts of this many bytes; together they have every packet once."""
         if size < 1:
             raise ValueError(f"a part has 1 byte or more, not {size}")
         for begin in range(self.begin, self.end, size):
-            yield Log(self._source, begin, min(begin + size, self.end), self.device)
+            yield Log(self.source, begin, min(begin + size, self.end), self.device)
 
     # ----------------------------------------------------------------- packets
 
@@ -108,7 +140,7 @@ class Log:
         covered = min(free, self.end) - self.begin
         for begin in range(self.begin, self.end, _PIECE):
             limit = min(_PIECE, self.end - begin)
-            data, length = self._source.piece(begin, limit, scan.AHEAD)
+            data, length = self.source.piece(begin, limit, scan.AHEAD)
             piece = self._kept.get(begin)
             if piece is None:
                 packets = scan.packets(data, max(0, free - begin), limit, length)
@@ -125,6 +157,7 @@ class Log:
             own.data = data
             yield own
             own.data = NOTHING
+            self.source.forget(begin, begin + limit)
             number += len(piece.at)
             if len(piece.end):
                 free = begin + int(piece.end[-1])
@@ -138,7 +171,7 @@ class Log:
         back = 8 * scan.REACH
         while True:
             begin = max(0, self.begin - back)
-            data, length = self._source.piece(begin, self.begin - begin, scan.AHEAD)
+            data, length = self.source.piece(begin, self.begin - begin, scan.AHEAD)
             found = scan.clear(data, self.begin - begin, length, begin == 0)
             if found is not None:
                 return begin + found
@@ -200,49 +233,184 @@ class Log:
             self._types = contents.types(self)
         return self._types
 
+    @overload
     def frame(
         self,
         kinds: Kind | Sequence[Kind],
         *,
-        library: str = "pandas",
+        by: By = ...,
+        library: Literal["pandas"] = ...,
+        time: str | None = ...,
+        invalid: Invalid = ...,
+        units: bool = ...,
+        position: bool = ...,
+    ) -> pandas.DataFrame: ...
+    @overload
+    def frame(
+        self,
+        kinds: Kind | Sequence[Kind],
+        *,
+        by: By = ...,
+        library: Literal["polars"],
+        time: str | None = ...,
+        invalid: Invalid = ...,
+        units: bool = ...,
+        position: bool = ...,
+    ) -> polars.DataFrame: ...
+    @overload
+    def frame(
+        self,
+        kinds: Kind | Sequence[Kind],
+        *,
+        by: By = ...,
+        library: Literal["pyarrow"],
+        time: str | None = ...,
+        invalid: Invalid = ...,
+        units: bool = ...,
+        position: bool = ...,
+    ) -> pyarrow.Table: ...
+    def frame(
+        self,
+        kinds: Kind | Sequence[Kind],
+        *,
+        by: By = "time",
+        library: Library = "pandas",
         time: str | None = "auto",
-        invalid: str = "keep",
+        invalid: Invalid = "keep",
         units: bool = True,
         position: bool = False,
     ) -> Any:
-        """A data frame of one type, or of several: a row for each packet that has any of them.
+        """A data frame of one type, or of several: a row for each instant that has any of them.
+
+        Packets with the same timestamp are of one instant if they are near to each other in the file;
+        a packet without a timestamp is one by itself. If an instant has several fields of one type, it
+        has several rows. With `by="packet"`, there is a row for each packet.
 
         `library` is "pandas", "polars" or "pyarrow". `time` is a clock, "auto" for the first one
         that the log has, None for no time; `time_own` is False where the packet itself has no
         timestamp (see `Times`). `invalid="mask"` leaves out values whose flag says that they are
-        not valid. Vectors have a column for each element, "scaled_accel.x [g]"; `units` says
-        whether their units are included, in the names or in the metadata of Arrow. A type without
-        parameters has one column, which is True in its rows. `position` adds the number of the
-        packet, its descriptor set and its place in the file.
+        not valid, `"drop"` fields that have such a value. Vectors have a column for each element,
+        "scaled_accel.x [g]"; `units` says whether their units are included, in the names or in the
+        metadata of Arrow. A type without parameters has one column, which is True in its rows.
+        `position` adds the number of the row's first packet, its descriptor set and its place in the file.
 
         Raises LookupError as `log[kind]` does, ValueError for other choices, MissingExtra if the library
         is missing.
         """
-        chosen: list[Any] = [kinds]
-        pair = isinstance(kinds, tuple) and len(kinds) == 2 and isinstance(kinds[0], int)
-        if isinstance(kinds, Iterable) and not isinstance(kinds, (str, type)) and not pair:
-            chosen = list(kinds)
-        if not chosen:
-            raise ValueError("a frame has one type or more")
-        columns = self.columns(chosen)
-        return frames.frame(self, columns, library, time, invalid, units, position)
+        return frames.frame(self, several(kinds), by, library, time, invalid, units, position)
+
+    @overload
+    def resample(
+        self,
+        rate: str | float,
+        kinds: Kind | Sequence[Kind] | None = ...,
+        *,
+        method: Method = ...,
+        library: Literal["pandas"] = ...,
+        time: str = ...,
+        units: bool = ...,
+    ) -> pandas.DataFrame: ...
+    @overload
+    def resample(
+        self,
+        rate: str | float,
+        kinds: Kind | Sequence[Kind] | None = ...,
+        *,
+        method: Method = ...,
+        library: Literal["polars"],
+        time: str = ...,
+        units: bool = ...,
+    ) -> polars.DataFrame: ...
+    @overload
+    def resample(
+        self,
+        rate: str | float,
+        kinds: Kind | Sequence[Kind] | None = ...,
+        *,
+        method: Method = ...,
+        library: Literal["pyarrow"],
+        time: str = ...,
+        units: bool = ...,
+    ) -> pyarrow.Table: ...
+    def resample(
+        self,
+        rate: str | float,
+        kinds: Kind | Sequence[Kind] | None = None,
+        *,
+        method: Method = "linear",
+        library: Library = "pandas",
+        time: str = "auto",
+        units: bool = True,
+    ) -> Any:
+        """A data frame at a fixed rate, "100Hz", "10ms" or a number in Hz; of some types, or of all data.
+
+        The rows are at whole multiples of the step. `method` is "linear", "nearest" or "last", the value
+        before. Linear are numbers that are not whole; angles in rad or deg take the short way round, and
+        quaternions are normalized. Whole numbers, flags, text and matrices are those before. Values that
+        their flags say are not valid, and those of packets without a timestamp, do not count; there is
+        no value where the next ones are more than 2.5 usual intervals of their field apart.
+        After a pause of more than 10 s, or if time goes back so far, the rows begin anew.
+
+        All times are those of one clock, as for `frame`. Times of a set that does not have it are
+        converted from another clock, by packets that have both; the metadata of `time` say so (in
+        pandas, `frame.attrs`).
+
+        Raises LookupError as `log[kind]` does, ValueError for other choices or if the log has no
+        timestamps, MissingExtra if the library is missing.
+        """
+        chosen = None if kinds is None else several(kinds)
+        return frames.resampled(self, chosen, rate, method, library, time, units)
+
+    @overload
+    def nmea(self, *, library: Literal["pandas"] = ..., time: str | None = ...) -> pandas.DataFrame: ...
+    @overload
+    def nmea(self, *, library: Literal["polars"], time: str | None = ...) -> polars.DataFrame: ...
+    @overload
+    def nmea(self, *, library: Literal["pyarrow"], time: str | None = ...) -> pyarrow.Table: ...
+    def nmea(self, *, library: Library = "pandas", time: str | None = "auto") -> Any:
+        """A data frame of the NMEA sentences between the packets that have a right checksum.
+
+        Its columns are `time` (of the last packet with a timestamp before the sentence), `time_own`
+        (False), `offset` (place in the file), `talker` ("GP"), `type` ("GGA"), `sentence` (the whole
+        line), and `fields` (what is between its commas). Raises ValueError and MissingExtra as `frame` does.
+        """
+        return frames.nmea(self, library, time)
 
     # ----------------------------------------------------------------- time
+
+    def sets(self) -> list[int]:
+        """The descriptor sets of the packets, each once."""
+        counts = np.zeros(256, np.int64)
+        for piece in self.pieces(fields=False):
+            counts += np.bincount(piece.sets(), minlength=256)
+        return [int(number) for number in np.flatnonzero(counts)]
+
+    def before_offset(self, offset: int) -> int:
+        """The number of packets that begin before a place in the file."""
+        return sum(int(np.searchsorted(piece.at, offset - piece.begin)) for piece in self.pieces(fields=False))
 
     def before(self, size: int) -> Log | None:
         """For `times`: the part of so many bytes before this one, if there is any."""
         if not self.begin:
             return None
-        return Log(self._source, max(0, self.begin - size), self.begin, self.device)
+        if self._earlier is None:
+            self._earlier = Log(self.source, max(0, self.begin - size), self.begin, self.device)
+        return self._earlier
 
     def times(self, column: Column[Any], clock: str | None = None) -> Times:
         """The time of each row of a column; see `Column.time`."""
         return times.of(self, column, clock)
+
+
+def several(kinds: Kind | Iterable[Kind]) -> list[Kind]:
+    """One type, or several. Raises ValueError if there is none."""
+    chosen: list[Any] = [kinds]
+    pair = isinstance(kinds, tuple) and len(kinds) == 2 and isinstance(kinds[0], int)
+    if isinstance(kinds, Iterable) and not isinstance(kinds, (str, type)) and not pair:
+        chosen = list(kinds)
+    if not chosen:
+        raise ValueError("a table has one type or more")
+    return chosen
 
 
 def read_log(source: Any, begin: int = 0, end: int | None = None, device: str | None = None) -> Log:

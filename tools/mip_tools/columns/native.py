@@ -1,29 +1,21 @@
-"""The innermost loops in compiled code, if there is any: `python -m mip_tools.columns.build` makes it.
+"""The innermost loops in compiled code, which platform wheels bring and a source tree gets by
+`python setup.py build_ext --inplace`.
 
 It gives the same as `scan` and `walk`, which are used without it.
 """
 
 from __future__ import annotations
 
-import sys
+from importlib.machinery import EXTENSION_SUFFIXES
 from pathlib import Path
 from typing import Any, NamedTuple, TypeAlias
-from zlib import crc32
 
 import numpy as np
 
 Array: TypeAlias = "np.ndarray[Any, Any]"
 
-SOURCE = Path(__file__).with_name("kernel.c")
-
 _KINDS = 1024  # as in kernel.c
 _SMALLEST = 6  # bytes of a packet
-
-
-def library(folder: Path = SOURCE.parent) -> Path:
-    """Where the compiled code is. Its name changes with the source: what is older is never loaded."""
-    ending = "dll" if sys.platform == "win32" else "so"
-    return folder / f"kernel-{crc32(SOURCE.read_bytes()):08x}.{ending}"
 
 
 class Fields(NamedTuple):
@@ -94,13 +86,16 @@ def _at(array: Array) -> int:
     return int(array.ctypes.data)
 
 
-def found(path: Path | None = None) -> Kernel | None:
+def found(folder: Path = Path(__file__).parent) -> Kernel | None:
     """The compiled code, if it is there and of this machine."""
-    try:
-        path = path or library()  # in a zip file, or a frozen program, there is no source
-        return Kernel(path) if path.exists() else None
-    except (OSError, AttributeError):
-        return None
+    for suffix in EXTENSION_SUFFIXES:
+        path = folder / f"_kernel{suffix}"
+        try:
+            if path.exists():
+                return Kernel(path)
+        except (OSError, AttributeError):
+            continue
+    return None
 
 
 #: None: NumPy does everything.
@@ -108,5 +103,5 @@ kernel: Kernel | None = found()
 
 
 def compiled() -> bool:
-    """Are the innermost loops compiled code? `python -m mip_tools.columns.build` compiles them."""
+    """Are the innermost loops compiled code? Platform wheels of mip-tools have it, the pure one does not."""
     return kernel is not None

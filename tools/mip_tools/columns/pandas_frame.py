@@ -2,27 +2,31 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 
-from .frames import Series, library, objects, titled
-from .general import Ragged
+from .frames import library, objects, titled
+from .tables import Series
 
 
-def made(series: list[Series], units: bool) -> Any:
+def made(series: Sequence[Series], units: bool) -> Any:
     """A frame; what is missing is NaN or NaT, in integers NA."""
     pandas = library("pandas")
-    return pandas.DataFrame({titled(one, units): _column(pandas, one) for one in series})
+    frame = pandas.DataFrame({titled(one, units): _column(pandas, one) for one in series})
+    if series and series[0].name == "time":
+        frame.attrs.update({name: fact for name, fact in series[0].facts.items() if name != "unit"})
+    return frame
 
 
 def _column(pandas: Any, one: Series) -> Any:
     values, mask = one.values, one.mask
-    if isinstance(values, Ragged) or values.ndim > 1 or values.dtype == object:
+    if values.ndim > 1 or values.dtype == object:
         return pandas.Series(objects(one), dtype=object)
     if values.dtype.kind == "M":
         return pandas.Series(values).dt.tz_localize("UTC")
-    if mask is None:
+    if mask is None or values.dtype.kind == "m":
         return pandas.Series(values)
     if values.dtype.kind == "f":
         return pandas.Series(np.where(mask, np.nan, values).astype(values.dtype))

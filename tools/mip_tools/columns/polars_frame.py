@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 
-from .frames import Series, library, objects, titled
-from .general import Ragged
+from .frames import library, objects, titled
+from .tables import Series
 
 
-def made(series: list[Series], units: bool) -> Any:
+def made(series: Sequence[Series], units: bool) -> Any:
     """A frame; what is missing is null."""
     polars = library("polars")
     return polars.DataFrame([_column(polars, one, titled(one, units)) for one in series])
@@ -18,7 +19,7 @@ def made(series: list[Series], units: bool) -> Any:
 
 def _column(polars: Any, one: Series, name: str) -> Any:
     values, mask = one.values, one.mask
-    if isinstance(values, Ragged) or values.ndim > 1 or values.dtype == object:
+    if values.ndim > 1 or values.dtype == object:
         return polars.Series(name, objects(one))
     series = polars.Series(name, np.ascontiguousarray(values))
     if values.dtype.kind == "M":

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 
-from .frames import Series, library, objects
-from .general import Ragged
+from .frames import library, objects
+from .tables import Series
 
 
-def made(series: list[Series], units: bool) -> Any:
+def made(series: Sequence[Series], units: bool) -> Any:
     """A table; units, frames, clocks and types are in the metadata of its fields."""
     arrow = library("pyarrow")
     fields, arrays = [], []
@@ -24,32 +25,25 @@ def made(series: list[Series], units: bool) -> Any:
 
 def _column(arrow: Any, one: Series) -> Any:
     values, mask = one.values, one.mask
-    if isinstance(values, Ragged):
-        return _lists(arrow, values)
     if values.dtype == object:
-        return arrow.array(objects(one), None if values.size else arrow.string())
+        return arrow.array(objects(one), _type(arrow, *one.lists))
     if values.ndim > 1:
-        return _fixed(arrow, values, mask)
+        return _lists(arrow, values, mask)
     if values.dtype.kind == "M":
         return arrow.array(values).cast(arrow.timestamp("ns", "UTC"))
     return arrow.array(np.ascontiguousarray(values), mask=mask)
 
 
-def _lists(arrow: Any, ragged: Ragged) -> Any:
-    if isinstance(ragged.values, Ragged):
-        items = _lists(arrow, ragged.values)
-    else:
-        items = _column(arrow, Series("", ragged.values, None, {}))
-    offsets = arrow.array(ragged.offsets.astype(np.int32))
-    mask = None if ragged.mask is None else arrow.array(ragged.mask)
-    return arrow.ListArray.from_arrays(offsets, items, mask=mask)
+def _type(arrow: Any, depth: int, item: str) -> Any:
+    kind = arrow.string() if item in ("", "|O") else arrow.from_numpy_dtype(np.dtype(item))
+    for _ in range(depth):
+        kind = arrow.list_(kind)
+    return kind
 
 
-def _fixed(arrow: Any, values: Any, mask: Any) -> Any:
-    """Lists of one size. Where there is no value, the elements are null: Parquet has no null lists of one size."""
-    if mask is not None:
-        mask = np.broadcast_to(mask.reshape(-1, *[1] * (values.ndim - 1)), values.shape).reshape(-1)
-    items = arrow.array(np.ascontiguousarray(values).reshape(-1), mask=mask)
-    for width in reversed(values.shape[1:]):
-        items = arrow.FixedSizeListArray.from_arrays(items, width)
-    return items
+def _lists(arrow: Any, values: Any, mask: Any) -> Any:
+    """Lists of one size; of variable size for Arrow, as Parquet loses missing ones of a fixed size."""
+    offsets = arrow.array(np.arange(len(values) + 1, dtype=np.int32) * values.shape[1])
+    inner = values.reshape(-1, *values.shape[2:])
+    items = _lists(arrow, inner, None) if inner.ndim > 1 else arrow.array(np.ascontiguousarray(inner))
+    return arrow.ListArray.from_arrays(offsets, items, mask=None if mask is None else arrow.array(mask))

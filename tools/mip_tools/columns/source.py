@@ -17,6 +17,7 @@ class Source:
 
     def __init__(self, given: Any) -> None:
         self._map: mmap.mmap | None = None
+        self._begin = 0  # of the log in that file
         #: What another process can read the same from: a path or bytes.
         self.origin: str | bytes | None = given if isinstance(given, bytes) else None
         if isinstance(given, (str, os.PathLike)):
@@ -38,9 +39,9 @@ class Source:
         """What follows in a file, without reading it now, if it can be mapped."""
         if isinstance(file, (io.BufferedReader, io.BufferedRandom, io.FileIO)):  # none that decodes
             try:
-                begin = file.tell()
+                self._begin = file.tell()
                 self._map = mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ)
-                return memoryview(self._map)[begin:]
+                return memoryview(self._map)[self._begin :]
             except (OSError, ValueError):  # a pipe, an empty file
                 pass
         data = file.read()
@@ -62,6 +63,15 @@ class Source:
         if not missing:
             return data, len(data)
         return np.concatenate((data, np.zeros(missing, np.uint8))), len(data)
+
+    def forget(self, begin: int, end: int) -> None:
+        """Gives back the memory of a part of a mapped file, which is read again if it is needed."""
+        if self._map is None or not hasattr(mmap, "MADV_DONTNEED"):
+            return
+        page = mmap.PAGESIZE
+        first, last = (self._begin + begin) // page * page, (self._begin + end) // page * page
+        if last > first:
+            self._map.madvise(mmap.MADV_DONTNEED, first, last - first)
 
     def close(self) -> None:
         """Closes the file. Columns already read remain valid."""

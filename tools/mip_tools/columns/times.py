@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from ..binding import CLOCKS, MOST, REACH, timestamps
+from ..binding import CLOCKS, MOST, REACH, SETS, timestamps
 from .scan import Array
 
 if TYPE_CHECKING:
@@ -73,6 +73,58 @@ def of(log: Log, column: Column[Any], clock: str | None) -> Times:
     return Times(clock, values.view(dtype(clock)), own)
 
 
+def merged(log: Log, column: Column[Any], clock: str) -> tuple[Array, dict[str, str]]:
+    """The times of the packets of a column in nanoseconds, NONE where they have none of their own.
+
+    Of a set without this clock, they are converted from another one, as packets say that have both;
+    the second result has the name of the set and of that clock.
+    """
+    total = np.full(len(column), NONE, np.int64)
+    converted = {}
+    for number in column.sets:
+        rows = np.flatnonzero(column.set == number)
+        own = read(log, number, clock)
+        if own.some:
+            total[rows] = _own(own, column.packet[rows])
+            continue
+        for other in CLOCKS:
+            pairs = _pairs(log, other, clock) if read(log, number, other).some else None
+            if pairs is not None:
+                total[rows] = _converted(_own(read(log, number, other), column.packet[rows]), *pairs)
+                converted[SETS[number][0] if number in SETS else f"0x{number:02X}"] = other
+                break
+    return total, converted
+
+
+def _own(known: Stamps, packet: Array) -> Array:
+    """The times of packets that have a valid timestamp themselves."""
+    where = np.maximum(np.searchsorted(known.packet, packet, side="right") - 1, 0)
+    return np.where(known.packet[where] == packet, known.value[where], NONE)
+
+
+def _pairs(log: Log, other: str, clock: str) -> tuple[Array, Array] | None:
+    """The times of packets by two clocks; None if no packet has both."""
+    found = []
+    for number in (n for n in log.sets() if n >= 0x80):
+        if not timestamps.kinds(number, other) or not timestamps.kinds(number, clock):
+            continue
+        first, second = read(log, number, other), read(log, number, clock)
+        if first.some and second.some:
+            _, a, b = np.intersect1d(first.packet, second.packet, return_indices=True)
+            both = np.stack((first.value[a], second.value[b]))
+            found.append(both[:, (both != NONE).all(axis=0)])
+    pairs = np.concatenate(found, axis=1) if found else np.zeros((2, 0), np.int64)
+    pairs = pairs[:, np.unique(pairs[0], return_index=True)[1]]
+    return (pairs[0], pairs[1]) if pairs.shape[1] else None
+
+
+def _converted(time: Array, other: Array, clock: Array) -> Array:
+    """Times of one clock in that of another; outside of the pairs the difference stays the same."""
+    begin = int(clock[0] - other[0])
+    more = np.interp(time.astype(np.float64), other.astype(np.float64), (clock - other - begin).astype(np.float64))
+    return np.where(time == NONE, NONE, time + begin + np.rint(more).astype(np.int64))
+
+
 def dtype(clock: str) -> str:
     """The type of times of a clock."""
     return "datetime64[ns]" if CLOCKS.get(clock) else "timedelta64[ns]"
@@ -80,7 +132,11 @@ def dtype(clock: str) -> str:
 
 def chosen(log: Log, sets: list[int]) -> str:
     """The first clock that has a valid timestamp in packets of each of these sets, else of any."""
-    has = {clock: [stamps(log, number, clock).some for number in sets] for clock in CLOCKS}
+    has = {}
+    for clock in CLOCKS:
+        has[clock] = [stamps(log, number, clock).some for number in sets]
+        if has[clock] and all(has[clock]):
+            break  # the first one is the best
     every = [clock for clock, present in has.items() if present and all(present)]
     return next(iter([*every, *(clock for clock, present in has.items() if any(present)), ""]))
 
@@ -100,7 +156,7 @@ def rate(log: Log, set: int, count: int, first: int, last: int) -> float | None:
 
 def at(log: Log, set: int, clock: str, packet: Array, offset: Callable[[], Array]) -> tuple[Array, Array]:
     """The times of some packets of a set, in their order, and whether these are their own."""
-    known = stamps(log, set, clock)
+    known = stamps(log, set, clock, int(packet[0]) if len(packet) else None)
     if not len(known.packet) or not len(packet):
         return np.full(len(packet), NONE, np.int64), np.zeros(len(packet), bool)
     if np.array_equal(packet, known.packet):  # as in most logs
@@ -121,39 +177,45 @@ def at(log: Log, set: int, clock: str, packet: Array, offset: Callable[[], Array
     return values, own
 
 
-def stamps(log: Log, set: int, clock: str) -> Stamps:
-    """The timestamps of a set, of packets shortly before a part of a log too."""
-    if (set, clock) not in log.stamps:
-        log.stamps[set, clock] = _joined(log, set, clock)
-    return log.stamps[set, clock]
-
-
-def _joined(log: Log, set: int, clock: str) -> Stamps:
+def stamps(log: Log, set: int, clock: str, first: int | None = None) -> Stamps:
+    """The timestamps of a set; of packets shortly before a part of a log too, if the first packet of
+    interest comes before all timestamps in it."""
     own = read(log, set, clock)
+    if first is not None and len(own.packet) and own.packet[0] <= first:
+        return own
     before = log.before(REACH)
     if before is None:
         return own
-    earlier = read(before, set, clock)
-    return Stamps(
-        np.concatenate((earlier.packet - before.packets, own.packet)),
-        np.concatenate((earlier.value, own.value)),
-        lambda: np.concatenate((earlier.offset, own.offset)),
-    )
+    if (set, clock) not in log.stamps:
+        earlier = read(before, set, clock)
+        log.stamps[set, clock] = Stamps(
+            np.concatenate((earlier.packet - before.packets, own.packet)),
+            np.concatenate((earlier.value, own.value)),
+            lambda: np.concatenate((earlier.offset, own.offset)),
+        )
+    return log.stamps[set, clock]
 
 
 def read(log: Log, set: int, clock: str) -> Stamps:
     """The timestamps of a set in a log itself."""
+    if (set, clock) not in log.own_stamps:
+        log.own_stamps[set, clock] = _read(log, set, clock)
+    return log.own_stamps[set, clock]
+
+
+def _read(log: Log, set: int, clock: str) -> Stamps:
     kinds = timestamps.kinds(set, clock)
     columns = [c for c in log.columns(kinds, set) if len(c)] if kinds else []
     packet = _whole([column.packet for column in columns])
     value = _whole([nanoseconds(column, clock) for column in columns])
+    places = [column.where.offset for column in columns]  # not the columns, which would keep the log, and it them
     if (packet[1:] > packet[:-1]).all():
-        return Stamps(packet, value, lambda: _whole([column.offset for column in columns]))
+        return Stamps(packet, value, lambda: _whole([offset() for offset in places]))
     order = np.argsort(packet, kind="stable")  # of several in a packet the first by descriptor
     first = np.ones(len(packet), bool)
     first[1:] = packet[order[1:]] != packet[order[:-1]]
     order = order[first]
-    return Stamps(packet[order], value[order], lambda: _whole([c.offset for c in columns])[order])
+    return Stamps(packet[order], value[order], lambda: _whole([offset() for offset in places])[order])
 
 
 def _whole(parts: list[Array]) -> Array:

@@ -258,7 +258,7 @@ class VirtualDevice:
                 behind.append(outcome.after)
         for data in answers(packet.set, groups):
             self._tell("answer", data)
-            self._transmit(link, data, max(delay, busy))
+            self._transmit(link, data, max(delay, busy, link.held(self.now)))  # answers stay in order
         self._behind += behind
         if busy > 0:
             self._busy_until = self.now + busy

@@ -57,6 +57,10 @@ class Link:
         """When delayed bytes arrive, or the device has to send something."""
         return min((queue[0][0] for queue in (self._late, self._held) if queue), default=None)
 
+    def held(self, now: int) -> int:
+        """For how long the device has something to send that comes before its next answer."""
+        return max((time - now for time, _, _ in self._held), default=0)
+
     def hold(self, time: int, data: bytes) -> None:
         """The device has something to send at that time."""
         self._order += 1

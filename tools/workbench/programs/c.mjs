@@ -1,6 +1,6 @@
 // Programs in C.
 
-import { enumValue, parameterOf } from "mip-protocol";
+import { enumValue, parameterOf } from "mip-protocol/tools";
 import {
     after,
     alternativeOf,

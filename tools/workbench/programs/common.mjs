@@ -1,6 +1,6 @@
 // What programs in all languages share: names of the bindings, the parts of a call, and expressions that are laid out.
 
-import { bitsNumber, enumValue, maskOf, MipError } from "mip-protocol";
+import { bitsNumber, enumValue, maskOf, MipError } from "mip-protocol/tools";
 import { decimalLiteral, hexLiteral } from "../words.mjs";
 
 /** The first response that a command asks for with these values, or nothing. */

@@ -1,6 +1,6 @@
 // Programs in Python.
 
-import { bitsNumber } from "mip-protocol";
+import { bitsNumber } from "mip-protocol/tools";
 import {
     after,
     alternativeOf,

@@ -15,8 +15,8 @@ static const uint8_t program_poll_imu_data[] = {
 };
 
 const struct mip_codec mip_3dm_poll_imu_data_codec = {
-    0x0C, 0x01,  MIP_COMMAND,           0,           sizeof(struct mip_3dm_poll_imu_data),
-    0,    false, program_poll_imu_data, &mip_program};
+    0x0C, 0x01, MIP_COMMAND,           0,           sizeof(struct mip_3dm_poll_imu_data),
+    0,    0,    program_poll_imu_data, &mip_program};
 
 static const uint8_t asked_poll_imu_data_1[] = {MIP_WHEN_SET(0), MIP_WHEN_END};
 static const struct mip_response responses_poll_imu_data[] = {
@@ -51,7 +51,7 @@ const struct mip_codec mip_3dm_poll_gnss_data_codec = {0x0C,
                                                        0,
                                                        sizeof(struct mip_3dm_poll_gnss_data),
                                                        0,
-                                                       false,
+                                                       0,
                                                        program_poll_gnss_data,
                                                        &mip_program};
 
@@ -88,7 +88,7 @@ const struct mip_codec mip_3dm_poll_filter_data_codec = {0x0C,
                                                          0,
                                                          sizeof(struct mip_3dm_poll_filter_data),
                                                          0,
-                                                         false,
+                                                         0,
                                                          program_poll_filter_data,
                                                          &mip_program};
 
@@ -125,7 +125,7 @@ const struct mip_codec mip_3dm_poll_nmea_data_codec = {0x0C,
                                                        0,
                                                        sizeof(struct mip_3dm_poll_nmea_data),
                                                        0,
-                                                       false,
+                                                       0,
                                                        program_poll_nmea_data,
                                                        &mip_program};
 
@@ -155,7 +155,7 @@ const struct mip_codec mip_3dm_get_imu_base_rate_codec = {0x0C,
                                                           0,
                                                           sizeof(struct mip_3dm_get_imu_base_rate),
                                                           0,
-                                                          false,
+                                                          0,
                                                           program_get_imu_base_rate,
                                                           NULL};
 
@@ -186,7 +186,7 @@ const struct mip_codec mip_3dm_get_imu_base_rate_response_codec = {
     2,
     sizeof(struct mip_3dm_get_imu_base_rate_response),
     0,
-    sizeof(struct mip_3dm_get_imu_base_rate_response) >= 8,
+    MIP_SHAPE(0, 0, 1),
     program_get_imu_base_rate_response,
     NULL};
 
@@ -201,7 +201,7 @@ const struct mip_codec mip_3dm_get_gnss_base_rate_codec = {
     0,
     sizeof(struct mip_3dm_get_gnss_base_rate),
     0,
-    false,
+    0,
     program_get_gnss_base_rate,
     NULL};
 
@@ -232,7 +232,7 @@ const struct mip_codec mip_3dm_get_gnss_base_rate_response_codec = {
     2,
     sizeof(struct mip_3dm_get_gnss_base_rate_response),
     0,
-    sizeof(struct mip_3dm_get_gnss_base_rate_response) >= 8,
+    MIP_SHAPE(0, 0, 1),
     program_get_gnss_base_rate_response,
     NULL};
 
@@ -257,7 +257,7 @@ const struct mip_codec mip_3dm_imu_message_format_codec = {
     0,
     sizeof(struct mip_3dm_imu_message_format),
     0,
-    false,
+    0,
     program_imu_message_format,
     &mip_program};
 
@@ -297,7 +297,7 @@ const struct mip_codec mip_3dm_imu_message_format_response_codec = {
     0,
     sizeof(struct mip_3dm_imu_message_format_response),
     0,
-    false,
+    0,
     program_imu_message_format_response,
     &mip_program};
 
@@ -322,7 +322,7 @@ const struct mip_codec mip_3dm_gnss_message_format_codec = {
     0,
     sizeof(struct mip_3dm_gnss_message_format),
     0,
-    false,
+    0,
     program_gnss_message_format,
     &mip_program};
 
@@ -362,7 +362,7 @@ const struct mip_codec mip_3dm_gnss_message_format_response_codec = {
     0,
     sizeof(struct mip_3dm_gnss_message_format_response),
     0,
-    false,
+    0,
     program_gnss_message_format_response,
     &mip_program};
 
@@ -387,7 +387,7 @@ const struct mip_codec mip_3dm_filter_message_format_codec = {
     0,
     sizeof(struct mip_3dm_filter_message_format),
     0,
-    false,
+    0,
     program_filter_message_format,
     &mip_program};
 
@@ -427,7 +427,7 @@ const struct mip_codec mip_3dm_filter_message_format_response_codec = {
     0,
     sizeof(struct mip_3dm_filter_message_format_response),
     0,
-    false,
+    0,
     program_filter_message_format_response,
     &mip_program};
 
@@ -442,7 +442,7 @@ const struct mip_codec mip_3dm_get_filter_base_rate_codec = {
     0,
     sizeof(struct mip_3dm_get_filter_base_rate),
     0,
-    false,
+    0,
     program_get_filter_base_rate,
     NULL};
 
@@ -473,7 +473,7 @@ const struct mip_codec mip_3dm_get_filter_base_rate_response_codec = {
     2,
     sizeof(struct mip_3dm_get_filter_base_rate_response),
     0,
-    sizeof(struct mip_3dm_get_filter_base_rate_response) >= 8,
+    MIP_SHAPE(0, 0, 1),
     program_get_filter_base_rate_response,
     NULL};
 
@@ -498,7 +498,7 @@ const struct mip_codec mip_3dm_nmea_message_format_codec = {
     0,
     sizeof(struct mip_3dm_nmea_message_format),
     0,
-    false,
+    0,
     program_nmea_message_format,
     &mip_program};
 
@@ -538,7 +538,7 @@ const struct mip_codec mip_3dm_nmea_message_format_response_codec = {
     0,
     sizeof(struct mip_3dm_nmea_message_format_response),
     0,
-    false,
+    0,
     program_nmea_message_format_response,
     &mip_program};
 
@@ -551,8 +551,8 @@ static const uint8_t program_poll_data[] = {
 };
 
 const struct mip_codec mip_3dm_poll_data_codec = {
-    0x0C, 0x0D,  MIP_COMMAND,       0,           sizeof(struct mip_3dm_poll_data),
-    0,    false, program_poll_data, &mip_program};
+    0x0C, 0x0D, MIP_COMMAND,       0,           sizeof(struct mip_3dm_poll_data),
+    0,    0,    program_poll_data, &mip_program};
 
 static const uint8_t asked_poll_data_1[] = {MIP_WHEN_SET(1), MIP_WHEN_END};
 static const struct mip_response responses_poll_data[] = {
@@ -575,15 +575,9 @@ static const uint8_t program_get_base_rate[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_get_base_rate_codec = {0x0C,
-                                                      0x0E,
-                                                      MIP_COMMAND,
-                                                      1,
-                                                      sizeof(struct mip_3dm_get_base_rate),
-                                                      0,
-                                                      sizeof(struct mip_3dm_get_base_rate) >= 8,
-                                                      program_get_base_rate,
-                                                      NULL};
+const struct mip_codec mip_3dm_get_base_rate_codec = {
+    0x0C, 0x0E, MIP_COMMAND,           1,   sizeof(struct mip_3dm_get_base_rate),
+    0,    0,    program_get_base_rate, NULL};
 
 static const struct mip_response responses_get_base_rate[] = {
     {NULL, NULL, 0x8E, false},
@@ -613,7 +607,7 @@ const struct mip_codec mip_3dm_get_base_rate_response_codec = {
     3,
     sizeof(struct mip_3dm_get_base_rate_response),
     0,
-    false,
+    0,
     program_get_base_rate_response,
     NULL};
 
@@ -638,7 +632,7 @@ const struct mip_codec mip_3dm_message_format_codec = {0x0C,
                                                        0,
                                                        sizeof(struct mip_3dm_message_format),
                                                        0,
-                                                       false,
+                                                       0,
                                                        program_message_format,
                                                        &mip_program};
 
@@ -678,7 +672,7 @@ const struct mip_codec mip_3dm_message_format_response_codec = {
     0,
     sizeof(struct mip_3dm_message_format_response),
     0,
-    false,
+    0,
     program_message_format_response,
     &mip_program};
 
@@ -687,16 +681,15 @@ static const uint8_t program_factory_streaming[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_factory_streaming_codec = {
-    0x0C,
-    0x10,
-    MIP_COMMAND,
-    2,
-    sizeof(struct mip_3dm_factory_streaming),
-    0,
-    sizeof(struct mip_3dm_factory_streaming) >= 8,
-    program_factory_streaming,
-    NULL};
+const struct mip_codec mip_3dm_factory_streaming_codec = {0x0C,
+                                                          0x10,
+                                                          MIP_COMMAND,
+                                                          2,
+                                                          sizeof(struct mip_3dm_factory_streaming),
+                                                          0,
+                                                          0,
+                                                          program_factory_streaming,
+                                                          NULL};
 
 const struct mip_exchange mip_3dm_factory_streaming_exchange = {0x0C, 0x10, 0, false, 0, NULL};
 
@@ -719,7 +712,7 @@ const struct mip_codec mip_3dm_data_stream_control_codec = {
     0,
     sizeof(struct mip_3dm_data_stream_control),
     0,
-    false,
+    0,
     program_data_stream_control,
     &mip_program};
 
@@ -752,7 +745,7 @@ const struct mip_codec mip_3dm_data_stream_control_response_codec = {
     2,
     sizeof(struct mip_3dm_data_stream_control_response),
     0,
-    sizeof(struct mip_3dm_data_stream_control_response) >= 8,
+    0,
     program_data_stream_control_response,
     NULL};
 
@@ -769,7 +762,7 @@ const struct mip_codec mip_3dm_raw_rtcm_2_3_message_codec = {
     0,
     sizeof(struct mip_3dm_raw_rtcm_2_3_message),
     0,
-    false,
+    0,
     program_raw_rtcm_2_3_message,
     &mip_program};
 
@@ -801,7 +794,7 @@ const struct mip_codec mip_3dm_constellation_settings_codec = {
     0,
     sizeof(struct mip_3dm_constellation_settings),
     0,
-    false,
+    0,
     program_constellation_settings,
     &mip_program};
 
@@ -842,7 +835,7 @@ const struct mip_codec mip_3dm_constellation_settings_response_codec = {
     0,
     sizeof(struct mip_3dm_constellation_settings_response),
     0,
-    false,
+    0,
     program_constellation_settings_response,
     &mip_program};
 
@@ -867,7 +860,7 @@ const struct mip_codec mip_3dm_gnss_sbas_settings_codec = {
     0,
     sizeof(struct mip_3dm_gnss_sbas_settings),
     0,
-    false,
+    0,
     program_gnss_sbas_settings,
     &mip_program};
 
@@ -905,7 +898,7 @@ const struct mip_codec mip_3dm_gnss_sbas_settings_response_codec = {
     0,
     sizeof(struct mip_3dm_gnss_sbas_settings_response),
     0,
-    false,
+    0,
     program_gnss_sbas_settings_response,
     &mip_program};
 
@@ -925,7 +918,7 @@ const struct mip_codec mip_3dm_gnss_assisted_fix_codec = {0x0C,
                                                           0,
                                                           sizeof(struct mip_3dm_gnss_assisted_fix),
                                                           0,
-                                                          false,
+                                                          0,
                                                           program_gnss_assisted_fix,
                                                           &mip_program};
 
@@ -958,7 +951,7 @@ const struct mip_codec mip_3dm_gnss_assisted_fix_response_codec = {
     2,
     sizeof(struct mip_3dm_gnss_assisted_fix_response),
     0,
-    sizeof(struct mip_3dm_gnss_assisted_fix_response) >= 8,
+    0,
     program_gnss_assisted_fix_response,
     NULL};
 
@@ -980,7 +973,7 @@ const struct mip_codec mip_3dm_gnss_time_assistance_codec = {
     0,
     sizeof(struct mip_3dm_gnss_time_assistance),
     0,
-    false,
+    0,
     program_gnss_time_assistance,
     &mip_program};
 
@@ -1015,7 +1008,7 @@ const struct mip_codec mip_3dm_gnss_time_assistance_response_codec = {
     14,
     sizeof(struct mip_3dm_gnss_time_assistance_response),
     0,
-    false,
+    0,
     program_gnss_time_assistance_response,
     NULL};
 
@@ -1033,7 +1026,7 @@ const struct mip_codec mip_3dm_pps_source_control_codec = {
     0,
     sizeof(struct mip_3dm_pps_source_control),
     0,
-    false,
+    0,
     program_pps_source_control,
     &mip_program};
 
@@ -1066,7 +1059,7 @@ const struct mip_codec mip_3dm_pps_source_control_response_codec = {
     1,
     sizeof(struct mip_3dm_pps_source_control_response),
     0,
-    sizeof(struct mip_3dm_pps_source_control_response) >= 8,
+    0,
     program_pps_source_control_response,
     NULL};
 
@@ -1075,16 +1068,15 @@ static const uint8_t program_get_event_support[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_get_event_support_codec = {
-    0x0C,
-    0x2A,
-    MIP_COMMAND,
-    1,
-    sizeof(struct mip_3dm_get_event_support),
-    0,
-    sizeof(struct mip_3dm_get_event_support) >= 8,
-    program_get_event_support,
-    NULL};
+const struct mip_codec mip_3dm_get_event_support_codec = {0x0C,
+                                                          0x2A,
+                                                          MIP_COMMAND,
+                                                          1,
+                                                          sizeof(struct mip_3dm_get_event_support),
+                                                          0,
+                                                          0,
+                                                          program_get_event_support,
+                                                          NULL};
 
 static const struct mip_response responses_get_event_support[] = {
     {NULL, NULL, 0xB4, false},
@@ -1119,7 +1111,7 @@ const struct mip_codec mip_3dm_get_event_support_response_codec = {
     0,
     sizeof(struct mip_3dm_get_event_support_response),
     0,
-    false,
+    0,
     program_get_event_support_response,
     &mip_program};
 
@@ -1133,8 +1125,8 @@ static const uint8_t program_event_control[] = {
 };
 
 const struct mip_codec mip_3dm_event_control_codec = {
-    0x0C, 0x2B,  MIP_COMMAND,           0,           sizeof(struct mip_3dm_event_control),
-    0,    false, program_event_control, &mip_program};
+    0x0C, 0x2B, MIP_COMMAND,           0,           sizeof(struct mip_3dm_event_control),
+    0,    0,    program_event_control, &mip_program};
 
 static const uint8_t asked_event_control_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                 MIP_WHEN_END};
@@ -1165,7 +1157,7 @@ const struct mip_codec mip_3dm_event_control_response_codec = {
     2,
     sizeof(struct mip_3dm_event_control_response),
     0,
-    sizeof(struct mip_3dm_event_control_response) >= 8,
+    0,
     program_event_control_response,
     NULL};
 
@@ -1184,7 +1176,7 @@ const struct mip_codec mip_3dm_get_event_trigger_status_codec = {
     0,
     sizeof(struct mip_3dm_get_event_trigger_status),
     0,
-    false,
+    0,
     program_get_event_trigger_status,
     &mip_program};
 
@@ -1221,7 +1213,7 @@ const struct mip_codec mip_3dm_get_event_trigger_status_response_codec = {
     0,
     sizeof(struct mip_3dm_get_event_trigger_status_response),
     0,
-    false,
+    0,
     program_get_event_trigger_status_response,
     &mip_program};
 
@@ -1240,7 +1232,7 @@ const struct mip_codec mip_3dm_get_event_action_status_codec = {
     0,
     sizeof(struct mip_3dm_get_event_action_status),
     0,
-    false,
+    0,
     program_get_event_action_status,
     &mip_program};
 
@@ -1277,7 +1269,7 @@ const struct mip_codec mip_3dm_get_event_action_status_response_codec = {
     0,
     sizeof(struct mip_3dm_get_event_action_status_response),
     0,
-    false,
+    0,
     program_get_event_action_status_response,
     &mip_program};
 
@@ -1319,7 +1311,7 @@ const struct mip_codec mip_3dm_event_trigger_config_codec = {
     0,
     sizeof(struct mip_3dm_event_trigger_config),
     0,
-    false,
+    0,
     program_event_trigger_config,
     &mip_program};
 
@@ -1376,7 +1368,7 @@ const struct mip_codec mip_3dm_event_trigger_config_response_codec = {
     0,
     sizeof(struct mip_3dm_event_trigger_config_response),
     0,
-    false,
+    0,
     program_event_trigger_config_response,
     &mip_program};
 
@@ -1411,7 +1403,7 @@ const struct mip_codec mip_3dm_event_action_config_codec = {
     0,
     sizeof(struct mip_3dm_event_action_config),
     0,
-    false,
+    0,
     program_event_action_config,
     &mip_program};
 
@@ -1461,7 +1453,7 @@ const struct mip_codec mip_3dm_event_action_config_response_codec = {
     0,
     sizeof(struct mip_3dm_event_action_config_response),
     0,
-    false,
+    0,
     program_event_action_config_response,
     &mip_program};
 
@@ -1476,7 +1468,7 @@ const struct mip_codec mip_3dm_device_settings_codec = {0x0C,
                                                         1,
                                                         sizeof(struct mip_3dm_device_settings),
                                                         0,
-                                                        sizeof(struct mip_3dm_device_settings) >= 8,
+                                                        0,
                                                         program_device_settings,
                                                         NULL};
 
@@ -1485,162 +1477,167 @@ const struct mip_exchange mip_3dm_device_settings_exchange = {0x0C, 0x30, 2000, 
 const struct mip_command mip_3dm_device_settings_command = {&mip_3dm_device_settings_codec,
                                                             &mip_3dm_device_settings_exchange};
 
-static const uint8_t program_sensor_to_vehicle_euler[] = {
+static const uint8_t program_sensor_to_vehicle_transform_euler[] = {
     MIP_REQUIRED(1, 3),
     MIP_GROUP(1),
-    MIP_32_BITS(1, MIP_AT(struct mip_3dm_sensor_to_vehicle_euler, roll)),
+    MIP_32_BITS(1, MIP_AT(struct mip_3dm_sensor_to_vehicle_transform_euler, roll)),
     MIP_GROUP(1),
-    MIP_32_BITS(1, MIP_AT(struct mip_3dm_sensor_to_vehicle_euler, pitch)),
+    MIP_32_BITS(1, MIP_AT(struct mip_3dm_sensor_to_vehicle_transform_euler, pitch)),
     MIP_GROUP(1),
-    MIP_32_BITS(1, MIP_AT(struct mip_3dm_sensor_to_vehicle_euler, yaw)),
+    MIP_32_BITS(1, MIP_AT(struct mip_3dm_sensor_to_vehicle_transform_euler, yaw)),
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_sensor_to_vehicle_euler_codec = {
+const struct mip_codec mip_3dm_sensor_to_vehicle_transform_euler_codec = {
     0x0C,
     0x31,
     MIP_COMMAND,
     0,
-    sizeof(struct mip_3dm_sensor_to_vehicle_euler),
+    sizeof(struct mip_3dm_sensor_to_vehicle_transform_euler),
     0,
-    false,
-    program_sensor_to_vehicle_euler,
+    0,
+    program_sensor_to_vehicle_transform_euler,
     &mip_program};
 
-static const uint8_t asked_sensor_to_vehicle_euler_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                          MIP_WHEN_END};
-static const struct mip_response responses_sensor_to_vehicle_euler[] = {
-    {asked_sensor_to_vehicle_euler_1, NULL, 0xB1, false},
+static const uint8_t asked_sensor_to_vehicle_transform_euler_1[] = {
+    MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
+static const struct mip_response responses_sensor_to_vehicle_transform_euler[] = {
+    {asked_sensor_to_vehicle_transform_euler_1, NULL, 0xB1, false},
 };
 
-const struct mip_exchange mip_3dm_sensor_to_vehicle_euler_exchange = {
+const struct mip_exchange mip_3dm_sensor_to_vehicle_transform_euler_exchange = {
     0x0C,
     0x31,
     0,
     true,
-    sizeof(responses_sensor_to_vehicle_euler) / sizeof(responses_sensor_to_vehicle_euler[0]),
-    responses_sensor_to_vehicle_euler};
+    sizeof(responses_sensor_to_vehicle_transform_euler) /
+        sizeof(responses_sensor_to_vehicle_transform_euler[0]),
+    responses_sensor_to_vehicle_transform_euler};
 
-const struct mip_command mip_3dm_sensor_to_vehicle_euler_command = {
-    &mip_3dm_sensor_to_vehicle_euler_codec, &mip_3dm_sensor_to_vehicle_euler_exchange};
+const struct mip_command mip_3dm_sensor_to_vehicle_transform_euler_command = {
+    &mip_3dm_sensor_to_vehicle_transform_euler_codec,
+    &mip_3dm_sensor_to_vehicle_transform_euler_exchange};
 
-static const uint8_t program_sensor_to_vehicle_euler_response[] = {
-    MIP_32_BITS(3, MIP_AT(struct mip_3dm_sensor_to_vehicle_euler_response, roll)),
+static const uint8_t program_sensor_to_vehicle_transform_euler_response[] = {
+    MIP_32_BITS(3, MIP_AT(struct mip_3dm_sensor_to_vehicle_transform_euler_response, roll)),
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_sensor_to_vehicle_euler_response_codec = {
+const struct mip_codec mip_3dm_sensor_to_vehicle_transform_euler_response_codec = {
     0x0C,
     0xB1,
     MIP_RESPONSE,
     12,
-    sizeof(struct mip_3dm_sensor_to_vehicle_euler_response),
+    sizeof(struct mip_3dm_sensor_to_vehicle_transform_euler_response),
     0,
-    sizeof(struct mip_3dm_sensor_to_vehicle_euler_response) >= 8,
-    program_sensor_to_vehicle_euler_response,
+    MIP_SHAPE(0, 3, 0),
+    program_sensor_to_vehicle_transform_euler_response,
     NULL};
 
-static const uint8_t program_sensor_to_vehicle_quaternion[] = {
+static const uint8_t program_sensor_to_vehicle_transform_quaternion[] = {
     MIP_REQUIRED(1, 1),
     MIP_GROUP(1),
-    MIP_32_BITS(4, MIP_AT(struct mip_3dm_sensor_to_vehicle_quaternion, q)),
+    MIP_32_BITS(4, MIP_AT(struct mip_3dm_sensor_to_vehicle_transform_quaternion, q)),
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_sensor_to_vehicle_quaternion_codec = {
+const struct mip_codec mip_3dm_sensor_to_vehicle_transform_quaternion_codec = {
     0x0C,
     0x32,
     MIP_COMMAND,
     0,
-    sizeof(struct mip_3dm_sensor_to_vehicle_quaternion),
+    sizeof(struct mip_3dm_sensor_to_vehicle_transform_quaternion),
     0,
-    false,
-    program_sensor_to_vehicle_quaternion,
+    0,
+    program_sensor_to_vehicle_transform_quaternion,
     &mip_program};
 
-static const uint8_t asked_sensor_to_vehicle_quaternion_1[] = {
+static const uint8_t asked_sensor_to_vehicle_transform_quaternion_1[] = {
     MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
-static const struct mip_response responses_sensor_to_vehicle_quaternion[] = {
-    {asked_sensor_to_vehicle_quaternion_1, NULL, 0xB2, false},
+static const struct mip_response responses_sensor_to_vehicle_transform_quaternion[] = {
+    {asked_sensor_to_vehicle_transform_quaternion_1, NULL, 0xB2, false},
 };
 
-const struct mip_exchange mip_3dm_sensor_to_vehicle_quaternion_exchange = {
+const struct mip_exchange mip_3dm_sensor_to_vehicle_transform_quaternion_exchange = {
     0x0C,
     0x32,
     0,
     true,
-    sizeof(responses_sensor_to_vehicle_quaternion) /
-        sizeof(responses_sensor_to_vehicle_quaternion[0]),
-    responses_sensor_to_vehicle_quaternion};
+    sizeof(responses_sensor_to_vehicle_transform_quaternion) /
+        sizeof(responses_sensor_to_vehicle_transform_quaternion[0]),
+    responses_sensor_to_vehicle_transform_quaternion};
 
-const struct mip_command mip_3dm_sensor_to_vehicle_quaternion_command = {
-    &mip_3dm_sensor_to_vehicle_quaternion_codec, &mip_3dm_sensor_to_vehicle_quaternion_exchange};
+const struct mip_command mip_3dm_sensor_to_vehicle_transform_quaternion_command = {
+    &mip_3dm_sensor_to_vehicle_transform_quaternion_codec,
+    &mip_3dm_sensor_to_vehicle_transform_quaternion_exchange};
 
-static const uint8_t program_sensor_to_vehicle_quaternion_response[] = {
-    MIP_32_BITS(4, MIP_AT(struct mip_3dm_sensor_to_vehicle_quaternion_response, q)),
+static const uint8_t program_sensor_to_vehicle_transform_quaternion_response[] = {
+    MIP_32_BITS(4, MIP_AT(struct mip_3dm_sensor_to_vehicle_transform_quaternion_response, q)),
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_sensor_to_vehicle_quaternion_response_codec = {
+const struct mip_codec mip_3dm_sensor_to_vehicle_transform_quaternion_response_codec = {
     0x0C,
     0xB2,
     MIP_RESPONSE,
     16,
-    sizeof(struct mip_3dm_sensor_to_vehicle_quaternion_response),
+    sizeof(struct mip_3dm_sensor_to_vehicle_transform_quaternion_response),
     0,
-    sizeof(struct mip_3dm_sensor_to_vehicle_quaternion_response) >= 8,
-    program_sensor_to_vehicle_quaternion_response,
+    MIP_SHAPE(0, 4, 0),
+    program_sensor_to_vehicle_transform_quaternion_response,
     NULL};
 
-static const uint8_t program_sensor_to_vehicle_dcm[] = {
+static const uint8_t program_sensor_to_vehicle_transform_dcm[] = {
     MIP_REQUIRED(1, 1),
     MIP_GROUP(1),
-    MIP_32_BITS(9, MIP_AT(struct mip_3dm_sensor_to_vehicle_dcm, dcm)),
+    MIP_32_BITS(9, MIP_AT(struct mip_3dm_sensor_to_vehicle_transform_dcm, dcm)),
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_sensor_to_vehicle_dcm_codec = {
+const struct mip_codec mip_3dm_sensor_to_vehicle_transform_dcm_codec = {
     0x0C,
     0x33,
     MIP_COMMAND,
     0,
-    sizeof(struct mip_3dm_sensor_to_vehicle_dcm),
+    sizeof(struct mip_3dm_sensor_to_vehicle_transform_dcm),
     0,
-    false,
-    program_sensor_to_vehicle_dcm,
+    0,
+    program_sensor_to_vehicle_transform_dcm,
     &mip_program};
 
-static const uint8_t asked_sensor_to_vehicle_dcm_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                        MIP_WHEN_END};
-static const struct mip_response responses_sensor_to_vehicle_dcm[] = {
-    {asked_sensor_to_vehicle_dcm_1, NULL, 0xB3, false},
+static const uint8_t asked_sensor_to_vehicle_transform_dcm_1[] = {
+    MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
+static const struct mip_response responses_sensor_to_vehicle_transform_dcm[] = {
+    {asked_sensor_to_vehicle_transform_dcm_1, NULL, 0xB3, false},
 };
 
-const struct mip_exchange mip_3dm_sensor_to_vehicle_dcm_exchange = {
+const struct mip_exchange mip_3dm_sensor_to_vehicle_transform_dcm_exchange = {
     0x0C,
     0x33,
     0,
     true,
-    sizeof(responses_sensor_to_vehicle_dcm) / sizeof(responses_sensor_to_vehicle_dcm[0]),
-    responses_sensor_to_vehicle_dcm};
+    sizeof(responses_sensor_to_vehicle_transform_dcm) /
+        sizeof(responses_sensor_to_vehicle_transform_dcm[0]),
+    responses_sensor_to_vehicle_transform_dcm};
 
-const struct mip_command mip_3dm_sensor_to_vehicle_dcm_command = {
-    &mip_3dm_sensor_to_vehicle_dcm_codec, &mip_3dm_sensor_to_vehicle_dcm_exchange};
+const struct mip_command mip_3dm_sensor_to_vehicle_transform_dcm_command = {
+    &mip_3dm_sensor_to_vehicle_transform_dcm_codec,
+    &mip_3dm_sensor_to_vehicle_transform_dcm_exchange};
 
-static const uint8_t program_sensor_to_vehicle_dcm_response[] = {
-    MIP_32_BITS(9, MIP_AT(struct mip_3dm_sensor_to_vehicle_dcm_response, dcm)),
+static const uint8_t program_sensor_to_vehicle_transform_dcm_response[] = {
+    MIP_32_BITS(9, MIP_AT(struct mip_3dm_sensor_to_vehicle_transform_dcm_response, dcm)),
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_sensor_to_vehicle_dcm_response_codec = {
+const struct mip_codec mip_3dm_sensor_to_vehicle_transform_dcm_response_codec = {
     0x0C,
     0xB3,
     MIP_RESPONSE,
     36,
-    sizeof(struct mip_3dm_sensor_to_vehicle_dcm_response),
+    sizeof(struct mip_3dm_sensor_to_vehicle_transform_dcm_response),
     0,
-    sizeof(struct mip_3dm_sensor_to_vehicle_dcm_response) >= 8,
-    program_sensor_to_vehicle_dcm_response,
+    MIP_SHAPE(0, 9, 0),
+    program_sensor_to_vehicle_transform_dcm_response,
     NULL};
 
 static const uint8_t program_gps_dynamics_mode[] = {
@@ -1656,7 +1653,7 @@ const struct mip_codec mip_3dm_gps_dynamics_mode_codec = {0x0C,
                                                           0,
                                                           sizeof(struct mip_3dm_gps_dynamics_mode),
                                                           0,
-                                                          false,
+                                                          0,
                                                           program_gps_dynamics_mode,
                                                           &mip_program};
 
@@ -1689,7 +1686,7 @@ const struct mip_codec mip_3dm_gps_dynamics_mode_response_codec = {
     1,
     sizeof(struct mip_3dm_gps_dynamics_mode_response),
     0,
-    sizeof(struct mip_3dm_gps_dynamics_mode_response) >= 8,
+    0,
     program_gps_dynamics_mode_response,
     NULL};
 
@@ -1721,7 +1718,7 @@ const struct mip_codec mip_3dm_imu_signal_conditioning_codec = {
     0,
     sizeof(struct mip_3dm_imu_signal_conditioning),
     0,
-    false,
+    0,
     program_imu_signal_conditioning,
     &mip_program};
 
@@ -1758,7 +1755,7 @@ const struct mip_codec mip_3dm_imu_signal_conditioning_response_codec = {
     13,
     sizeof(struct mip_3dm_imu_signal_conditioning_response),
     0,
-    false,
+    0,
     program_imu_signal_conditioning_response,
     NULL};
 
@@ -1772,8 +1769,8 @@ static const uint8_t program_imu_timestamp[] = {
 };
 
 const struct mip_codec mip_3dm_imu_timestamp_codec = {
-    0x0C, 0x36,  MIP_COMMAND,           0,           sizeof(struct mip_3dm_imu_timestamp),
-    0,    false, program_imu_timestamp, &mip_program};
+    0x0C, 0x36, MIP_COMMAND,           0,           sizeof(struct mip_3dm_imu_timestamp),
+    0,    0,    program_imu_timestamp, &mip_program};
 
 static const uint8_t asked_imu_timestamp_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                 MIP_WHEN_END};
@@ -1805,7 +1802,7 @@ const struct mip_codec mip_3dm_imu_timestamp_response_codec = {
     5,
     sizeof(struct mip_3dm_imu_timestamp_response),
     0,
-    false,
+    0,
     program_imu_timestamp_response,
     NULL};
 
@@ -1817,8 +1814,8 @@ static const uint8_t program_accel_bias[] = {
 };
 
 const struct mip_codec mip_3dm_accel_bias_codec = {
-    0x0C, 0x37,  MIP_COMMAND,        0,           sizeof(struct mip_3dm_accel_bias),
-    0,    false, program_accel_bias, &mip_program};
+    0x0C, 0x37, MIP_COMMAND,        0,           sizeof(struct mip_3dm_accel_bias),
+    0,    0,    program_accel_bias, &mip_program};
 
 static const uint8_t asked_accel_bias_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_APPLY),
                                              MIP_WHEN_END};
@@ -1851,7 +1848,7 @@ const struct mip_codec mip_3dm_accel_bias_response_codec = {
     12,
     sizeof(struct mip_3dm_accel_bias_response),
     0,
-    sizeof(struct mip_3dm_accel_bias_response) >= 8,
+    MIP_SHAPE(0, 3, 0),
     program_accel_bias_response,
     NULL};
 
@@ -1863,8 +1860,8 @@ static const uint8_t program_gyro_bias[] = {
 };
 
 const struct mip_codec mip_3dm_gyro_bias_codec = {
-    0x0C, 0x38,  MIP_COMMAND,       0,           sizeof(struct mip_3dm_gyro_bias),
-    0,    false, program_gyro_bias, &mip_program};
+    0x0C, 0x38, MIP_COMMAND,       0,           sizeof(struct mip_3dm_gyro_bias),
+    0,    0,    program_gyro_bias, &mip_program};
 
 static const uint8_t asked_gyro_bias_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_APPLY), MIP_WHEN_END};
 static const uint8_t asked_gyro_bias_2[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
@@ -1896,7 +1893,7 @@ const struct mip_codec mip_3dm_gyro_bias_response_codec = {
     12,
     sizeof(struct mip_3dm_gyro_bias_response),
     0,
-    sizeof(struct mip_3dm_gyro_bias_response) >= 8,
+    MIP_SHAPE(0, 3, 0),
     program_gyro_bias_response,
     NULL};
 
@@ -1905,16 +1902,15 @@ static const uint8_t program_capture_gyro_bias[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_capture_gyro_bias_codec = {
-    0x0C,
-    0x39,
-    MIP_COMMAND,
-    2,
-    sizeof(struct mip_3dm_capture_gyro_bias),
-    0,
-    sizeof(struct mip_3dm_capture_gyro_bias) >= 8,
-    program_capture_gyro_bias,
-    NULL};
+const struct mip_codec mip_3dm_capture_gyro_bias_codec = {0x0C,
+                                                          0x39,
+                                                          MIP_COMMAND,
+                                                          2,
+                                                          sizeof(struct mip_3dm_capture_gyro_bias),
+                                                          0,
+                                                          MIP_SHAPE(0, 0, 1),
+                                                          program_capture_gyro_bias,
+                                                          NULL};
 
 static const struct mip_response responses_capture_gyro_bias[] = {
     {NULL, NULL, 0x9B, false},
@@ -1945,7 +1941,7 @@ const struct mip_codec mip_3dm_mag_hard_iron_offset_codec = {
     0,
     sizeof(struct mip_3dm_mag_hard_iron_offset),
     0,
-    false,
+    0,
     program_mag_hard_iron_offset,
     &mip_program};
 
@@ -1981,7 +1977,7 @@ const struct mip_codec mip_3dm_mag_hard_iron_offset_response_codec = {
     12,
     sizeof(struct mip_3dm_mag_hard_iron_offset_response),
     0,
-    sizeof(struct mip_3dm_mag_hard_iron_offset_response) >= 8,
+    MIP_SHAPE(0, 3, 0),
     program_mag_hard_iron_offset_response,
     NULL};
 
@@ -1999,7 +1995,7 @@ const struct mip_codec mip_3dm_mag_soft_iron_matrix_codec = {
     0,
     sizeof(struct mip_3dm_mag_soft_iron_matrix),
     0,
-    false,
+    0,
     program_mag_soft_iron_matrix,
     &mip_program};
 
@@ -2035,7 +2031,7 @@ const struct mip_codec mip_3dm_mag_soft_iron_matrix_response_codec = {
     36,
     sizeof(struct mip_3dm_mag_soft_iron_matrix_response),
     0,
-    sizeof(struct mip_3dm_mag_soft_iron_matrix_response) >= 8,
+    MIP_SHAPE(0, 9, 0),
     program_mag_soft_iron_matrix_response,
     NULL};
 
@@ -2053,7 +2049,7 @@ const struct mip_codec mip_3dm_coning_sculling_enable_codec = {
     0,
     sizeof(struct mip_3dm_coning_sculling_enable),
     0,
-    false,
+    0,
     program_coning_sculling_enable,
     &mip_program};
 
@@ -2086,7 +2082,7 @@ const struct mip_codec mip_3dm_coning_sculling_enable_response_codec = {
     1,
     sizeof(struct mip_3dm_coning_sculling_enable_response),
     0,
-    sizeof(struct mip_3dm_coning_sculling_enable_response) >= 8,
+    0,
     program_coning_sculling_enable_response,
     NULL};
 
@@ -2103,7 +2099,7 @@ const struct mip_codec mip_3dm_uart_baud_rate_codec = {0x0C,
                                                        0,
                                                        sizeof(struct mip_3dm_uart_baud_rate),
                                                        0,
-                                                       false,
+                                                       0,
                                                        program_uart_baud_rate,
                                                        &mip_program};
 
@@ -2136,7 +2132,7 @@ const struct mip_codec mip_3dm_uart_baud_rate_response_codec = {
     4,
     sizeof(struct mip_3dm_uart_baud_rate_response),
     0,
-    sizeof(struct mip_3dm_uart_baud_rate_response) >= 8,
+    MIP_SHAPE(0, 1, 0),
     program_uart_baud_rate_response,
     NULL};
 
@@ -2154,8 +2150,8 @@ static const uint8_t program_gpio_config[] = {
 };
 
 const struct mip_codec mip_3dm_gpio_config_codec = {
-    0x0C, 0x41,  MIP_COMMAND,         0,           sizeof(struct mip_3dm_gpio_config),
-    0,    false, program_gpio_config, &mip_program};
+    0x0C, 0x41, MIP_COMMAND,         0,           sizeof(struct mip_3dm_gpio_config),
+    0,    0,    program_gpio_config, &mip_program};
 
 static const uint8_t asked_gpio_config_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                               MIP_WHEN_END};
@@ -2186,7 +2182,7 @@ const struct mip_codec mip_3dm_gpio_config_response_codec = {
     4,
     sizeof(struct mip_3dm_gpio_config_response),
     0,
-    sizeof(struct mip_3dm_gpio_config_response) >= 8,
+    0,
     program_gpio_config_response,
     NULL};
 
@@ -2200,8 +2196,8 @@ static const uint8_t program_gpio_state[] = {
 };
 
 const struct mip_codec mip_3dm_gpio_state_codec = {
-    0x0C, 0x42,  MIP_COMMAND,        0,           sizeof(struct mip_3dm_gpio_state),
-    0,    false, program_gpio_state, &mip_program};
+    0x0C, 0x42, MIP_COMMAND,        0,           sizeof(struct mip_3dm_gpio_state),
+    0,    0,    program_gpio_state, &mip_program};
 
 static const uint8_t asked_gpio_state_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_gpio_state[] = {
@@ -2231,7 +2227,7 @@ const struct mip_codec mip_3dm_gpio_state_response_codec = {
     2,
     sizeof(struct mip_3dm_gpio_state_response),
     0,
-    sizeof(struct mip_3dm_gpio_state_response) >= 8,
+    0,
     program_gpio_state_response,
     NULL};
 
@@ -2252,7 +2248,7 @@ const struct mip_codec mip_3dm_odometer_config_codec = {0x0C,
                                                         0,
                                                         sizeof(struct mip_3dm_odometer_config),
                                                         0,
-                                                        false,
+                                                        0,
                                                         program_odometer_config,
                                                         &mip_program};
 
@@ -2286,7 +2282,7 @@ const struct mip_codec mip_3dm_odometer_config_response_codec = {
     9,
     sizeof(struct mip_3dm_odometer_config_response),
     0,
-    false,
+    0,
     program_odometer_config_response,
     NULL};
 
@@ -2312,7 +2308,7 @@ const struct mip_codec mip_3dm_imu_low_pass_filter_codec = {
     0,
     sizeof(struct mip_3dm_imu_low_pass_filter),
     0,
-    false,
+    0,
     program_imu_low_pass_filter,
     &mip_program};
 
@@ -2347,7 +2343,7 @@ const struct mip_codec mip_3dm_imu_low_pass_filter_response_codec = {
     6,
     sizeof(struct mip_3dm_imu_low_pass_filter_response),
     0,
-    false,
+    0,
     program_imu_low_pass_filter_response,
     NULL};
 
@@ -2371,7 +2367,7 @@ const struct mip_codec mip_3dm_complementary_filter_codec = {
     0,
     sizeof(struct mip_3dm_complementary_filter),
     0,
-    false,
+    0,
     program_complementary_filter,
     &mip_program};
 
@@ -2405,7 +2401,7 @@ const struct mip_codec mip_3dm_complementary_filter_response_codec = {
     10,
     sizeof(struct mip_3dm_complementary_filter_response),
     0,
-    false,
+    0,
     program_complementary_filter_response,
     NULL};
 
@@ -2419,8 +2415,8 @@ static const uint8_t program_sensor_range[] = {
 };
 
 const struct mip_codec mip_3dm_sensor_range_codec = {
-    0x0C, 0x52,  MIP_COMMAND,          0,           sizeof(struct mip_3dm_sensor_range),
-    0,    false, program_sensor_range, &mip_program};
+    0x0C, 0x52, MIP_COMMAND,          0,           sizeof(struct mip_3dm_sensor_range),
+    0,    0,    program_sensor_range, &mip_program};
 
 static const uint8_t asked_sensor_range_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                MIP_WHEN_END};
@@ -2451,7 +2447,7 @@ const struct mip_codec mip_3dm_sensor_range_response_codec = {
     2,
     sizeof(struct mip_3dm_sensor_range_response),
     0,
-    sizeof(struct mip_3dm_sensor_range_response) >= 8,
+    0,
     program_sensor_range_response,
     NULL};
 
@@ -2467,7 +2463,7 @@ const struct mip_codec mip_3dm_get_calibrated_sensor_ranges_codec = {
     1,
     sizeof(struct mip_3dm_get_calibrated_sensor_ranges),
     0,
-    sizeof(struct mip_3dm_get_calibrated_sensor_ranges) >= 8,
+    0,
     program_get_calibrated_sensor_ranges,
     NULL};
 
@@ -2506,7 +2502,7 @@ const struct mip_codec mip_3dm_get_calibrated_sensor_ranges_response_codec = {
     0,
     sizeof(struct mip_3dm_get_calibrated_sensor_ranges_response),
     0,
-    false,
+    0,
     program_get_calibrated_sensor_ranges_response,
     &mip_program};
 
@@ -2531,7 +2527,7 @@ const struct mip_codec mip_3dm_low_pass_filter_codec = {0x0C,
                                                         0,
                                                         sizeof(struct mip_3dm_low_pass_filter),
                                                         0,
-                                                        false,
+                                                        0,
                                                         program_low_pass_filter,
                                                         &mip_program};
 
@@ -2565,7 +2561,7 @@ const struct mip_codec mip_3dm_low_pass_filter_response_codec = {
     8,
     sizeof(struct mip_3dm_low_pass_filter_response),
     0,
-    sizeof(struct mip_3dm_low_pass_filter_response) >= 8,
+    0,
     program_low_pass_filter_response,
     NULL};
 
@@ -2585,7 +2581,7 @@ const struct mip_codec mip_3dm_data_stream_format_codec = {
     0,
     sizeof(struct mip_3dm_data_stream_format),
     0,
-    false,
+    0,
     program_data_stream_format,
     &mip_program};
 
@@ -2618,7 +2614,7 @@ const struct mip_codec mip_3dm_data_stream_format_response_codec = {
     2,
     sizeof(struct mip_3dm_data_stream_format_response),
     0,
-    sizeof(struct mip_3dm_data_stream_format_response) >= 8,
+    0,
     program_data_stream_format_response,
     NULL};
 
@@ -2638,7 +2634,7 @@ const struct mip_codec mip_3dm_device_power_state_codec = {
     0,
     sizeof(struct mip_3dm_device_power_state),
     0,
-    false,
+    0,
     program_device_power_state,
     &mip_program};
 
@@ -2671,7 +2667,7 @@ const struct mip_codec mip_3dm_device_power_state_response_codec = {
     2,
     sizeof(struct mip_3dm_device_power_state_response),
     0,
-    sizeof(struct mip_3dm_device_power_state_response) >= 8,
+    0,
     program_device_power_state_response,
     NULL};
 
@@ -2687,7 +2683,7 @@ const struct mip_codec mip_3dm_gps_advanced_settings_codec = {
     1,
     sizeof(struct mip_3dm_gps_advanced_settings),
     0,
-    sizeof(struct mip_3dm_gps_advanced_settings) >= 8,
+    0,
     program_gps_advanced_settings,
     NULL};
 
@@ -2702,21 +2698,16 @@ static const uint8_t program_device_status[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_device_status_codec = {0x0C,
-                                                      0x64,
-                                                      MIP_COMMAND,
-                                                      3,
-                                                      sizeof(struct mip_3dm_device_status),
-                                                      0,
-                                                      sizeof(struct mip_3dm_device_status) >= 8,
-                                                      program_device_status,
-                                                      NULL};
+const struct mip_codec mip_3dm_device_status_codec = {
+    0x0C, 0x64, MIP_COMMAND,           3,   sizeof(struct mip_3dm_device_status),
+    0,    0,    program_device_status, NULL};
 
 static const uint8_t asked_device_status_1[] = {MIP_WHEN(2, 1), MIP_WHEN_END};
 static const uint8_t asked_device_status_2[] = {MIP_WHEN(2, 2), MIP_WHEN_END};
 static const struct mip_response responses_device_status[] = {
+    {asked_device_status_1, &mip_3dm_device_status_basic_rq1_imu_response_codec, 0x90, true},
     {asked_device_status_1, &mip_3dm_device_status_basic_response_codec, 0x90, true},
-    {asked_device_status_1, &mip_3dm_device_status_basic_stateless_response_codec, 0x90, true},
+    {asked_device_status_1, &mip_3dm_device_status_basic_without_state_response_codec, 0x90, true},
     {asked_device_status_1, &mip_3dm_device_status_basic_gx3_response_codec, 0x90, false},
     {asked_device_status_2, &mip_3dm_device_status_diagnostic_response_codec, 0x90, true},
     {asked_device_status_2, &mip_3dm_device_status_diagnostic_gnss_response_codec, 0x90, true},
@@ -2724,6 +2715,8 @@ static const struct mip_response responses_device_status[] = {
     {asked_device_status_2, &mip_3dm_device_status_diagnostic_rq1_45_response_codec, 0x90, true},
     {asked_device_status_2, &mip_3dm_device_status_diagnostic_gx4_response_codec, 0x90, true},
     {asked_device_status_2, &mip_3dm_device_status_diagnostic_imu_response_codec, 0x90, true},
+    {asked_device_status_2, &mip_3dm_device_status_diagnostic_gx4_imu_response_codec, 0x90, true},
+    {asked_device_status_2, &mip_3dm_device_status_diagnostic_rq1_imu_response_codec, 0x90, true},
     {asked_device_status_2, &mip_3dm_device_status_diagnostic_gx3_response_codec, 0x90, false},
 };
 
@@ -2737,6 +2730,26 @@ const struct mip_exchange mip_3dm_device_status_exchange = {0x0C,
 
 const struct mip_command mip_3dm_device_status_command = {&mip_3dm_device_status_codec,
                                                           &mip_3dm_device_status_exchange};
+
+static const uint8_t program_device_status_basic_rq1_imu_response[] = {
+    MIP_LAYOUT(15, 253, 3, 0, 0x18, 1, 0x5E, 2, 0x01),
+    MIP_CONSTANT(2, 0x18, 0x5E),
+    MIP_CONSTANT(1, 0x01),
+    MIP_32_BITS(1, MIP_AT(struct mip_3dm_device_status_basic_rq1_imu_response, status_flags)),
+    MIP_64_BITS(1, MIP_AT(struct mip_3dm_device_status_basic_rq1_imu_response, system_timer)),
+    MIP_END,
+};
+
+const struct mip_codec mip_3dm_device_status_basic_rq1_imu_response_codec = {
+    0x0C,
+    0x90,
+    MIP_RESPONSE,
+    0,
+    sizeof(struct mip_3dm_device_status_basic_rq1_imu_response),
+    0,
+    0,
+    program_device_status_basic_rq1_imu_response,
+    &mip_layout};
 
 static const uint8_t program_device_status_basic_response[] = {
     MIP_LAYOUT(13, 14, 1, 2, 0x01),
@@ -2755,27 +2768,27 @@ const struct mip_codec mip_3dm_device_status_basic_response_codec = {
     0,
     sizeof(struct mip_3dm_device_status_basic_response),
     0,
-    false,
+    0,
     program_device_status_basic_response,
     &mip_layout};
 
-static const uint8_t program_device_status_basic_stateless_response[] = {
+static const uint8_t program_device_status_basic_without_state_response[] = {
     MIP_LAYOUT(0, 12, 1, 2, 0x01),
-    MIP_16_BITS(1, MIP_AT(struct mip_3dm_device_status_basic_stateless_response, model_number)),
+    MIP_16_BITS(1, MIP_AT(struct mip_3dm_device_status_basic_without_state_response, model_number)),
     MIP_CONSTANT(1, 0x01),
-    MIP_32_BITS(2, MIP_AT(struct mip_3dm_device_status_basic_stateless_response, status_flags)),
+    MIP_32_BITS(2, MIP_AT(struct mip_3dm_device_status_basic_without_state_response, status_flags)),
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_device_status_basic_stateless_response_codec = {
+const struct mip_codec mip_3dm_device_status_basic_without_state_response_codec = {
     0x0C,
     0x90,
     MIP_RESPONSE,
     0,
-    sizeof(struct mip_3dm_device_status_basic_stateless_response),
+    sizeof(struct mip_3dm_device_status_basic_without_state_response),
     0,
-    false,
-    program_device_status_basic_stateless_response,
+    0,
+    program_device_status_basic_without_state_response,
     &mip_layout};
 
 static const uint8_t program_device_status_diagnostic_response[] = {
@@ -2797,7 +2810,7 @@ const struct mip_codec mip_3dm_device_status_diagnostic_response_codec = {
     0,
     sizeof(struct mip_3dm_device_status_diagnostic_response),
     0,
-    false,
+    0,
     program_device_status_diagnostic_response,
     &mip_layout};
 
@@ -2824,7 +2837,7 @@ const struct mip_codec mip_3dm_device_status_diagnostic_gnss_response_codec = {
     0,
     sizeof(struct mip_3dm_device_status_diagnostic_gnss_response),
     0,
-    false,
+    0,
     program_device_status_diagnostic_gnss_response,
     &mip_layout};
 
@@ -2859,7 +2872,7 @@ const struct mip_codec mip_3dm_device_status_diagnostic_gq4_45_response_codec = 
     0,
     sizeof(struct mip_3dm_device_status_diagnostic_gq4_45_response),
     0,
-    false,
+    0,
     program_device_status_diagnostic_gq4_45_response,
     &mip_layout};
 
@@ -2893,7 +2906,7 @@ const struct mip_codec mip_3dm_device_status_diagnostic_rq1_45_response_codec = 
     0,
     sizeof(struct mip_3dm_device_status_diagnostic_rq1_45_response),
     0,
-    false,
+    0,
     program_device_status_diagnostic_rq1_45_response,
     &mip_layout};
 
@@ -2915,12 +2928,12 @@ const struct mip_codec mip_3dm_device_status_diagnostic_gx4_response_codec = {
     0,
     sizeof(struct mip_3dm_device_status_diagnostic_gx4_response),
     0,
-    false,
+    0,
     program_device_status_diagnostic_gx4_response,
     &mip_layout};
 
 static const uint8_t program_device_status_diagnostic_imu_response[] = {
-    MIP_LAYOUT(60, 72, 1, 2, 0x02),
+    MIP_LAYOUT(60, 60, 1, 2, 0x02),
     MIP_16_BITS(1, MIP_AT(struct mip_3dm_device_status_diagnostic_imu_response, model_number)),
     MIP_CONSTANT(1, 0x02),
     MIP_32_BITS(2, MIP_AT(struct mip_3dm_device_status_diagnostic_imu_response, status_flags)),
@@ -2942,8 +2955,70 @@ const struct mip_codec mip_3dm_device_status_diagnostic_imu_response_codec = {
     0,
     sizeof(struct mip_3dm_device_status_diagnostic_imu_response),
     0,
-    false,
+    0,
     program_device_status_diagnostic_imu_response,
+    &mip_layout};
+
+static const uint8_t program_device_status_diagnostic_gx4_imu_response[] = {
+    MIP_LAYOUT(62, 72, 1, 2, 0x02),
+    MIP_16_BITS(1, MIP_AT(struct mip_3dm_device_status_diagnostic_gx4_imu_response, model_number)),
+    MIP_CONSTANT(1, 0x02),
+    MIP_32_BITS(2, MIP_AT(struct mip_3dm_device_status_diagnostic_gx4_imu_response, status_flags)),
+    MIP_8_BITS(2, MIP_AT(struct mip_3dm_device_status_diagnostic_gx4_imu_response, has_mag)),
+    MIP_16_BITS(1, MIP_AT(struct mip_3dm_device_status_diagnostic_gx4_imu_response, gyro_range)),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_device_status_diagnostic_gx4_imu_response, accel_range)),
+    MIP_32_BITS(4, MIP_AT(struct mip_3dm_device_status_diagnostic_gx4_imu_response, mag_range)),
+    MIP_8_BITS(1,
+               MIP_AT(struct mip_3dm_device_status_diagnostic_gx4_imu_response, temperature_error)),
+    MIP_32_BITS(2, MIP_AT(struct mip_3dm_device_status_diagnostic_gx4_imu_response, pps_count)),
+    MIP_8_BITS(
+        1, MIP_AT(struct mip_3dm_device_status_diagnostic_gx4_imu_response, imu_stream_enabled)),
+    MIP_32_BITS(
+        5, MIP_AT(struct mip_3dm_device_status_diagnostic_gx4_imu_response, imu_dropped_packets)),
+    MIP_END,
+};
+
+const struct mip_codec mip_3dm_device_status_diagnostic_gx4_imu_response_codec = {
+    0x0C,
+    0x90,
+    MIP_RESPONSE,
+    0,
+    sizeof(struct mip_3dm_device_status_diagnostic_gx4_imu_response),
+    0,
+    0,
+    program_device_status_diagnostic_gx4_imu_response,
+    &mip_layout};
+
+static const uint8_t program_device_status_diagnostic_rq1_imu_response[] = {
+    MIP_LAYOUT(61, 61, 1, 2, 0x02),
+    MIP_16_BITS(1, MIP_AT(struct mip_3dm_device_status_diagnostic_rq1_imu_response, model_number)),
+    MIP_CONSTANT(1, 0x02),
+    MIP_32_BITS(1, MIP_AT(struct mip_3dm_device_status_diagnostic_rq1_imu_response, status_flags)),
+    MIP_64_BITS(1, MIP_AT(struct mip_3dm_device_status_diagnostic_rq1_imu_response, system_timer)),
+    MIP_32_BITS(2, MIP_AT(struct mip_3dm_device_status_diagnostic_rq1_imu_response, temperature)),
+    MIP_8_BITS(3, MIP_AT(struct mip_3dm_device_status_diagnostic_rq1_imu_response,
+                         bad_temperature_sensor_detected)),
+    MIP_32_BITS(2, MIP_AT(struct mip_3dm_device_status_diagnostic_rq1_imu_response, pps_count)),
+    MIP_8_BITS(
+        1, MIP_AT(struct mip_3dm_device_status_diagnostic_rq1_imu_response, imu_stream_enabled)),
+    MIP_32_BITS(
+        1, MIP_AT(struct mip_3dm_device_status_diagnostic_rq1_imu_response, imu_dropped_packets)),
+    MIP_16_BITS(1,
+                MIP_AT(struct mip_3dm_device_status_diagnostic_rq1_imu_response, comm_port_state)),
+    MIP_32_BITS(
+        5, MIP_AT(struct mip_3dm_device_status_diagnostic_rq1_imu_response, comm_port_baud_rate)),
+    MIP_END,
+};
+
+const struct mip_codec mip_3dm_device_status_diagnostic_rq1_imu_response_codec = {
+    0x0C,
+    0x90,
+    MIP_RESPONSE,
+    0,
+    sizeof(struct mip_3dm_device_status_diagnostic_rq1_imu_response),
+    0,
+    0,
+    program_device_status_diagnostic_rq1_imu_response,
     &mip_layout};
 
 static const uint8_t program_device_status_basic_gx3_response[] = {
@@ -2964,7 +3039,7 @@ const struct mip_codec mip_3dm_device_status_basic_gx3_response_codec = {
     0,
     sizeof(struct mip_3dm_device_status_basic_gx3_response),
     0,
-    false,
+    0,
     program_device_status_basic_gx3_response,
     &mip_layout};
 
@@ -3000,6 +3075,6 @@ const struct mip_codec mip_3dm_device_status_diagnostic_gx3_response_codec = {
     0,
     sizeof(struct mip_3dm_device_status_diagnostic_gx3_response),
     0,
-    false,
+    0,
     program_device_status_diagnostic_gx3_response,
     &mip_layout};

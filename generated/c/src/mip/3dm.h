@@ -160,9 +160,9 @@ MIP_API const char *mip_3dm_pps_source_name(uint8_t value);
  * - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
  */
 enum mip_3dm_event_support_query MIP_ENUM_8 {
-    /** Triggers. */
+    /** Which types of triggers there are. */
     MIP_3DM_EVENT_SUPPORT_QUERY_TRIGGER_TYPES = 1,
-    /** Actions. */
+    /** Which types of actions there are. */
     MIP_3DM_EVENT_SUPPORT_QUERY_ACTION_TYPES = 2
 };
 
@@ -319,13 +319,13 @@ MIP_API const char *mip_3dm_odometer_mode_name(uint8_t value);
 enum mip_3dm_sensor_range_type MIP_ENUM_8 {
     /** All sensors; for save, load and default only. */
     MIP_3DM_SENSOR_RANGE_TYPE_ALL = 0,
-    /** Accelerometer. */
+    /** The value `accel`. */
     MIP_3DM_SENSOR_RANGE_TYPE_ACCEL = 1,
-    /** Gyroscope. */
+    /** The value `gyro`. */
     MIP_3DM_SENSOR_RANGE_TYPE_GYRO = 2,
-    /** Magnetometer. */
+    /** The value `mag`. */
     MIP_3DM_SENSOR_RANGE_TYPE_MAG = 3,
-    /** Pressure sensor. */
+    /** The value `pressure`. */
     MIP_3DM_SENSOR_RANGE_TYPE_PRESSURE = 4
 };
 
@@ -2407,9 +2407,9 @@ struct mip_3dm_gnss_assisted_fix {
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
-     * Assisted fix. A value of enum mip_3dm_assisted_fix_option. Default:
-     * MIP_3DM_ASSISTED_FIX_OPTION_NONE. Required for write. On the 3DM-GX5-35: default
-     * MIP_3DM_ASSISTED_FIX_OPTION_NONE.
+     * Whether the receiver keeps data for a faster first fix. A value of enum
+     * mip_3dm_assisted_fix_option. Default: MIP_3DM_ASSISTED_FIX_OPTION_NONE. Required for write.
+     * On the 3DM-GX5-35: default MIP_3DM_ASSISTED_FIX_OPTION_NONE.
      */
     uint8_t option;
     /** Reserved: send 255. Required for write. On the 3DM-GX5-35: default 255. */
@@ -2439,9 +2439,9 @@ MIP_CHECKED static inline mip_error mip_3dm_gnss_assisted_fix_encode(
 } /**
    * Apply the new setting. Fills the structure and returns its address.
    *
-   * - option: Assisted fix. A value of enum mip_3dm_assisted_fix_option. Default:
-   *   MIP_3DM_ASSISTED_FIX_OPTION_NONE. Required for write. On the 3DM-GX5-35: default
-   *   MIP_3DM_ASSISTED_FIX_OPTION_NONE.
+   * - option: Whether the receiver keeps data for a faster first fix. A value of enum
+   *   mip_3dm_assisted_fix_option. Default: MIP_3DM_ASSISTED_FIX_OPTION_NONE. Required for write.
+   * On the 3DM-GX5-35: default MIP_3DM_ASSISTED_FIX_OPTION_NONE.
    */
 static inline struct mip_3dm_gnss_assisted_fix *mip_3dm_gnss_assisted_fix_write(
     struct mip_3dm_gnss_assisted_fix *command, enum mip_3dm_assisted_fix_option option) {
@@ -2494,8 +2494,8 @@ mip_3dm_gnss_assisted_fix_default(struct mip_3dm_gnss_assisted_fix *command) {
  */
 struct mip_3dm_gnss_assisted_fix_response {
     /**
-     * Assisted fix. A value of enum mip_3dm_assisted_fix_option. Default:
-     * MIP_3DM_ASSISTED_FIX_OPTION_NONE.
+     * Whether the receiver keeps data for a faster first fix. A value of enum
+     * mip_3dm_assisted_fix_option. Default: MIP_3DM_ASSISTED_FIX_OPTION_NONE.
      */
     uint8_t option;
     /** Reserved. */
@@ -2548,7 +2548,9 @@ struct mip_3dm_gnss_time_assistance {
     double tow;
     /** GPS week number since 1980. Unit: week. Required for write. */
     uint16_t week_number;
-    /** Accuracy of the time. Unit: s. Range: at least 0. Required for write. */
+    /**
+     * Estimated accuracy of the time that is sent. Unit: s. Range: at least 0. Required for write.
+     */
     float accuracy;
 };
 
@@ -2577,7 +2579,8 @@ MIP_CHECKED static inline mip_error mip_3dm_gnss_time_assistance_encode(
    *
    * - tow: GPS time of week. Unit: s. Range: at least 0, less than 604800. Required for write.
    * - week_number: GPS week number since 1980. Unit: week. Required for write.
-   * - accuracy: Accuracy of the time. Unit: s. Range: at least 0. Required for write.
+   * - accuracy: Estimated accuracy of the time that is sent. Unit: s. Range: at least 0. Required
+   * for write.
    */
 static inline struct mip_3dm_gnss_time_assistance *
 mip_3dm_gnss_time_assistance_write(struct mip_3dm_gnss_time_assistance *command, double tow,
@@ -2610,7 +2613,7 @@ struct mip_3dm_gnss_time_assistance_response {
     double tow;
     /** GPS week number since 1980. Unit: week. */
     uint16_t week_number;
-    /** Accuracy of the time. Unit: s. Range: at least 0. */
+    /** Estimated accuracy of the time that is sent. Unit: s. Range: at least 0. */
     float accuracy;
 };
 
@@ -2985,7 +2988,7 @@ mip_3dm_event_control_default(struct mip_3dm_event_control *command, uint8_t ins
  * - 3dm-cv7-gnss-ins: Event Control (0x0C,0x2B)
  */
 struct mip_3dm_event_control_response {
-    /** Trigger instance. */
+    /** Number of the trigger. */
     uint8_t instance;
     /**
      * Mode of the trigger. A value of enum mip_event_trigger_mode. Default:
@@ -3031,7 +3034,7 @@ struct mip_3dm_get_event_trigger_status {
      * requested_instances.
      */
     uint8_t requested_count;
-    /** Trigger instances. */
+    /** Numbers of the triggers to report; none for all. */
     uint8_t requested_instances[252];
 };
 
@@ -3061,7 +3064,7 @@ MIP_CHECKED static inline mip_error mip_3dm_get_event_trigger_status_encode(
    *
    * - requested_count: Number of requested triggers; 0 requests all slots. The number of elements
    * of requested_instances.
-   * - requested_instances: Trigger instances.
+   * - requested_instances: Numbers of the triggers to report; none for all.
    */
 static inline struct mip_3dm_get_event_trigger_status *mip_3dm_get_event_trigger_status_make(
     struct mip_3dm_get_event_trigger_status *command, uint8_t requested_count,
@@ -3124,7 +3127,7 @@ struct mip_3dm_get_event_action_status {
      * requested_instances.
      */
     uint8_t requested_count;
-    /** Action instances. */
+    /** Numbers of the actions to report; none for all. */
     uint8_t requested_instances[252];
 };
 
@@ -3154,7 +3157,7 @@ MIP_CHECKED static inline mip_error mip_3dm_get_event_action_status_encode(
    *
    * - requested_count: Number of requested actions; 0 requests all slots. The number of elements of
    *   requested_instances.
-   * - requested_instances: Action instances.
+   * - requested_instances: Numbers of the actions to report; none for all.
    */
 static inline struct mip_3dm_get_event_action_status *
 mip_3dm_get_event_action_status_make(struct mip_3dm_get_event_action_status *command,
@@ -3371,7 +3374,7 @@ union mip_3dm_event_trigger_config_response_parameters {
  * - 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
  */
 struct mip_3dm_event_trigger_config_response {
-    /** Trigger instance. */
+    /** Number of the trigger. */
     uint8_t instance;
     /**
      * Kind of trigger. A value of enum mip_event_trigger_type. Default:
@@ -3565,7 +3568,7 @@ union mip_3dm_event_action_config_response_parameters {
  * - 3dm-cv7-gnss-ins: Event Cycle
  */
 struct mip_3dm_event_action_config_response {
-    /** Action instance. */
+    /** Number of the action. */
     uint8_t instance;
     /** Trigger instance that the action follows. */
     uint8_t trigger;
@@ -3668,10 +3671,8 @@ mip_3dm_device_settings_default(struct mip_3dm_device_settings *command) {
  *
  * Mounting of the sensor in the vehicle as Euler angles.
  *
- * Full name: 3dm.sensor_to_vehicle_transform_euler.
- *
  * Also called `sensor_2_vehicle_transform_euler`. Functions: write, read, save, load and default.
- * Answered by mip_3dm_sensor_to_vehicle_euler_response. Changes mip_sensor_scaled_accel,
+ * Answered by mip_3dm_sensor_to_vehicle_transform_euler_response. Changes mip_sensor_scaled_accel,
  * mip_sensor_scaled_gyro, mip_sensor_scaled_mag, mip_sensor_delta_theta, mip_sensor_delta_velocity,
  * mip_sensor_comp_orientation_matrix, mip_sensor_comp_quaternion, mip_sensor_comp_euler_angles,
  * mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm, mip_filter_data_euler_angles,
@@ -3679,8 +3680,8 @@ mip_3dm_device_settings_default(struct mip_3dm_device_settings *command) {
  * mip_filter_data_gravity_vector. Probably changes mip_filter_data_comp_accel and
  * mip_sensor_comp_orientation_update_matrix. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
- * mip_3dm_sensor_to_vehicle_quaternion and mip_3dm_sensor_to_vehicle_dcm set the same
- * transformation; the value read back may be another form of it.
+ * mip_3dm_sensor_to_vehicle_transform_quaternion and mip_3dm_sensor_to_vehicle_transform_dcm set
+ * the same transformation; the value read back may be another form of it.
  *
  * Starting in line with the vehicle frame, the sensor is rotated by yaw, pitch and roll about its
  * own z, y and x axes, in this order.
@@ -3693,7 +3694,7 @@ mip_3dm_device_settings_default(struct mip_3dm_device_settings *command) {
  *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31)
  */
-struct mip_3dm_sensor_to_vehicle_euler {
+struct mip_3dm_sensor_to_vehicle_transform_euler {
     /**
      * Number of parameters that are present, not counting the function selector. When decoding:
      * those received. To send: 0 for only the required ones.
@@ -3710,26 +3711,26 @@ struct mip_3dm_sensor_to_vehicle_euler {
 };
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_3DM_SENSOR_TO_VEHICLE_EULER 0x0C31
+#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER 0x0C31
 /** Its descriptor. */
-#define MIP_3DM_SENSOR_TO_VEHICLE_EULER_DESCRIPTOR 0x31
+#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER_DESCRIPTOR 0x31
 /** Its name in the specification. */
-#define MIP_3DM_SENSOR_TO_VEHICLE_EULER_NAME "3dm.sensor_to_vehicle_transform_euler"
+#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER_NAME "3dm.sensor_to_vehicle_transform_euler"
 
 /** Its wire format. */
-extern MIP_API const struct mip_codec mip_3dm_sensor_to_vehicle_euler_codec;
+extern MIP_API const struct mip_codec mip_3dm_sensor_to_vehicle_transform_euler_codec;
 
 /** Decodes it. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_sensor_to_vehicle_euler_decode(
-    struct mip_3dm_sensor_to_vehicle_euler *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_sensor_to_vehicle_euler_codec, 0x31, value, sizeof(*value),
-                           field);
+static inline mip_error mip_3dm_sensor_to_vehicle_transform_euler_decode(
+    struct mip_3dm_sensor_to_vehicle_transform_euler *value, const struct mip_field *field) {
+    return mip_decode_only(&mip_3dm_sensor_to_vehicle_transform_euler_codec, 0x31, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_euler_encode(
-    const struct mip_3dm_sensor_to_vehicle_euler *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_sensor_to_vehicle_euler_codec, value, builder);
+MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_transform_euler_encode(
+    const struct mip_3dm_sensor_to_vehicle_transform_euler *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_sensor_to_vehicle_transform_euler_codec, value, builder);
 } /**
    * Apply the new setting. Fills the structure and returns its address.
    *
@@ -3737,8 +3738,9 @@ MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_euler_encode(
    * - pitch: Rotation about the y axis. Unit: rad. Required for write.
    * - yaw: Rotation about the z axis. Unit: rad. Required for write.
    */
-static inline struct mip_3dm_sensor_to_vehicle_euler *mip_3dm_sensor_to_vehicle_euler_write(
-    struct mip_3dm_sensor_to_vehicle_euler *command, float roll, float pitch, float yaw) {
+static inline struct mip_3dm_sensor_to_vehicle_transform_euler *
+mip_3dm_sensor_to_vehicle_transform_euler_write(
+    struct mip_3dm_sensor_to_vehicle_transform_euler *command, float roll, float pitch, float yaw) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_WRITE;
     command->roll = roll;
@@ -3747,29 +3749,33 @@ static inline struct mip_3dm_sensor_to_vehicle_euler *mip_3dm_sensor_to_vehicle_
     return command;
 }
 /** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_3dm_sensor_to_vehicle_euler *
-mip_3dm_sensor_to_vehicle_euler_read(struct mip_3dm_sensor_to_vehicle_euler *command) {
+static inline struct mip_3dm_sensor_to_vehicle_transform_euler *
+mip_3dm_sensor_to_vehicle_transform_euler_read(
+    struct mip_3dm_sensor_to_vehicle_transform_euler *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_3dm_sensor_to_vehicle_euler *
-mip_3dm_sensor_to_vehicle_euler_save(struct mip_3dm_sensor_to_vehicle_euler *command) {
+static inline struct mip_3dm_sensor_to_vehicle_transform_euler *
+mip_3dm_sensor_to_vehicle_transform_euler_save(
+    struct mip_3dm_sensor_to_vehicle_transform_euler *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
 /** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_3dm_sensor_to_vehicle_euler *
-mip_3dm_sensor_to_vehicle_euler_load(struct mip_3dm_sensor_to_vehicle_euler *command) {
+static inline struct mip_3dm_sensor_to_vehicle_transform_euler *
+mip_3dm_sensor_to_vehicle_transform_euler_load(
+    struct mip_3dm_sensor_to_vehicle_transform_euler *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
 /** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_3dm_sensor_to_vehicle_euler *
-mip_3dm_sensor_to_vehicle_euler_default(struct mip_3dm_sensor_to_vehicle_euler *command) {
+static inline struct mip_3dm_sensor_to_vehicle_transform_euler *
+mip_3dm_sensor_to_vehicle_transform_euler_default(
+    struct mip_3dm_sensor_to_vehicle_transform_euler *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
@@ -3778,14 +3784,12 @@ mip_3dm_sensor_to_vehicle_euler_default(struct mip_3dm_sensor_to_vehicle_euler *
 /**
  * Sensor-to-Vehicle Frame Transformation Euler response: response (0x0C,0xB1).
  *
- * Full name: 3dm.sensor_to_vehicle_transform_euler_response.
- *
- * Also called `sensor_2_vehicle_transform_euler_response`. Answers mip_3dm_sensor_to_vehicle_euler.
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * Also called `sensor_2_vehicle_transform_euler_response`. Answers
+ * mip_3dm_sensor_to_vehicle_transform_euler. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31)
  */
-struct mip_3dm_sensor_to_vehicle_euler_response {
+struct mip_3dm_sensor_to_vehicle_transform_euler_response {
     /** Rotation about the x axis. Unit: rad. */
     float roll;
     /** Rotation about the y axis. Unit: rad. */
@@ -3795,37 +3799,37 @@ struct mip_3dm_sensor_to_vehicle_euler_response {
 };
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_3DM_SENSOR_TO_VEHICLE_EULER_RESPONSE 0x0CB1
+#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER_RESPONSE 0x0CB1
 /** Its descriptor. */
-#define MIP_3DM_SENSOR_TO_VEHICLE_EULER_RESPONSE_DESCRIPTOR 0xB1
+#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER_RESPONSE_DESCRIPTOR 0xB1
 /** Its name in the specification. */
-#define MIP_3DM_SENSOR_TO_VEHICLE_EULER_RESPONSE_NAME \
+#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER_RESPONSE_NAME \
     "3dm.sensor_to_vehicle_transform_euler_response"
 
 /** Its wire format. */
-extern MIP_API const struct mip_codec mip_3dm_sensor_to_vehicle_euler_response_codec;
+extern MIP_API const struct mip_codec mip_3dm_sensor_to_vehicle_transform_euler_response_codec;
 
 /** Decodes it. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_sensor_to_vehicle_euler_response_decode(
-    struct mip_3dm_sensor_to_vehicle_euler_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_sensor_to_vehicle_euler_response_codec, 0xB1, value,
+static inline mip_error mip_3dm_sensor_to_vehicle_transform_euler_response_decode(
+    struct mip_3dm_sensor_to_vehicle_transform_euler_response *value,
+    const struct mip_field *field) {
+    return mip_decode_only(&mip_3dm_sensor_to_vehicle_transform_euler_response_codec, 0xB1, value,
                            sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_euler_response_encode(
-    const struct mip_3dm_sensor_to_vehicle_euler_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_sensor_to_vehicle_euler_response_codec, value, builder);
+MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_transform_euler_response_encode(
+    const struct mip_3dm_sensor_to_vehicle_transform_euler_response *value,
+    struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_sensor_to_vehicle_transform_euler_response_codec, value, builder);
 }
 /**
  * Sensor-to-Vehicle Frame Transformation Quaternion: command (0x0C,0x32).
  *
  * Mounting of the sensor in the vehicle as a quaternion.
  *
- * Full name: 3dm.sensor_to_vehicle_transform_quaternion.
- *
  * Also called `sensor_2_vehicle_transform_quaternion`. Functions: write, read, save, load and
- * default. Answered by mip_3dm_sensor_to_vehicle_quaternion_response. Changes
+ * default. Answered by mip_3dm_sensor_to_vehicle_transform_quaternion_response. Changes
  * mip_sensor_scaled_accel, mip_sensor_scaled_gyro, mip_sensor_scaled_mag, mip_sensor_delta_theta,
  * mip_sensor_delta_velocity, mip_sensor_comp_orientation_matrix, mip_sensor_comp_quaternion,
  * mip_sensor_comp_euler_angles, mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm,
@@ -3833,8 +3837,8 @@ MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_euler_response_enc
  * mip_filter_data_gravity_vector. Probably changes mip_filter_data_comp_accel and
  * mip_sensor_comp_orientation_update_matrix. Supported by 3DM-CV7-GNSS/INS.
  *
- * mip_3dm_sensor_to_vehicle_euler and mip_3dm_sensor_to_vehicle_dcm set the same transformation;
- * the value read back may be another form of it.
+ * mip_3dm_sensor_to_vehicle_transform_euler and mip_3dm_sensor_to_vehicle_transform_dcm set the
+ * same transformation; the value read back may be another form of it.
  *
  * `p_vehicle = q^-1 * p_sensor * q`, where the vectors are quaternions with the scalar part 0. This
  * is the inverse of the quaternion that mip_filter_sensor_to_vehicle_quaternion takes.
@@ -3843,7 +3847,7 @@ MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_euler_response_enc
  *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32)
  */
-struct mip_3dm_sensor_to_vehicle_quaternion {
+struct mip_3dm_sensor_to_vehicle_transform_quaternion {
     /**
      * Number of parameters that are present, not counting the function selector. When decoding:
      * those received. To send: 0 for only the required ones.
@@ -3859,64 +3863,70 @@ struct mip_3dm_sensor_to_vehicle_quaternion {
 };
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_3DM_SENSOR_TO_VEHICLE_QUATERNION 0x0C32
+#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION 0x0C32
 /** Its descriptor. */
-#define MIP_3DM_SENSOR_TO_VEHICLE_QUATERNION_DESCRIPTOR 0x32
+#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_DESCRIPTOR 0x32
 /** Its name in the specification. */
-#define MIP_3DM_SENSOR_TO_VEHICLE_QUATERNION_NAME "3dm.sensor_to_vehicle_transform_quaternion"
+#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_NAME \
+    "3dm.sensor_to_vehicle_transform_quaternion"
 
 /** Its wire format. */
-extern MIP_API const struct mip_codec mip_3dm_sensor_to_vehicle_quaternion_codec;
+extern MIP_API const struct mip_codec mip_3dm_sensor_to_vehicle_transform_quaternion_codec;
 
 /** Decodes it. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_sensor_to_vehicle_quaternion_decode(
-    struct mip_3dm_sensor_to_vehicle_quaternion *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_sensor_to_vehicle_quaternion_codec, 0x32, value, sizeof(*value),
-                           field);
+static inline mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_decode(
+    struct mip_3dm_sensor_to_vehicle_transform_quaternion *value, const struct mip_field *field) {
+    return mip_decode_only(&mip_3dm_sensor_to_vehicle_transform_quaternion_codec, 0x32, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_quaternion_encode(
-    const struct mip_3dm_sensor_to_vehicle_quaternion *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_sensor_to_vehicle_quaternion_codec, value, builder);
+MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_encode(
+    const struct mip_3dm_sensor_to_vehicle_transform_quaternion *value,
+    struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_sensor_to_vehicle_transform_quaternion_codec, value, builder);
 } /**
    * Apply the new setting. Fills the structure and returns its address.
    *
    * - q: Unit quaternion that transforms vectors from the sensor frame to the vehicle frame.
    *   Elements: w, x, y, z. Unit: 1. Required for write.
    */
-static inline struct mip_3dm_sensor_to_vehicle_quaternion *
-mip_3dm_sensor_to_vehicle_quaternion_write(struct mip_3dm_sensor_to_vehicle_quaternion *command,
-                                           const float q[4]) {
+static inline struct mip_3dm_sensor_to_vehicle_transform_quaternion *
+mip_3dm_sensor_to_vehicle_transform_quaternion_write(
+    struct mip_3dm_sensor_to_vehicle_transform_quaternion *command, const float q[4]) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_WRITE;
     memcpy(command->q, q, sizeof(command->q));
     return command;
 }
 /** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_3dm_sensor_to_vehicle_quaternion *
-mip_3dm_sensor_to_vehicle_quaternion_read(struct mip_3dm_sensor_to_vehicle_quaternion *command) {
+static inline struct mip_3dm_sensor_to_vehicle_transform_quaternion *
+mip_3dm_sensor_to_vehicle_transform_quaternion_read(
+    struct mip_3dm_sensor_to_vehicle_transform_quaternion *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_3dm_sensor_to_vehicle_quaternion *
-mip_3dm_sensor_to_vehicle_quaternion_save(struct mip_3dm_sensor_to_vehicle_quaternion *command) {
+static inline struct mip_3dm_sensor_to_vehicle_transform_quaternion *
+mip_3dm_sensor_to_vehicle_transform_quaternion_save(
+    struct mip_3dm_sensor_to_vehicle_transform_quaternion *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
 /** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_3dm_sensor_to_vehicle_quaternion *
-mip_3dm_sensor_to_vehicle_quaternion_load(struct mip_3dm_sensor_to_vehicle_quaternion *command) {
+static inline struct mip_3dm_sensor_to_vehicle_transform_quaternion *
+mip_3dm_sensor_to_vehicle_transform_quaternion_load(
+    struct mip_3dm_sensor_to_vehicle_transform_quaternion *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
 /** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_3dm_sensor_to_vehicle_quaternion *
-mip_3dm_sensor_to_vehicle_quaternion_default(struct mip_3dm_sensor_to_vehicle_quaternion *command) {
+static inline struct mip_3dm_sensor_to_vehicle_transform_quaternion *
+mip_3dm_sensor_to_vehicle_transform_quaternion_default(
+    struct mip_3dm_sensor_to_vehicle_transform_quaternion *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
@@ -3925,14 +3935,12 @@ mip_3dm_sensor_to_vehicle_quaternion_default(struct mip_3dm_sensor_to_vehicle_qu
 /**
  * Sensor-to-Vehicle Frame Transformation Quaternion response: response (0x0C,0xB2).
  *
- * Full name: 3dm.sensor_to_vehicle_transform_quaternion_response.
- *
  * Also called `sensor_2_vehicle_transform_quaternion_response`. Answers
- * mip_3dm_sensor_to_vehicle_quaternion. Supported by 3DM-CV7-GNSS/INS.
+ * mip_3dm_sensor_to_vehicle_transform_quaternion. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32)
  */
-struct mip_3dm_sensor_to_vehicle_quaternion_response {
+struct mip_3dm_sensor_to_vehicle_transform_quaternion_response {
     /**
      * Unit quaternion that transforms vectors from the sensor frame to the vehicle frame. Elements:
      * w, x, y, z. Unit: 1.
@@ -3941,38 +3949,38 @@ struct mip_3dm_sensor_to_vehicle_quaternion_response {
 };
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_3DM_SENSOR_TO_VEHICLE_QUATERNION_RESPONSE 0x0CB2
+#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_RESPONSE 0x0CB2
 /** Its descriptor. */
-#define MIP_3DM_SENSOR_TO_VEHICLE_QUATERNION_RESPONSE_DESCRIPTOR 0xB2
+#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_RESPONSE_DESCRIPTOR 0xB2
 /** Its name in the specification. */
-#define MIP_3DM_SENSOR_TO_VEHICLE_QUATERNION_RESPONSE_NAME \
+#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_RESPONSE_NAME \
     "3dm.sensor_to_vehicle_transform_quaternion_response"
 
 /** Its wire format. */
-extern MIP_API const struct mip_codec mip_3dm_sensor_to_vehicle_quaternion_response_codec;
+extern MIP_API const struct mip_codec mip_3dm_sensor_to_vehicle_transform_quaternion_response_codec;
 
 /** Decodes it. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_sensor_to_vehicle_quaternion_response_decode(
-    struct mip_3dm_sensor_to_vehicle_quaternion_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_sensor_to_vehicle_quaternion_response_codec, 0xB2, value,
-                           sizeof(*value), field);
+static inline mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_response_decode(
+    struct mip_3dm_sensor_to_vehicle_transform_quaternion_response *value,
+    const struct mip_field *field) {
+    return mip_decode_only(&mip_3dm_sensor_to_vehicle_transform_quaternion_response_codec, 0xB2,
+                           value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_quaternion_response_encode(
-    const struct mip_3dm_sensor_to_vehicle_quaternion_response *value,
+MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_response_encode(
+    const struct mip_3dm_sensor_to_vehicle_transform_quaternion_response *value,
     struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_sensor_to_vehicle_quaternion_response_codec, value, builder);
+    return mip_encode(&mip_3dm_sensor_to_vehicle_transform_quaternion_response_codec, value,
+                      builder);
 }
 /**
  * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix: command (0x0C,0x33).
  *
  * Mounting of the sensor in the vehicle as a direction cosine matrix.
  *
- * Full name: 3dm.sensor_to_vehicle_transform_dcm.
- *
  * Also called `sensor_2_vehicle_transform_dcm`. Functions: write, read, save, load and default.
- * Answered by mip_3dm_sensor_to_vehicle_dcm_response. Changes mip_sensor_scaled_accel,
+ * Answered by mip_3dm_sensor_to_vehicle_transform_dcm_response. Changes mip_sensor_scaled_accel,
  * mip_sensor_scaled_gyro, mip_sensor_scaled_mag, mip_sensor_delta_theta, mip_sensor_delta_velocity,
  * mip_sensor_comp_orientation_matrix, mip_sensor_comp_quaternion, mip_sensor_comp_euler_angles,
  * mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm, mip_filter_data_euler_angles,
@@ -3980,17 +3988,17 @@ MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_quaternion_respons
  * mip_filter_data_gravity_vector. Probably changes mip_filter_data_comp_accel and
  * mip_sensor_comp_orientation_update_matrix. Supported by 3DM-CV7-GNSS/INS.
  *
- * mip_3dm_sensor_to_vehicle_euler and mip_3dm_sensor_to_vehicle_quaternion set the same
- * transformation; the value read back may be another form of it.
+ * mip_3dm_sensor_to_vehicle_transform_euler and mip_3dm_sensor_to_vehicle_transform_quaternion set
+ * the same transformation; the value read back may be another form of it.
  *
  * `v_vehicle = dcm * v_sensor`. This is the inverse of the matrix that
- * mip_filter_sensor_to_vehicle_dcm takes.
+ * mip_filter_sensor_to_vehicle_rotation_dcm takes.
  *
  * Every change resets the complementary filter, the estimation filter and all low-pass filters.
  *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33)
  */
-struct mip_3dm_sensor_to_vehicle_dcm {
+struct mip_3dm_sensor_to_vehicle_transform_dcm {
     /**
      * Number of parameters that are present, not counting the function selector. When decoding:
      * those received. To send: 0 for only the required ones.
@@ -4006,63 +4014,68 @@ struct mip_3dm_sensor_to_vehicle_dcm {
 };
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_3DM_SENSOR_TO_VEHICLE_DCM 0x0C33
+#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM 0x0C33
 /** Its descriptor. */
-#define MIP_3DM_SENSOR_TO_VEHICLE_DCM_DESCRIPTOR 0x33
+#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM_DESCRIPTOR 0x33
 /** Its name in the specification. */
-#define MIP_3DM_SENSOR_TO_VEHICLE_DCM_NAME "3dm.sensor_to_vehicle_transform_dcm"
+#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM_NAME "3dm.sensor_to_vehicle_transform_dcm"
 
 /** Its wire format. */
-extern MIP_API const struct mip_codec mip_3dm_sensor_to_vehicle_dcm_codec;
+extern MIP_API const struct mip_codec mip_3dm_sensor_to_vehicle_transform_dcm_codec;
 
 /** Decodes it. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_sensor_to_vehicle_dcm_decode(
-    struct mip_3dm_sensor_to_vehicle_dcm *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_sensor_to_vehicle_dcm_codec, 0x33, value, sizeof(*value),
-                           field);
+static inline mip_error mip_3dm_sensor_to_vehicle_transform_dcm_decode(
+    struct mip_3dm_sensor_to_vehicle_transform_dcm *value, const struct mip_field *field) {
+    return mip_decode_only(&mip_3dm_sensor_to_vehicle_transform_dcm_codec, 0x33, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_dcm_encode(
-    const struct mip_3dm_sensor_to_vehicle_dcm *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_sensor_to_vehicle_dcm_codec, value, builder);
+MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_transform_dcm_encode(
+    const struct mip_3dm_sensor_to_vehicle_transform_dcm *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_sensor_to_vehicle_transform_dcm_codec, value, builder);
 } /**
    * Apply the new setting. Fills the structure and returns its address.
    *
    * - dcm: The matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
    *   Unit: 1. Required for write.
    */
-static inline struct mip_3dm_sensor_to_vehicle_dcm *mip_3dm_sensor_to_vehicle_dcm_write(
-    struct mip_3dm_sensor_to_vehicle_dcm *command, const float dcm[9]) {
+static inline struct mip_3dm_sensor_to_vehicle_transform_dcm *
+mip_3dm_sensor_to_vehicle_transform_dcm_write(
+    struct mip_3dm_sensor_to_vehicle_transform_dcm *command, const float dcm[9]) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_WRITE;
     memcpy(command->dcm, dcm, sizeof(command->dcm));
     return command;
 }
 /** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_3dm_sensor_to_vehicle_dcm *
-mip_3dm_sensor_to_vehicle_dcm_read(struct mip_3dm_sensor_to_vehicle_dcm *command) {
+static inline struct mip_3dm_sensor_to_vehicle_transform_dcm *
+mip_3dm_sensor_to_vehicle_transform_dcm_read(
+    struct mip_3dm_sensor_to_vehicle_transform_dcm *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_3dm_sensor_to_vehicle_dcm *
-mip_3dm_sensor_to_vehicle_dcm_save(struct mip_3dm_sensor_to_vehicle_dcm *command) {
+static inline struct mip_3dm_sensor_to_vehicle_transform_dcm *
+mip_3dm_sensor_to_vehicle_transform_dcm_save(
+    struct mip_3dm_sensor_to_vehicle_transform_dcm *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
 /** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_3dm_sensor_to_vehicle_dcm *
-mip_3dm_sensor_to_vehicle_dcm_load(struct mip_3dm_sensor_to_vehicle_dcm *command) {
+static inline struct mip_3dm_sensor_to_vehicle_transform_dcm *
+mip_3dm_sensor_to_vehicle_transform_dcm_load(
+    struct mip_3dm_sensor_to_vehicle_transform_dcm *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
 /** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_3dm_sensor_to_vehicle_dcm *
-mip_3dm_sensor_to_vehicle_dcm_default(struct mip_3dm_sensor_to_vehicle_dcm *command) {
+static inline struct mip_3dm_sensor_to_vehicle_transform_dcm *
+mip_3dm_sensor_to_vehicle_transform_dcm_default(
+    struct mip_3dm_sensor_to_vehicle_transform_dcm *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
@@ -4071,14 +4084,12 @@ mip_3dm_sensor_to_vehicle_dcm_default(struct mip_3dm_sensor_to_vehicle_dcm *comm
 /**
  * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix response: response (0x0C,0xB3).
  *
- * Full name: 3dm.sensor_to_vehicle_transform_dcm_response.
- *
- * Also called `sensor_2_vehicle_transform_dcm_response`. Answers mip_3dm_sensor_to_vehicle_dcm.
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `sensor_2_vehicle_transform_dcm_response`. Answers
+ * mip_3dm_sensor_to_vehicle_transform_dcm. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33)
  */
-struct mip_3dm_sensor_to_vehicle_dcm_response {
+struct mip_3dm_sensor_to_vehicle_transform_dcm_response {
     /**
      * The matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit:
      * 1.
@@ -4087,26 +4098,28 @@ struct mip_3dm_sensor_to_vehicle_dcm_response {
 };
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_3DM_SENSOR_TO_VEHICLE_DCM_RESPONSE 0x0CB3
+#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM_RESPONSE 0x0CB3
 /** Its descriptor. */
-#define MIP_3DM_SENSOR_TO_VEHICLE_DCM_RESPONSE_DESCRIPTOR 0xB3
+#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM_RESPONSE_DESCRIPTOR 0xB3
 /** Its name in the specification. */
-#define MIP_3DM_SENSOR_TO_VEHICLE_DCM_RESPONSE_NAME "3dm.sensor_to_vehicle_transform_dcm_response"
+#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM_RESPONSE_NAME \
+    "3dm.sensor_to_vehicle_transform_dcm_response"
 
 /** Its wire format. */
-extern MIP_API const struct mip_codec mip_3dm_sensor_to_vehicle_dcm_response_codec;
+extern MIP_API const struct mip_codec mip_3dm_sensor_to_vehicle_transform_dcm_response_codec;
 
 /** Decodes it. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_sensor_to_vehicle_dcm_response_decode(
-    struct mip_3dm_sensor_to_vehicle_dcm_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_sensor_to_vehicle_dcm_response_codec, 0xB3, value,
+static inline mip_error mip_3dm_sensor_to_vehicle_transform_dcm_response_decode(
+    struct mip_3dm_sensor_to_vehicle_transform_dcm_response *value, const struct mip_field *field) {
+    return mip_decode_only(&mip_3dm_sensor_to_vehicle_transform_dcm_response_codec, 0xB3, value,
                            sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_dcm_response_encode(
-    const struct mip_3dm_sensor_to_vehicle_dcm_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_sensor_to_vehicle_dcm_response_codec, value, builder);
+MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_transform_dcm_response_encode(
+    const struct mip_3dm_sensor_to_vehicle_transform_dcm_response *value,
+    struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_sensor_to_vehicle_transform_dcm_response_codec, value, builder);
 }
 /**
  * GPS dynamics mode: command (0x0C,0x34).
@@ -4287,7 +4300,10 @@ struct mip_3dm_imu_signal_conditioning {
      * Required for write.
      */
     uint16_t north_compensation;
-    /** Bandwidth of the magnetometer. A value of enum mip_3dm_mag_bandwidth. Required for write. */
+    /**
+     * Bandwidth of the magnetometer of 3-series devices. A value of enum mip_3dm_mag_bandwidth.
+     * Required for write.
+     */
     uint8_t mag_bandwidth;
     /** Reserved: send 0. Required for write. */
     uint16_t reserved;
@@ -4329,8 +4345,8 @@ MIP_CHECKED static inline mip_error mip_3dm_imu_signal_conditioning_encode(
    * 1000. Default: 10. Required for write.
    * - north_compensation: Time constant of the correction of the heading. Unit: s. Range: 1 to
    * 1000. Default: 10. Required for write.
-   * - mag_bandwidth: Bandwidth of the magnetometer. A value of enum mip_3dm_mag_bandwidth. Required
-   *   for write.
+   * - mag_bandwidth: Bandwidth of the magnetometer of 3-series devices. A value of enum
+   *   mip_3dm_mag_bandwidth. Required for write.
    */
 static inline struct mip_3dm_imu_signal_conditioning *mip_3dm_imu_signal_conditioning_write(
     struct mip_3dm_imu_signal_conditioning *command, uint16_t orientation_decimation,
@@ -4406,7 +4422,7 @@ struct mip_3dm_imu_signal_conditioning_response {
     uint16_t up_compensation;
     /** Time constant of the correction of the heading. Unit: s. Range: 1 to 1000. Default: 10. */
     uint16_t north_compensation;
-    /** Bandwidth of the magnetometer. A value of enum mip_3dm_mag_bandwidth. */
+    /** Bandwidth of the magnetometer of 3-series devices. A value of enum mip_3dm_mag_bandwidth. */
     uint8_t mag_bandwidth;
     /** Reserved. */
     uint16_t reserved;
@@ -4568,7 +4584,8 @@ struct mip_3dm_accel_bias {
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
-     * Accelerometer bias. Elements: x, y, z. Unit: g. Frame: sensor. Required for write and apply.
+     * Bias that the device subtracts from the measured acceleration. Elements: x, y, z. Unit: g.
+     * Frame: sensor. Required for write and apply.
      */
     float bias[3];
 };
@@ -4596,8 +4613,8 @@ mip_3dm_accel_bias_encode(const struct mip_3dm_accel_bias *value, struct mip_bui
 } /**
    * Apply the new setting. Fills the structure and returns its address.
    *
-   * - bias: Accelerometer bias. Elements: x, y, z. Unit: g. Frame: sensor. Required for write and
-   *   apply.
+   * - bias: Bias that the device subtracts from the measured acceleration. Elements: x, y, z. Unit:
+   *   g. Frame: sensor. Required for write and apply.
    */
 static inline struct mip_3dm_accel_bias *
 mip_3dm_accel_bias_write(struct mip_3dm_accel_bias *command, const float bias[3]) {
@@ -4638,8 +4655,8 @@ mip_3dm_accel_bias_default(struct mip_3dm_accel_bias *command) {
  * Apply the new setting and send no acknowledge (5-series devices). Fills the structure and returns
  * its address.
  *
- * - bias: Accelerometer bias. Elements: x, y, z. Unit: g. Frame: sensor. Required for write and
- *   apply.
+ * - bias: Bias that the device subtracts from the measured acceleration. Elements: x, y, z. Unit:
+ *   g. Frame: sensor. Required for write and apply.
  */
 static inline struct mip_3dm_accel_bias *
 mip_3dm_accel_bias_apply(struct mip_3dm_accel_bias *command, const float bias[3]) {
@@ -4659,7 +4676,10 @@ mip_3dm_accel_bias_apply(struct mip_3dm_accel_bias *command, const float bias[3]
  * - 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
  */
 struct mip_3dm_accel_bias_response {
-    /** Accelerometer bias. Elements: x, y, z. Unit: g. Frame: sensor. */
+    /**
+     * Bias that the device subtracts from the measured acceleration. Elements: x, y, z. Unit: g.
+     * Frame: sensor.
+     */
     float bias[3];
 };
 
@@ -4708,7 +4728,8 @@ struct mip_3dm_gyro_bias {
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
-     * Gyroscope bias. Elements: x, y, z. Unit: rad/s. Frame: sensor. Required for write and apply.
+     * Bias that the device subtracts from the measured angular rate. Elements: x, y, z. Unit:
+     * rad/s. Frame: sensor. Required for write and apply.
      */
     float bias[3];
 };
@@ -4736,8 +4757,8 @@ MIP_CHECKED static inline mip_error mip_3dm_gyro_bias_encode(const struct mip_3d
 } /**
    * Apply the new setting. Fills the structure and returns its address.
    *
-   * - bias: Gyroscope bias. Elements: x, y, z. Unit: rad/s. Frame: sensor. Required for write and
-   *   apply.
+   * - bias: Bias that the device subtracts from the measured angular rate. Elements: x, y, z. Unit:
+   *   rad/s. Frame: sensor. Required for write and apply.
    */
 static inline struct mip_3dm_gyro_bias *mip_3dm_gyro_bias_write(struct mip_3dm_gyro_bias *command,
                                                                 const float bias[3]) {
@@ -4775,8 +4796,8 @@ mip_3dm_gyro_bias_default(struct mip_3dm_gyro_bias *command) {
  * Apply the new setting and send no acknowledge (5-series devices). Fills the structure and returns
  * its address.
  *
- * - bias: Gyroscope bias. Elements: x, y, z. Unit: rad/s. Frame: sensor. Required for write and
- *   apply.
+ * - bias: Bias that the device subtracts from the measured angular rate. Elements: x, y, z. Unit:
+ *   rad/s. Frame: sensor. Required for write and apply.
  */
 static inline struct mip_3dm_gyro_bias *mip_3dm_gyro_bias_apply(struct mip_3dm_gyro_bias *command,
                                                                 const float bias[3]) {
@@ -4799,7 +4820,10 @@ static inline struct mip_3dm_gyro_bias *mip_3dm_gyro_bias_apply(struct mip_3dm_g
  * - 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
  */
 struct mip_3dm_gyro_bias_response {
-    /** Gyroscope bias. Elements: x, y, z. Unit: rad/s. Frame: sensor. */
+    /**
+     * Bias that the device subtracts from the measured angular rate. Elements: x, y, z. Unit:
+     * rad/s. Frame: sensor.
+     */
     float bias[3];
 };
 
@@ -4912,8 +4936,8 @@ struct mip_3dm_mag_hard_iron_offset {
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
-     * Hard iron offset. Elements: x, y, z. Unit: gauss. Frame: sensor. Required for write and
-     * apply. On the 3DM-GX5-45: default 0, 0, 0.
+     * Offset that the device subtracts from the measured magnetic field. Elements: x, y, z. Unit:
+     * gauss. Frame: sensor. Required for write and apply. On the 3DM-GX5-45: default 0, 0, 0.
      */
     float offset[3];
 };
@@ -4941,8 +4965,8 @@ MIP_CHECKED static inline mip_error mip_3dm_mag_hard_iron_offset_encode(
 } /**
    * Apply the new setting. Fills the structure and returns its address.
    *
-   * - offset: Hard iron offset. Elements: x, y, z. Unit: gauss. Frame: sensor. Required for write
-   * and apply. On the 3DM-GX5-45: default 0, 0, 0.
+   * - offset: Offset that the device subtracts from the measured magnetic field. Elements: x, y, z.
+   *   Unit: gauss. Frame: sensor. Required for write and apply. On the 3DM-GX5-45: default 0, 0, 0.
    */
 static inline struct mip_3dm_mag_hard_iron_offset *mip_3dm_mag_hard_iron_offset_write(
     struct mip_3dm_mag_hard_iron_offset *command, const float offset[3]) {
@@ -4983,8 +5007,8 @@ mip_3dm_mag_hard_iron_offset_default(struct mip_3dm_mag_hard_iron_offset *comman
  * Apply the new setting and send no acknowledge (5-series devices). Fills the structure and returns
  * its address.
  *
- * - offset: Hard iron offset. Elements: x, y, z. Unit: gauss. Frame: sensor. Required for write and
- *   apply. On the 3DM-GX5-45: default 0, 0, 0.
+ * - offset: Offset that the device subtracts from the measured magnetic field. Elements: x, y, z.
+ *   Unit: gauss. Frame: sensor. Required for write and apply. On the 3DM-GX5-45: default 0, 0, 0.
  */
 static inline struct mip_3dm_mag_hard_iron_offset *mip_3dm_mag_hard_iron_offset_apply(
     struct mip_3dm_mag_hard_iron_offset *command, const float offset[3]) {
@@ -5004,7 +5028,10 @@ static inline struct mip_3dm_mag_hard_iron_offset *mip_3dm_mag_hard_iron_offset_
  * - 3dm-gx5-45: (0x0C, 0x3A)
  */
 struct mip_3dm_mag_hard_iron_offset_response {
-    /** Hard iron offset. Elements: x, y, z. Unit: gauss. Frame: sensor. */
+    /**
+     * Offset that the device subtracts from the measured magnetic field. Elements: x, y, z. Unit:
+     * gauss. Frame: sensor.
+     */
     float offset[3];
 };
 
@@ -5329,7 +5356,8 @@ struct mip_3dm_uart_baud_rate {
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
-     * Baud rate. Unit: Bd. Required for write. On the 3DM-GX5-15 and 3DM-GX5-45: default 115200.
+     * Baud rate, one of those that the port supports. Unit: Bd. Required for write. On the
+     * 3DM-GX5-15 and 3DM-GX5-45: default 115200.
      */
     uint32_t baud;
 };
@@ -5357,8 +5385,8 @@ MIP_CHECKED static inline mip_error mip_3dm_uart_baud_rate_encode(
 } /**
    * Apply the new setting. Fills the structure and returns its address.
    *
-   * - baud: Baud rate. Unit: Bd. Required for write. On the 3DM-GX5-15 and 3DM-GX5-45: default
-   *   115200.
+   * - baud: Baud rate, one of those that the port supports. Unit: Bd. Required for write. On the
+   *   3DM-GX5-15 and 3DM-GX5-45: default 115200.
    */
 static inline struct mip_3dm_uart_baud_rate *
 mip_3dm_uart_baud_rate_write(struct mip_3dm_uart_baud_rate *command, uint32_t baud) {
@@ -5406,7 +5434,7 @@ mip_3dm_uart_baud_rate_default(struct mip_3dm_uart_baud_rate *command) {
  * - 3dm-cv7-gnss-ins: UART Baudrate (0x0C,0x40)
  */
 struct mip_3dm_uart_baud_rate_response {
-    /** Baud rate. Unit: Bd. */
+    /** Baud rate, one of those that the port supports. Unit: Bd. */
     uint32_t baud;
 };
 
@@ -6658,7 +6686,7 @@ static inline struct mip_3dm_low_pass_filter *mip_3dm_low_pass_filter_default(
 struct mip_3dm_low_pass_filter_response {
     /** Descriptor set of the field. */
     uint8_t descriptor_set;
-    /** Field descriptor. Refers to fields of descriptor_set. */
+    /** Descriptor of the field that is filtered. Refers to fields of descriptor_set. */
     uint8_t field_descriptor;
     /** Whether the field is filtered. */
     mip_bool enable;
@@ -6717,7 +6745,7 @@ struct mip_3dm_data_stream_format {
     uint8_t function;
     /** Stream whose format is set or read. A value of enum mip_3dm_internal_sensor. */
     uint8_t stream;
-    /** Its format. A value of enum mip_3dm_stream_format. */
+    /** Format of a data stream. A value of enum mip_3dm_stream_format. */
     uint8_t format;
 };
 
@@ -6745,7 +6773,7 @@ MIP_CHECKED static inline mip_error mip_3dm_data_stream_format_encode(
    * Apply the new setting. Fills the structure and returns its address.
    *
    * - stream: Stream whose format is set or read. A value of enum mip_3dm_internal_sensor.
-   * - format: Its format. A value of enum mip_3dm_stream_format.
+   * - format: Format of a data stream. A value of enum mip_3dm_stream_format.
    */
 static inline struct mip_3dm_data_stream_format *mip_3dm_data_stream_format_write(
     struct mip_3dm_data_stream_format *command, enum mip_3dm_internal_sensor stream,
@@ -6760,7 +6788,7 @@ static inline struct mip_3dm_data_stream_format *mip_3dm_data_stream_format_writ
  * Return the current setting in a response. Fills the structure and returns its address.
  *
  * - stream: Stream whose format is set or read. A value of enum mip_3dm_internal_sensor.
- * - format: Its format. A value of enum mip_3dm_stream_format.
+ * - format: Format of a data stream. A value of enum mip_3dm_stream_format.
  */
 static inline struct mip_3dm_data_stream_format *mip_3dm_data_stream_format_read(
     struct mip_3dm_data_stream_format *command, enum mip_3dm_internal_sensor stream,
@@ -6775,7 +6803,7 @@ static inline struct mip_3dm_data_stream_format *mip_3dm_data_stream_format_read
  * Save the current setting to non-volatile memory. Fills the structure and returns its address.
  *
  * - stream: Stream whose format is set or read. A value of enum mip_3dm_internal_sensor.
- * - format: Its format. A value of enum mip_3dm_stream_format.
+ * - format: Format of a data stream. A value of enum mip_3dm_stream_format.
  */
 static inline struct mip_3dm_data_stream_format *mip_3dm_data_stream_format_save(
     struct mip_3dm_data_stream_format *command, enum mip_3dm_internal_sensor stream,
@@ -6790,7 +6818,7 @@ static inline struct mip_3dm_data_stream_format *mip_3dm_data_stream_format_save
  * Load the saved setting. Fills the structure and returns its address.
  *
  * - stream: Stream whose format is set or read. A value of enum mip_3dm_internal_sensor.
- * - format: Its format. A value of enum mip_3dm_stream_format.
+ * - format: Format of a data stream. A value of enum mip_3dm_stream_format.
  */
 static inline struct mip_3dm_data_stream_format *mip_3dm_data_stream_format_load(
     struct mip_3dm_data_stream_format *command, enum mip_3dm_internal_sensor stream,
@@ -6805,7 +6833,7 @@ static inline struct mip_3dm_data_stream_format *mip_3dm_data_stream_format_load
  * Load the factory default setting. Fills the structure and returns its address.
  *
  * - stream: Stream whose format is set or read. A value of enum mip_3dm_internal_sensor.
- * - format: Its format. A value of enum mip_3dm_stream_format.
+ * - format: Format of a data stream. A value of enum mip_3dm_stream_format.
  */
 static inline struct mip_3dm_data_stream_format *mip_3dm_data_stream_format_default(
     struct mip_3dm_data_stream_format *command, enum mip_3dm_internal_sensor stream,
@@ -6829,7 +6857,7 @@ static inline struct mip_3dm_data_stream_format *mip_3dm_data_stream_format_defa
 struct mip_3dm_data_stream_format_response {
     /** Stream whose format is set or read. A value of enum mip_3dm_internal_sensor. */
     uint8_t stream;
-    /** Its format. A value of enum mip_3dm_stream_format. */
+    /** Format of a data stream. A value of enum mip_3dm_stream_format. */
     uint8_t format;
 };
 
@@ -6881,7 +6909,10 @@ struct mip_3dm_device_power_state {
     uint8_t function;
     /** The sensor. A value of enum mip_3dm_internal_sensor. */
     uint8_t device;
-    /** Its power state. A value of enum mip_3dm_sensor_power_state. Required for write. */
+    /**
+     * Power state of an internal sensor. A value of enum mip_3dm_sensor_power_state. Required for
+     * write.
+     */
     uint8_t state;
 };
 
@@ -6909,7 +6940,8 @@ MIP_CHECKED static inline mip_error mip_3dm_device_power_state_encode(
    * Apply the new setting. Fills the structure and returns its address.
    *
    * - device_: The sensor. A value of enum mip_3dm_internal_sensor.
-   * - state: Its power state. A value of enum mip_3dm_sensor_power_state. Required for write.
+   * - state: Power state of an internal sensor. A value of enum mip_3dm_sensor_power_state.
+   * Required for write.
    */
 static inline struct mip_3dm_device_power_state *mip_3dm_device_power_state_write(
     struct mip_3dm_device_power_state *command, enum mip_3dm_internal_sensor device_,
@@ -6981,7 +7013,7 @@ static inline struct mip_3dm_device_power_state *mip_3dm_device_power_state_defa
 struct mip_3dm_device_power_state_response {
     /** The sensor. A value of enum mip_3dm_internal_sensor. */
     uint8_t device;
-    /** Its power state. A value of enum mip_3dm_sensor_power_state. */
+    /** Power state of an internal sensor. A value of enum mip_3dm_sensor_power_state. */
     uint8_t state;
 };
 
@@ -7076,11 +7108,13 @@ mip_3dm_gps_advanced_settings_default(struct mip_3dm_gps_advanced_settings *comm
  *
  * Gets the state of the device, in basic form or with counters.
  *
- * For advanced use. Answered by mip_3dm_device_status_basic_response,
- * mip_3dm_device_status_basic_stateless_response, mip_3dm_device_status_diagnostic_response,
- * mip_3dm_device_status_diagnostic_gnss_response, mip_3dm_device_status_diagnostic_gq4_45_response,
+ * For advanced use. Answered by mip_3dm_device_status_basic_rq1_imu_response,
+ * mip_3dm_device_status_basic_response, mip_3dm_device_status_basic_without_state_response,
+ * mip_3dm_device_status_diagnostic_response, mip_3dm_device_status_diagnostic_gnss_response,
+ * mip_3dm_device_status_diagnostic_gq4_45_response,
  * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_gx4_response,
- * mip_3dm_device_status_diagnostic_imu_response, mip_3dm_device_status_basic_gx3_response or
+ * mip_3dm_device_status_diagnostic_imu_response, mip_3dm_device_status_diagnostic_gx4_imu_response,
+ * mip_3dm_device_status_diagnostic_rq1_imu_response, mip_3dm_device_status_basic_gx3_response or
  * mip_3dm_device_status_diagnostic_gx3_response. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
  * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
@@ -7141,14 +7175,64 @@ mip_3dm_device_status_make(struct mip_3dm_device_status *command, uint16_t model
 }
 
 /**
+ * Basic Device Status of the inertial sensor of the 3DM-RQ1-45: response (0x0C,0x90).
+ *
+ * Timer only, in microseconds.
+ *
+ * No device is certain to support it. Answers mip_3dm_device_status. Sent if status_selector is
+ * MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC. Uncertain: The SDK of 2014 names the values and gives the
+ * unit of the timer; the descriptions follow from the names.
+ *
+ * Parameters without a member, on the wire only:
+ * - model_number: Model number of the inertial sensor. Always 6238.
+ * - status_selector: Basic status. Always 1.
+ *
+ * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
+ * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
+ * - 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64)
+ * - mscl: Device Status (0x0C,0x64)
+ */
+struct mip_3dm_device_status_basic_rq1_imu_response {
+    /** Reserved. */
+    uint32_t status_flags;
+    /** Time since start-up. Unit: us. */
+    uint64_t system_timer;
+};
+
+/**
+ * Descriptor set and descriptor, as mip_field_key gives them. Other layouts have the same: _decode
+ * refuses them with MIP_ERROR_LAYOUT.
+ */
+#define MIP_3DM_DEVICE_STATUS_BASIC_RQ1_IMU_RESPONSE 0x0C90
+/** Its descriptor. */
+#define MIP_3DM_DEVICE_STATUS_BASIC_RQ1_IMU_RESPONSE_DESCRIPTOR 0x90
+/** Its name in the specification. */
+#define MIP_3DM_DEVICE_STATUS_BASIC_RQ1_IMU_RESPONSE_NAME "3dm.device_status_basic_rq1_imu_response"
+
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_device_status_basic_rq1_imu_response_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_device_status_basic_rq1_imu_response_decode(
+    struct mip_3dm_device_status_basic_rq1_imu_response *value, const struct mip_field *field) {
+    return mip_decode_only(&mip_3dm_device_status_basic_rq1_imu_response_codec, 0x90, value,
+                           sizeof(*value), field);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+MIP_CHECKED static inline mip_error mip_3dm_device_status_basic_rq1_imu_response_encode(
+    const struct mip_3dm_device_status_basic_rq1_imu_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_device_status_basic_rq1_imu_response_codec, value, builder);
+}
+/**
  * Basic Device Status: response (0x0C,0x90).
  *
  * State and timer.
  *
- * Answers mip_3dm_device_status. Distinguished from mip_3dm_device_status_basic_stateless_response
- * and mip_3dm_device_status_basic_gx3_response by the size of its data. Sent if status_selector is
- * MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
- * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Answers mip_3dm_device_status. Distinguished from
+ * mip_3dm_device_status_basic_without_state_response and mip_3dm_device_status_basic_gx3_response
+ * by the size of its data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC.
+ * Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * Parameters without a member, on the wire only:
  * - status_selector: Basic status. Always 1.
@@ -7202,12 +7286,11 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_basic_response_encode(
  *
  * Timer only.
  *
- * Full name: 3dm.device_status_basic_without_state_response.
- *
  * No device is certain to support it. Answers mip_3dm_device_status. Distinguished from
  * mip_3dm_device_status_basic_response and mip_3dm_device_status_basic_gx3_response by the size of
  * its data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC. Uncertain: MSCL has it
- * for the 3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10; that the 3DM-CL5-10 has it
+ * for the 3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10, the SDK of 2014 for the
+ * 3DM-GX4-15, the 3DM-GX4-25 and the inertial sensor of the 3DM-GX4-45; that the 3DM-CL5-10 has it
  * is inferred. Uncertain: The manual of the 3DM-GX5-45 gives it too, but for the model number of
  * another device; MSCL has the layout with a state for that device.
  *
@@ -7219,7 +7302,7 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_basic_response_encode(
  * - 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64)
  * - mscl: Device Status (0x0C,0x64)
  */
-struct mip_3dm_device_status_basic_stateless_response {
+struct mip_3dm_device_status_basic_without_state_response {
     /** Model number of the device. */
     uint16_t model_number;
     /** Reserved. */
@@ -7232,28 +7315,29 @@ struct mip_3dm_device_status_basic_stateless_response {
  * Descriptor set and descriptor, as mip_field_key gives them. Other layouts have the same: _decode
  * refuses them with MIP_ERROR_LAYOUT.
  */
-#define MIP_3DM_DEVICE_STATUS_BASIC_STATELESS_RESPONSE 0x0C90
+#define MIP_3DM_DEVICE_STATUS_BASIC_WITHOUT_STATE_RESPONSE 0x0C90
 /** Its descriptor. */
-#define MIP_3DM_DEVICE_STATUS_BASIC_STATELESS_RESPONSE_DESCRIPTOR 0x90
+#define MIP_3DM_DEVICE_STATUS_BASIC_WITHOUT_STATE_RESPONSE_DESCRIPTOR 0x90
 /** Its name in the specification. */
-#define MIP_3DM_DEVICE_STATUS_BASIC_STATELESS_RESPONSE_NAME \
+#define MIP_3DM_DEVICE_STATUS_BASIC_WITHOUT_STATE_RESPONSE_NAME \
     "3dm.device_status_basic_without_state_response"
 
 /** Its wire format. */
-extern MIP_API const struct mip_codec mip_3dm_device_status_basic_stateless_response_codec;
+extern MIP_API const struct mip_codec mip_3dm_device_status_basic_without_state_response_codec;
 
 /** Decodes it. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_device_status_basic_stateless_response_decode(
-    struct mip_3dm_device_status_basic_stateless_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_3dm_device_status_basic_stateless_response_codec, 0x90, value,
+static inline mip_error mip_3dm_device_status_basic_without_state_response_decode(
+    struct mip_3dm_device_status_basic_without_state_response *value,
+    const struct mip_field *field) {
+    return mip_decode_only(&mip_3dm_device_status_basic_without_state_response_codec, 0x90, value,
                            sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_device_status_basic_stateless_response_encode(
-    const struct mip_3dm_device_status_basic_stateless_response *value,
+MIP_CHECKED static inline mip_error mip_3dm_device_status_basic_without_state_response_encode(
+    const struct mip_3dm_device_status_basic_without_state_response *value,
     struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_device_status_basic_stateless_response_codec, value, builder);
+    return mip_encode(&mip_3dm_device_status_basic_without_state_response_codec, value, builder);
 }
 /**
  * Diagnostic Device Status: response (0x0C,0x90).
@@ -7263,9 +7347,10 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_basic_stateless_respon
  * Answers mip_3dm_device_status. Distinguished from mip_3dm_device_status_diagnostic_gnss_response,
  * mip_3dm_device_status_diagnostic_gq4_45_response,
  * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_gx4_response,
- * mip_3dm_device_status_diagnostic_imu_response and mip_3dm_device_status_diagnostic_gx3_response
- * by the size of its data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC.
- * Supported by 3DM-GX5-15.
+ * mip_3dm_device_status_diagnostic_imu_response, mip_3dm_device_status_diagnostic_gx4_imu_response,
+ * mip_3dm_device_status_diagnostic_rq1_imu_response and
+ * mip_3dm_device_status_diagnostic_gx3_response by the size of its data. Sent if status_selector is
+ * MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Supported by 3DM-GX5-15.
  *
  * Parameters without a member, on the wire only:
  * - status_selector: Diagnostic status. Always 2.
@@ -7292,9 +7377,9 @@ struct mip_3dm_device_status_diagnostic_response {
     uint32_t imu_dropped_packets;
     /** Filter data packets that were not sent. Unit: 1. */
     uint32_t filter_dropped_packets;
-    /** Bytes written to the port. Unit: byte. */
+    /** Bytes sent over the port. Unit: byte. */
     uint32_t comm_port_bytes_written;
-    /** Bytes read from the port. Unit: byte. */
+    /** Bytes received over the port. Unit: byte. */
     uint32_t comm_port_bytes_read;
     /** Overruns while writing to the port. Unit: 1. */
     uint32_t comm_port_write_overruns;
@@ -7341,11 +7426,13 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_response_en
  * Answers mip_3dm_device_status. Distinguished from mip_3dm_device_status_diagnostic_response,
  * mip_3dm_device_status_diagnostic_gq4_45_response,
  * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_gx4_response,
- * mip_3dm_device_status_diagnostic_imu_response and mip_3dm_device_status_diagnostic_gx3_response
- * by the size of its data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC.
- * Supported by 3DM-GX5-35 and 3DM-GX5-45. Uncertain: MSCL has it for the 3DM-GX4-45 and the -35 and
- * -45 of GX5 and CX5; its length is from a manual. Uncertain: MSCL only names the values; the
- * descriptions follow from the names, and the times are assumed to be in ms like the system timer.
+ * mip_3dm_device_status_diagnostic_imu_response, mip_3dm_device_status_diagnostic_gx4_imu_response,
+ * mip_3dm_device_status_diagnostic_rq1_imu_response and
+ * mip_3dm_device_status_diagnostic_gx3_response by the size of its data. Sent if status_selector is
+ * MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Supported by 3DM-GX5-35 and 3DM-GX5-45. Uncertain:
+ * MSCL has it for the 3DM-GX4-45 and the -35 and -45 of GX5 and CX5; its length is from a manual.
+ * Uncertain: MSCL only names the values; the descriptions follow from the names, and the times are
+ * assumed to be in ms like the system timer.
  *
  * Parameters without a member, on the wire only:
  * - status_selector: Diagnostic status. Always 2.
@@ -7382,9 +7469,9 @@ struct mip_3dm_device_status_diagnostic_gnss_response {
     uint32_t gnss_dropped_packets;
     /** Filter data packets that were not sent. Unit: 1. */
     uint32_t filter_dropped_packets;
-    /** Bytes written to the port. Unit: byte. */
+    /** Bytes sent over the port. Unit: byte. */
     uint32_t comm_port_bytes_written;
-    /** Bytes read from the port. Unit: byte. */
+    /** Bytes received over the port. Unit: byte. */
     uint32_t comm_port_bytes_read;
     /** Overruns while writing to the port. Unit: 1. */
     uint32_t comm_port_write_overruns;
@@ -7438,7 +7525,9 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_gnss_respon
  *
  * Answers mip_3dm_device_status. Distinguished from mip_3dm_device_status_diagnostic_response,
  * mip_3dm_device_status_diagnostic_gnss_response, mip_3dm_device_status_diagnostic_rq1_45_response,
- * mip_3dm_device_status_diagnostic_gx4_response, mip_3dm_device_status_diagnostic_imu_response and
+ * mip_3dm_device_status_diagnostic_gx4_response, mip_3dm_device_status_diagnostic_imu_response,
+ * mip_3dm_device_status_diagnostic_gx4_imu_response,
+ * mip_3dm_device_status_diagnostic_rq1_imu_response and
  * mip_3dm_device_status_diagnostic_gx3_response by the size of its data. Sent if status_selector is
  * MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Supported by 3DM-GQ4-45. Uncertain: No known manual
  * gives it. Uncertain: MSCL only names the values; the descriptions follow from the names, and the
@@ -7479,9 +7568,9 @@ struct mip_3dm_device_status_diagnostic_gq4_45_response {
     uint32_t gnss_dropped_packets;
     /** Filter data packets that were not sent. Unit: 1. */
     uint32_t filter_dropped_packets;
-    /** Bytes written to the port. Unit: byte. */
+    /** Bytes sent over the port. Unit: byte. */
     uint32_t comm_port_bytes_written;
-    /** Bytes read from the port. Unit: byte. */
+    /** Bytes received over the port. Unit: byte. */
     uint32_t comm_port_bytes_read;
     /** Overruns while writing to the port. Unit: 1. */
     uint32_t comm_port_write_overruns;
@@ -7541,7 +7630,9 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_gq4_45_resp
  *
  * Answers mip_3dm_device_status. Distinguished from mip_3dm_device_status_diagnostic_response,
  * mip_3dm_device_status_diagnostic_gnss_response, mip_3dm_device_status_diagnostic_gq4_45_response,
- * mip_3dm_device_status_diagnostic_gx4_response, mip_3dm_device_status_diagnostic_imu_response and
+ * mip_3dm_device_status_diagnostic_gx4_response, mip_3dm_device_status_diagnostic_imu_response,
+ * mip_3dm_device_status_diagnostic_gx4_imu_response,
+ * mip_3dm_device_status_diagnostic_rq1_imu_response and
  * mip_3dm_device_status_diagnostic_gx3_response by the size of its data. Sent if status_selector is
  * MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Supported by 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  * Uncertain: No known manual gives it. Uncertain: MSCL only names the values; the descriptions
@@ -7588,9 +7679,9 @@ struct mip_3dm_device_status_diagnostic_rq1_45_response {
     uint32_t gnss_dropped_packets;
     /** Filter data packets that were not sent. Unit: 1. */
     uint32_t filter_dropped_packets;
-    /** Bytes written to the port. Unit: byte. */
+    /** Bytes sent over the port. Unit: byte. */
     uint32_t comm_port_bytes_written;
-    /** Bytes read from the port. Unit: byte. */
+    /** Bytes received over the port. Unit: byte. */
     uint32_t comm_port_bytes_read;
     /** Overruns while writing to the port. Unit: 1. */
     uint32_t comm_port_write_overruns;
@@ -7645,12 +7736,14 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_rq1_45_resp
  * No device is certain to support it. Answers mip_3dm_device_status. Distinguished from
  * mip_3dm_device_status_diagnostic_response, mip_3dm_device_status_diagnostic_gnss_response,
  * mip_3dm_device_status_diagnostic_gq4_45_response,
- * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_imu_response
- * and mip_3dm_device_status_diagnostic_gx3_response by the size of its data. Sent if
- * status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Uncertain: No known manual gives it
- * for these devices; the offsets 49 to 69 in the manual of the 3DM-GX5-45 agree. Uncertain: MSCL
- * only names the values; the descriptions follow from the names, and the times are assumed to be in
- * ms like the system timer.
+ * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_imu_response,
+ * mip_3dm_device_status_diagnostic_gx4_imu_response,
+ * mip_3dm_device_status_diagnostic_rq1_imu_response and
+ * mip_3dm_device_status_diagnostic_gx3_response by the size of its data. Sent if status_selector is
+ * MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Uncertain: No known manual gives it for these devices;
+ * the offsets 49 to 69 in the manual of the 3DM-GX5-45 agree. Uncertain: MSCL only names the
+ * values; the descriptions follow from the names, and the times are assumed to be in ms like the
+ * system timer.
  *
  * Parameters without a member, on the wire only:
  * - status_selector: Diagnostic status. Always 2.
@@ -7679,17 +7772,17 @@ struct mip_3dm_device_status_diagnostic_gx4_response {
     uint32_t imu_dropped_packets;
     /** Filter data packets that were not sent. Unit: 1. */
     uint32_t filter_dropped_packets;
-    /** Bytes written to the port. Unit: byte. */
+    /** Bytes sent over the port. Unit: byte. */
     uint32_t comm_port_bytes_written;
-    /** Bytes read from the port. Unit: byte. */
+    /** Bytes received over the port. Unit: byte. */
     uint32_t comm_port_bytes_read;
     /** Overruns while writing to the port. Unit: 1. */
     uint32_t comm_port_write_overruns;
     /** Overruns while reading from the port. Unit: 1. */
     uint32_t comm_port_read_overruns;
-    /** Bytes written to USB. Unit: byte. */
+    /** Bytes sent over USB. Unit: byte. */
     uint32_t usb_bytes_written;
-    /** Bytes read from USB. Unit: byte. */
+    /** Bytes received over USB. Unit: byte. */
     uint32_t usb_bytes_read;
     /** Overruns while writing to USB. Unit: 1. */
     uint32_t usb_write_overruns;
@@ -7738,12 +7831,14 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_gx4_respons
  * No device is certain to support it. Answers mip_3dm_device_status. Distinguished from
  * mip_3dm_device_status_diagnostic_response, mip_3dm_device_status_diagnostic_gnss_response,
  * mip_3dm_device_status_diagnostic_gq4_45_response,
- * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_gx4_response
- * and mip_3dm_device_status_diagnostic_gx3_response by the size of its data. Sent if
- * status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Uncertain: MSCL has it for the
- * 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10; no known manual gives it. Uncertain: MSCL only names the
- * values; the descriptions follow from the names, and the times are assumed to be in ms like the
- * system timer. Uncertain: The units of the ranges are not known.
+ * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_gx4_response,
+ * mip_3dm_device_status_diagnostic_gx4_imu_response,
+ * mip_3dm_device_status_diagnostic_rq1_imu_response and
+ * mip_3dm_device_status_diagnostic_gx3_response by the size of its data. Sent if status_selector is
+ * MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Uncertain: MSCL has it for the 3DM-GX5-10, 3DM-CX5-10
+ * and 3DM-CV5-10; no known manual gives it. Uncertain: MSCL only names the values; the descriptions
+ * follow from the names, and the times are assumed to be in ms like the system timer. Uncertain:
+ * The units of the ranges are not known.
  *
  * Parameters without a member, on the wire only:
  * - status_selector: Diagnostic status. Always 2.
@@ -7766,7 +7861,7 @@ struct mip_3dm_device_status_diagnostic_imu_response {
     mip_bool has_pressure;
     /** Power state of the sensors. */
     uint8_t power_state;
-    /** Range of the gyroscope. */
+    /** Largest angular rate that can be measured. */
     uint16_t gyro_range;
     /** Largest acceleration that can be measured. */
     uint16_t accel_range;
@@ -7786,9 +7881,9 @@ struct mip_3dm_device_status_diagnostic_imu_response {
     mip_bool imu_stream_enabled;
     /** Sensor data packets that were not sent. Unit: 1. */
     uint32_t imu_dropped_packets;
-    /** Bytes written to the port. Unit: byte. */
+    /** Bytes sent over the port. Unit: byte. */
     uint32_t comm_port_bytes_written;
-    /** Bytes read from the port. Unit: byte. */
+    /** Bytes received over the port. Unit: byte. */
     uint32_t comm_port_bytes_read;
     /** Overruns while writing to the port. Unit: 1. */
     uint32_t comm_port_write_overruns;
@@ -7824,13 +7919,197 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_imu_respons
     return mip_encode(&mip_3dm_device_status_diagnostic_imu_response_codec, value, builder);
 }
 /**
+ * Diagnostic Device Status of the inertial sensor of the 3DM-GX4-45: response (0x0C,0x90).
+ *
+ * Timer, available sensors and their ranges, temperature, and the counters of pulses, stream and
+ * port.
+ *
+ * No device is certain to support it. Answers mip_3dm_device_status. Distinguished from
+ * mip_3dm_device_status_diagnostic_response, mip_3dm_device_status_diagnostic_gnss_response,
+ * mip_3dm_device_status_diagnostic_gq4_45_response,
+ * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_gx4_response,
+ * mip_3dm_device_status_diagnostic_imu_response, mip_3dm_device_status_diagnostic_rq1_imu_response
+ * and mip_3dm_device_status_diagnostic_gx3_response by the size of its data. Sent if
+ * status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Uncertain: The SDK of 2014 names
+ * the values and gives the units of temperature and times; the descriptions follow from the names.
+ * Uncertain: The units of the ranges are not known.
+ *
+ * Parameters without a member, on the wire only:
+ * - status_selector: Diagnostic status. Always 2.
+ *
+ * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
+ * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
+ * - 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64)
+ * - mscl: Device Status (0x0C,0x64)
+ */
+struct mip_3dm_device_status_diagnostic_gx4_imu_response {
+    /** Model number of the inertial sensor. */
+    uint16_t model_number;
+    /** Reserved. */
+    uint32_t status_flags;
+    /** Time since start-up. Unit: ms. */
+    uint32_t system_timer;
+    /** Whether it has a magnetometer. */
+    mip_bool has_mag;
+    /** Whether it has a pressure sensor. */
+    mip_bool has_pressure;
+    /** Largest angular rate that can be measured. */
+    uint16_t gyro_range;
+    /** Largest acceleration that can be measured. */
+    uint8_t accel_range;
+    /** Largest magnetic field that can be measured. */
+    float mag_range;
+    /** Largest pressure that can be measured. */
+    float pressure_range;
+    /** Temperature of the board. Unit: degC. Uncertain: The unit is inferred. */
+    float temperature;
+    /** System timer at the last temperature. Unit: ms. */
+    uint32_t temperature_last_time;
+    /** State of the temperature measurement; 0 is normal. */
+    uint8_t temperature_error;
+    /** Pulses per second that were counted. Unit: 1. */
+    uint32_t pps_count;
+    /** System timer at the last pulse. Unit: ms. */
+    uint32_t pps_last_time;
+    /** Whether sensor data is streamed. */
+    mip_bool imu_stream_enabled;
+    /** Sensor data packets that were not sent. Unit: 1. */
+    uint32_t imu_dropped_packets;
+    /** Bytes sent over the port. Unit: byte. */
+    uint32_t comm_port_bytes_written;
+    /** Bytes received over the port. Unit: byte. */
+    uint32_t comm_port_bytes_read;
+    /** Overruns while writing to the port. Unit: 1. */
+    uint32_t comm_port_write_overruns;
+    /** Overruns while reading from the port. Unit: 1. */
+    uint32_t comm_port_read_overruns;
+};
+
+/**
+ * Descriptor set and descriptor, as mip_field_key gives them. Other layouts have the same: _decode
+ * refuses them with MIP_ERROR_LAYOUT.
+ */
+#define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GX4_IMU_RESPONSE 0x0C90
+/** Its descriptor. */
+#define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GX4_IMU_RESPONSE_DESCRIPTOR 0x90
+/** Its name in the specification. */
+#define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GX4_IMU_RESPONSE_NAME \
+    "3dm.device_status_diagnostic_gx4_imu_response"
+
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_device_status_diagnostic_gx4_imu_response_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_device_status_diagnostic_gx4_imu_response_decode(
+    struct mip_3dm_device_status_diagnostic_gx4_imu_response *value,
+    const struct mip_field *field) {
+    return mip_decode_only(&mip_3dm_device_status_diagnostic_gx4_imu_response_codec, 0x90, value,
+                           sizeof(*value), field);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_gx4_imu_response_encode(
+    const struct mip_3dm_device_status_diagnostic_gx4_imu_response *value,
+    struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_device_status_diagnostic_gx4_imu_response_codec, value, builder);
+}
+/**
+ * Diagnostic Device Status of the inertial sensor of the 3DM-RQ1-45: response (0x0C,0x90).
+ *
+ * Timer, temperature and supply, and the counters of pulses, stream and port.
+ *
+ * No device is certain to support it. Answers mip_3dm_device_status. Distinguished from
+ * mip_3dm_device_status_diagnostic_response, mip_3dm_device_status_diagnostic_gnss_response,
+ * mip_3dm_device_status_diagnostic_gq4_45_response,
+ * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_gx4_response,
+ * mip_3dm_device_status_diagnostic_imu_response, mip_3dm_device_status_diagnostic_gx4_imu_response
+ * and mip_3dm_device_status_diagnostic_gx3_response by the size of its data. Sent if
+ * status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Uncertain: The SDK of 2014 names
+ * the values and gives the units of temperature and times; the descriptions follow from the names.
+ *
+ * Parameters without a member, on the wire only:
+ * - status_selector: Diagnostic status. Always 2.
+ *
+ * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
+ * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
+ * - 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64)
+ * - mscl: Device Status (0x0C,0x64)
+ */
+struct mip_3dm_device_status_diagnostic_rq1_imu_response {
+    /** Model number of the inertial sensor. */
+    uint16_t model_number;
+    /** Reserved. */
+    uint32_t status_flags;
+    /** Time since start-up. Unit: us. */
+    uint64_t system_timer;
+    /** Temperature of the board. Unit: degC. Uncertain: The unit is inferred. */
+    float temperature;
+    /** System timer at the last temperature. Unit: ms. */
+    uint32_t temperature_last_time;
+    /** Whether a temperature sensor is faulty. */
+    mip_bool bad_temperature_sensor_detected;
+    /** Whether the temperature is too low. */
+    mip_bool cold_temperature_detected;
+    /** Whether a supply voltage is out of range. */
+    mip_bool bad_voltage_detected;
+    /** Pulses per second that were counted. Unit: 1. */
+    uint32_t pps_count;
+    /** System timer at the last pulse. Unit: ms. */
+    uint32_t pps_last_time;
+    /** Whether sensor data is streamed. */
+    mip_bool imu_stream_enabled;
+    /** Sensor data packets that were not sent. Unit: 1. */
+    uint32_t imu_dropped_packets;
+    /** State of the port; its values are not known. */
+    uint16_t comm_port_state;
+    /** Present baud rate of the port. Unit: Bd. */
+    uint32_t comm_port_baud_rate;
+    /** Bytes sent over the port. Unit: byte. */
+    uint32_t comm_port_bytes_written;
+    /** Bytes received over the port. Unit: byte. */
+    uint32_t comm_port_bytes_read;
+    /** Overruns while writing to the port. Unit: 1. */
+    uint32_t comm_port_write_overruns;
+    /** Overruns while reading from the port. Unit: 1. */
+    uint32_t comm_port_read_overruns;
+};
+
+/**
+ * Descriptor set and descriptor, as mip_field_key gives them. Other layouts have the same: _decode
+ * refuses them with MIP_ERROR_LAYOUT.
+ */
+#define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RQ1_IMU_RESPONSE 0x0C90
+/** Its descriptor. */
+#define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RQ1_IMU_RESPONSE_DESCRIPTOR 0x90
+/** Its name in the specification. */
+#define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RQ1_IMU_RESPONSE_NAME \
+    "3dm.device_status_diagnostic_rq1_imu_response"
+
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_device_status_diagnostic_rq1_imu_response_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_device_status_diagnostic_rq1_imu_response_decode(
+    struct mip_3dm_device_status_diagnostic_rq1_imu_response *value,
+    const struct mip_field *field) {
+    return mip_decode_only(&mip_3dm_device_status_diagnostic_rq1_imu_response_codec, 0x90, value,
+                           sizeof(*value), field);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_rq1_imu_response_encode(
+    const struct mip_3dm_device_status_diagnostic_rq1_imu_response *value,
+    struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_device_status_diagnostic_rq1_imu_response_codec, value, builder);
+}
+/**
  * Basic Device Status of the 3DM-GX3-35 and 3DM-GX3-45: response (0x0C,0x90).
  *
  * State of the port.
  *
  * No device is certain to support it. Answers mip_3dm_device_status. Distinguished from
- * mip_3dm_device_status_basic_response and mip_3dm_device_status_basic_stateless_response by the
- * size of its data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC. Uncertain:
+ * mip_3dm_device_status_basic_response and mip_3dm_device_status_basic_without_state_response by
+ * the size of its data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC. Uncertain:
  * Only the SDK of 2014 has it, which names the values; the descriptions follow from the names.
  *
  * Parameters without a member, on the wire only:
@@ -7848,9 +8127,9 @@ struct mip_3dm_device_status_basic_gx3_response {
     uint8_t comm_mode;
     /** Port in use. */
     uint8_t comm_device;
-    /** Flags of the settings. */
+    /** Settings of the data streams; their bits are not known. */
     uint32_t settings_flags;
-    /** State of the port. */
+    /** State of the port; its values are not known. */
     uint16_t comm_state;
     /** Baud rate of the port. Unit: Bd. */
     uint32_t comm_baud_rate;
@@ -7889,8 +8168,9 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_basic_gx3_response_enc
  * No device is certain to support it. Answers mip_3dm_device_status. Distinguished from
  * mip_3dm_device_status_diagnostic_response, mip_3dm_device_status_diagnostic_gnss_response,
  * mip_3dm_device_status_diagnostic_gq4_45_response,
- * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_gx4_response
- * and mip_3dm_device_status_diagnostic_imu_response by the size of its data. Sent if
+ * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_gx4_response,
+ * mip_3dm_device_status_diagnostic_imu_response, mip_3dm_device_status_diagnostic_gx4_imu_response
+ * and mip_3dm_device_status_diagnostic_rq1_imu_response by the size of its data. Sent if
  * status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Uncertain: Only the SDK of 2014 has
  * it, which names the values; the descriptions follow from the names.
  *
@@ -7909,59 +8189,59 @@ struct mip_3dm_device_status_diagnostic_gx3_response {
     uint8_t comm_mode;
     /** Port in use. */
     uint8_t comm_device;
-    /** Flags of the settings. */
+    /** Settings of the data streams; their bits are not known. */
     uint32_t settings_flags;
-    /** State of the port. */
+    /** State of the port; its values are not known. */
     uint16_t comm_state;
     /** Baud rate of the port. Unit: Bd. */
     uint32_t comm_baud_rate;
-    /** Bytes written to the port. Unit: byte. */
+    /** Bytes sent over the port. Unit: byte. */
     uint32_t comm_port_bytes_written;
-    /** Bytes read from the port. Unit: byte. */
+    /** Bytes received over the port. Unit: byte. */
     uint32_t comm_port_bytes_read;
     /** Overruns while writing to the port. Unit: 1. */
     uint32_t comm_port_write_overruns;
     /** Overruns while reading from the port. Unit: 1. */
     uint32_t comm_port_read_overruns;
-    /** State of USB. */
+    /** State of the USB port; its values are not known. */
     uint16_t usb_state;
-    /** Bytes written to USB. Unit: byte. */
+    /** Bytes sent over USB. Unit: byte. */
     uint32_t usb_bytes_written;
-    /** Bytes read from USB. Unit: byte. */
+    /** Bytes received over USB. Unit: byte. */
     uint32_t usb_bytes_read;
     /** Overruns while writing to USB. Unit: 1. */
     uint32_t usb_write_overruns;
     /** Overruns while reading from USB. Unit: 1. */
     uint32_t usb_read_overruns;
-    /** State of the driver of the receiver. */
+    /** State of the receiver's driver; its values are not known. */
     uint16_t gnss_driver_state;
-    /** State of the port of the receiver. */
+    /** State of the port to the receiver; its values are not known. */
     uint16_t gnss_port_state;
-    /** Bytes written to the receiver. Unit: byte. */
+    /** Bytes sent to the receiver. Unit: byte. */
     uint32_t gnss_bytes_written;
-    /** Bytes read from the receiver. Unit: byte. */
+    /** Bytes received from the receiver. Unit: byte. */
     uint32_t gnss_bytes_read;
     /** Overruns while writing to the receiver. Unit: 1. */
     uint32_t gnss_write_overruns;
     /** Overruns while reading from the receiver. Unit: 1. */
     uint32_t gnss_read_overruns;
-    /** Messages of the receiver. Unit: 1. */
+    /** Messages of the receiver that were read. Unit: 1. */
     uint32_t gnss_message_count;
     /** Messages of the receiver that came late. Unit: 1. */
     uint32_t gnss_delayed_message_count;
-    /** State of the driver of the IMU. */
+    /** State of the IMU's driver; its values are not known. */
     uint16_t imu_driver_state;
-    /** State of the port of the IMU. */
+    /** State of the port to the IMU; its values are not known. */
     uint16_t imu_port_state;
-    /** Bytes written to the IMU. Unit: byte. */
+    /** Bytes sent to the IMU. Unit: byte. */
     uint32_t imu_bytes_written;
-    /** Bytes read from the IMU. Unit: byte. */
+    /** Bytes received from the IMU. Unit: byte. */
     uint32_t imu_bytes_read;
     /** Overruns while writing to the IMU. Unit: 1. */
     uint32_t imu_write_overruns;
     /** Overruns while reading from the IMU. Unit: 1. */
     uint32_t imu_read_overruns;
-    /** Messages of the IMU. Unit: 1. */
+    /** Messages of the IMU that were read. Unit: 1. */
     uint32_t imu_message_count;
     /** Messages of the IMU that came late. Unit: 1. */
     uint32_t imu_delayed_message_count;

@@ -43,12 +43,13 @@ MIP_LAYOUT(mip_3dm_get_event_action_status, MIP_3DM_GET_EVENT_ACTION_STATUS,
 MIP_LAYOUT(mip_3dm_event_trigger_config, MIP_3DM_EVENT_TRIGGER_CONFIG, MIP_3DM_EVENT_TRIGGER_CONFIG)
 MIP_LAYOUT(mip_3dm_event_action_config, MIP_3DM_EVENT_ACTION_CONFIG, MIP_3DM_EVENT_ACTION_CONFIG)
 MIP_LAYOUT(mip_3dm_device_settings, MIP_3DM_DEVICE_SETTINGS, MIP_3DM_DEVICE_SETTINGS)
-MIP_LAYOUT(mip_3dm_sensor_to_vehicle_euler, MIP_3DM_SENSOR_TO_VEHICLE_EULER,
-           MIP_3DM_SENSOR_TO_VEHICLE_EULER)
-MIP_LAYOUT(mip_3dm_sensor_to_vehicle_quaternion, MIP_3DM_SENSOR_TO_VEHICLE_QUATERNION,
-           MIP_3DM_SENSOR_TO_VEHICLE_QUATERNION)
-MIP_LAYOUT(mip_3dm_sensor_to_vehicle_dcm, MIP_3DM_SENSOR_TO_VEHICLE_DCM,
-           MIP_3DM_SENSOR_TO_VEHICLE_DCM)
+MIP_LAYOUT(mip_3dm_sensor_to_vehicle_transform_euler, MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER,
+           MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER)
+MIP_LAYOUT(mip_3dm_sensor_to_vehicle_transform_quaternion,
+           MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION,
+           MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION)
+MIP_LAYOUT(mip_3dm_sensor_to_vehicle_transform_dcm, MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM,
+           MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM)
 MIP_LAYOUT(mip_3dm_gps_dynamics_mode, MIP_3DM_GPS_DYNAMICS_MODE, MIP_3DM_GPS_DYNAMICS_MODE)
 MIP_LAYOUT(mip_3dm_imu_signal_conditioning, MIP_3DM_IMU_SIGNAL_CONDITIONING,
            MIP_3DM_IMU_SIGNAL_CONDITIONING)
@@ -105,11 +106,14 @@ MIP_LAYOUT(mip_3dm_get_base_rate_response, MIP_3DM_GET_BASE_RATE_RESPONSE,
            MIP_3DM_GET_BASE_RATE_RESPONSE)
 MIP_LAYOUT(mip_3dm_message_format_response, MIP_3DM_MESSAGE_FORMAT_RESPONSE,
            MIP_3DM_MESSAGE_FORMAT_RESPONSE)
+MIP_LAYOUT(mip_3dm_device_status_basic_rq1_imu_response,
+           MIP_3DM_DEVICE_STATUS_BASIC_RQ1_IMU_RESPONSE,
+           MIP_3DM_DEVICE_STATUS_BASIC_RQ1_IMU_RESPONSE)
 MIP_LAYOUT(mip_3dm_device_status_basic_response, MIP_3DM_DEVICE_STATUS_BASIC_RESPONSE,
            MIP_3DM_DEVICE_STATUS_BASIC_RESPONSE)
-MIP_LAYOUT(mip_3dm_device_status_basic_stateless_response,
-           MIP_3DM_DEVICE_STATUS_BASIC_STATELESS_RESPONSE,
-           MIP_3DM_DEVICE_STATUS_BASIC_STATELESS_RESPONSE)
+MIP_LAYOUT(mip_3dm_device_status_basic_without_state_response,
+           MIP_3DM_DEVICE_STATUS_BASIC_WITHOUT_STATE_RESPONSE,
+           MIP_3DM_DEVICE_STATUS_BASIC_WITHOUT_STATE_RESPONSE)
 MIP_LAYOUT(mip_3dm_device_status_diagnostic_response, MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RESPONSE,
            MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RESPONSE)
 MIP_LAYOUT(mip_3dm_device_status_diagnostic_gnss_response,
@@ -127,6 +131,12 @@ MIP_LAYOUT(mip_3dm_device_status_diagnostic_gx4_response,
 MIP_LAYOUT(mip_3dm_device_status_diagnostic_imu_response,
            MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_IMU_RESPONSE,
            MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_IMU_RESPONSE)
+MIP_LAYOUT(mip_3dm_device_status_diagnostic_gx4_imu_response,
+           MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GX4_IMU_RESPONSE,
+           MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GX4_IMU_RESPONSE)
+MIP_LAYOUT(mip_3dm_device_status_diagnostic_rq1_imu_response,
+           MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RQ1_IMU_RESPONSE,
+           MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RQ1_IMU_RESPONSE)
 MIP_LAYOUT(mip_3dm_device_status_basic_gx3_response, MIP_3DM_DEVICE_STATUS_BASIC_GX3_RESPONSE,
            MIP_3DM_DEVICE_STATUS_BASIC_GX3_RESPONSE)
 MIP_LAYOUT(mip_3dm_device_status_diagnostic_gx3_response,
@@ -156,13 +166,15 @@ MIP_LAYOUT(mip_3dm_gnss_time_assistance_response, MIP_3DM_GNSS_TIME_ASSISTANCE_R
            MIP_3DM_GNSS_TIME_ASSISTANCE_RESPONSE)
 MIP_LAYOUT(mip_3dm_pps_source_control_response, MIP_3DM_PPS_SOURCE_CONTROL_RESPONSE,
            MIP_3DM_PPS_SOURCE_CONTROL_RESPONSE)
-MIP_LAYOUT(mip_3dm_sensor_to_vehicle_euler_response, MIP_3DM_SENSOR_TO_VEHICLE_EULER_RESPONSE,
-           MIP_3DM_SENSOR_TO_VEHICLE_EULER_RESPONSE)
-MIP_LAYOUT(mip_3dm_sensor_to_vehicle_quaternion_response,
-           MIP_3DM_SENSOR_TO_VEHICLE_QUATERNION_RESPONSE,
-           MIP_3DM_SENSOR_TO_VEHICLE_QUATERNION_RESPONSE)
-MIP_LAYOUT(mip_3dm_sensor_to_vehicle_dcm_response, MIP_3DM_SENSOR_TO_VEHICLE_DCM_RESPONSE,
-           MIP_3DM_SENSOR_TO_VEHICLE_DCM_RESPONSE)
+MIP_LAYOUT(mip_3dm_sensor_to_vehicle_transform_euler_response,
+           MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER_RESPONSE,
+           MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER_RESPONSE)
+MIP_LAYOUT(mip_3dm_sensor_to_vehicle_transform_quaternion_response,
+           MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_RESPONSE,
+           MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_RESPONSE)
+MIP_LAYOUT(mip_3dm_sensor_to_vehicle_transform_dcm_response,
+           MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM_RESPONSE,
+           MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM_RESPONSE)
 MIP_LAYOUT(mip_3dm_get_event_support_response, MIP_3DM_GET_EVENT_SUPPORT_RESPONSE,
            MIP_3DM_GET_EVENT_SUPPORT_RESPONSE)
 MIP_LAYOUT(mip_3dm_event_control_response, MIP_3DM_EVENT_CONTROL_RESPONSE,
@@ -588,22 +600,23 @@ using event_action_config_response = event_action_config_response_;
 
 /**
  * Sensor-to-Vehicle Frame Transformation Euler response. See struct
- * mip_3dm_sensor_to_vehicle_euler_response.
+ * mip_3dm_sensor_to_vehicle_transform_euler_response.
  */
-using sensor_to_vehicle_transform_euler_response = ::mip_3dm_sensor_to_vehicle_euler_response;
+using sensor_to_vehicle_transform_euler_response =
+    ::mip_3dm_sensor_to_vehicle_transform_euler_response;
 
 /**
  * Sensor-to-Vehicle Frame Transformation Quaternion response. See struct
- * mip_3dm_sensor_to_vehicle_quaternion_response.
+ * mip_3dm_sensor_to_vehicle_transform_quaternion_response.
  */
 using sensor_to_vehicle_transform_quaternion_response =
-    ::mip_3dm_sensor_to_vehicle_quaternion_response;
+    ::mip_3dm_sensor_to_vehicle_transform_quaternion_response;
 
 /**
  * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix response. See struct
- * mip_3dm_sensor_to_vehicle_dcm_response.
+ * mip_3dm_sensor_to_vehicle_transform_dcm_response.
  */
-using sensor_to_vehicle_transform_dcm_response = ::mip_3dm_sensor_to_vehicle_dcm_response;
+using sensor_to_vehicle_transform_dcm_response = ::mip_3dm_sensor_to_vehicle_transform_dcm_response;
 
 struct gps_dynamics_mode_response_ : ::mip_3dm_gps_dynamics_mode_response {
     using c_type = ::mip_3dm_gps_dynamics_mode_response;
@@ -736,13 +749,21 @@ struct device_power_state_response_ : ::mip_3dm_device_power_state_response {
 /** Device power state response. See struct mip_3dm_device_power_state_response. */
 using device_power_state_response = device_power_state_response_;
 
+/**
+ * Basic Device Status of the inertial sensor of the 3DM-RQ1-45. See struct
+ * mip_3dm_device_status_basic_rq1_imu_response.
+ */
+using device_status_basic_rq1_imu_response = ::mip_3dm_device_status_basic_rq1_imu_response;
+
 /** Basic Device Status. See struct mip_3dm_device_status_basic_response. */
 using device_status_basic_response = ::mip_3dm_device_status_basic_response;
 
 /**
- * Basic Device Status without a state. See struct mip_3dm_device_status_basic_stateless_response.
+ * Basic Device Status without a state. See struct
+ * mip_3dm_device_status_basic_without_state_response.
  */
-using device_status_basic_without_state_response = ::mip_3dm_device_status_basic_stateless_response;
+using device_status_basic_without_state_response =
+    ::mip_3dm_device_status_basic_without_state_response;
 
 /** Diagnostic Device Status. See struct mip_3dm_device_status_diagnostic_response. */
 using device_status_diagnostic_response = ::mip_3dm_device_status_diagnostic_response;
@@ -772,6 +793,20 @@ using device_status_diagnostic_gx4_response = ::mip_3dm_device_status_diagnostic
 
 /** Diagnostic Device Status of an IMU. See struct mip_3dm_device_status_diagnostic_imu_response. */
 using device_status_diagnostic_imu_response = ::mip_3dm_device_status_diagnostic_imu_response;
+
+/**
+ * Diagnostic Device Status of the inertial sensor of the 3DM-GX4-45. See struct
+ * mip_3dm_device_status_diagnostic_gx4_imu_response.
+ */
+using device_status_diagnostic_gx4_imu_response =
+    ::mip_3dm_device_status_diagnostic_gx4_imu_response;
+
+/**
+ * Diagnostic Device Status of the inertial sensor of the 3DM-RQ1-45. See struct
+ * mip_3dm_device_status_diagnostic_rq1_imu_response.
+ */
+using device_status_diagnostic_rq1_imu_response =
+    ::mip_3dm_device_status_diagnostic_rq1_imu_response;
 
 /**
  * Basic Device Status of the 3DM-GX3-35 and 3DM-GX3-45. See struct

@@ -1206,9 +1206,9 @@ static inline mip_error mip_send_3dm_gnss_assisted_fix(
 /**
  * GNSS Assisted Fix: write. Apply the new setting. See mip_device_call.
  *
- * - option: Assisted fix. A value of enum mip_3dm_assisted_fix_option. Default:
- *   MIP_3DM_ASSISTED_FIX_OPTION_NONE. Required for write. On the 3DM-GX5-35: default
- *   MIP_3DM_ASSISTED_FIX_OPTION_NONE.
+ * - option: Whether the receiver keeps data for a faster first fix. A value of enum
+ *   mip_3dm_assisted_fix_option. Default: MIP_3DM_ASSISTED_FIX_OPTION_NONE. Required for write. On
+ *   the 3DM-GX5-35: default MIP_3DM_ASSISTED_FIX_OPTION_NONE.
  */
 static inline struct mip_result mip_call_3dm_gnss_assisted_fix_write(
     struct mip_device *device, enum mip_3dm_assisted_fix_option option) {
@@ -1284,7 +1284,8 @@ static inline mip_error mip_send_3dm_gnss_time_assistance(
  *
  * - tow: GPS time of week. Unit: s. Range: at least 0, less than 604800. Required for write.
  * - week_number: GPS week number since 1980. Unit: week. Required for write.
- * - accuracy: Accuracy of the time. Unit: s. Range: at least 0. Required for write.
+ * - accuracy: Estimated accuracy of the time that is sent. Unit: s. Range: at least 0. Required for
+ *   write.
  */
 static inline struct mip_result mip_call_3dm_gnss_time_assistance_write(struct mip_device *device,
                                                                         double tow,
@@ -1561,7 +1562,7 @@ static inline mip_error mip_send_3dm_get_event_trigger_status(
  *
  * - requested_count: Number of requested triggers; 0 requests all slots. The number of elements of
  *   requested_instances.
- * - requested_instances: Trigger instances.
+ * - requested_instances: Numbers of the triggers to report; none for all.
  */
 static inline struct mip_result mip_call_3dm_get_event_trigger_status(
     struct mip_device *device, uint8_t requested_count, const uint8_t requested_instances[],
@@ -1610,7 +1611,7 @@ static inline mip_error mip_send_3dm_get_event_action_status(
  *
  * - requested_count: Number of requested actions; 0 requests all slots. The number of elements of
  *   requested_instances.
- * - requested_instances: Action instances.
+ * - requested_instances: Numbers of the actions to report; none for all.
  */
 static inline struct mip_result mip_call_3dm_get_event_action_status(
     struct mip_device *device, uint8_t requested_count, const uint8_t requested_instances[],
@@ -1895,21 +1896,22 @@ static inline struct mip_result mip_call_3dm_device_settings_with(
 }
 
 /** What the client knows of the command. */
-extern MIP_API const struct mip_command mip_3dm_sensor_to_vehicle_euler_command;
+extern MIP_API const struct mip_command mip_3dm_sensor_to_vehicle_transform_euler_command;
 /** How it is answered. */
-extern MIP_API const struct mip_exchange mip_3dm_sensor_to_vehicle_euler_exchange;
+extern MIP_API const struct mip_exchange mip_3dm_sensor_to_vehicle_transform_euler_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Sensor-to-Vehicle
  * Frame Transformation Euler. If the command requests the response, it is stored in `response`,
  * which may be NULL.
  */
-static inline mip_error mip_send_3dm_sensor_to_vehicle_euler(
+static inline mip_error mip_send_3dm_sensor_to_vehicle_transform_euler(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_3dm_sensor_to_vehicle_euler *command,
-    struct mip_3dm_sensor_to_vehicle_euler_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_3dm_sensor_to_vehicle_euler_command,
-                           command, &mip_3dm_sensor_to_vehicle_euler_response_codec, response, now);
+    const struct mip_3dm_sensor_to_vehicle_transform_euler *command,
+    struct mip_3dm_sensor_to_vehicle_transform_euler_response *response, uint32_t now) {
+    return mip_client_send(
+        client, request, packet, &mip_3dm_sensor_to_vehicle_transform_euler_command, command,
+        &mip_3dm_sensor_to_vehicle_transform_euler_response_codec, response, now);
 }
 
 /**
@@ -1919,26 +1921,28 @@ static inline mip_error mip_send_3dm_sensor_to_vehicle_euler(
  * - pitch: Rotation about the y axis. Unit: rad. Required for write.
  * - yaw: Rotation about the z axis. Unit: rad. Required for write.
  */
-static inline struct mip_result mip_call_3dm_sensor_to_vehicle_euler_write(
+static inline struct mip_result mip_call_3dm_sensor_to_vehicle_transform_euler_write(
     struct mip_device *device, float roll, float pitch, float yaw) {
     uint8_t data[13];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
     mip_put_float(data + 1, &roll);
     mip_put_float(data + 5, &pitch);
     mip_put_float(data + 9, &yaw);
-    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_euler_exchange, data, 13, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_transform_euler_exchange, data, 13,
+                           NULL, NULL);
 }
 
 /**
  * Sensor-to-Vehicle Frame Transformation Euler: read. Return the current setting in a response. See
  * mip_device_call.
  */
-static inline struct mip_result mip_call_3dm_sensor_to_vehicle_euler_read(
-    struct mip_device *device, struct mip_3dm_sensor_to_vehicle_euler_response *response) {
+static inline struct mip_result mip_call_3dm_sensor_to_vehicle_transform_euler_read(
+    struct mip_device *device,
+    struct mip_3dm_sensor_to_vehicle_transform_euler_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_euler_exchange, data, 1,
-                           &mip_3dm_sensor_to_vehicle_euler_response_codec, response);
+    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_transform_euler_exchange, data, 1,
+                           &mip_3dm_sensor_to_vehicle_transform_euler_response_codec, response);
 }
 
 /**
@@ -1946,20 +1950,22 @@ static inline struct mip_result mip_call_3dm_sensor_to_vehicle_euler_read(
  * memory. See mip_device_call.
  */
 static inline struct mip_result
-mip_call_3dm_sensor_to_vehicle_euler_save(struct mip_device *device) {
+mip_call_3dm_sensor_to_vehicle_transform_euler_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_euler_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_transform_euler_exchange, data, 1,
+                           NULL, NULL);
 }
 
 /**
  * Sensor-to-Vehicle Frame Transformation Euler: load. Load the saved setting. See mip_device_call.
  */
 static inline struct mip_result
-mip_call_3dm_sensor_to_vehicle_euler_load(struct mip_device *device) {
+mip_call_3dm_sensor_to_vehicle_transform_euler_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_euler_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_transform_euler_exchange, data, 1,
+                           NULL, NULL);
 }
 
 /**
@@ -1967,40 +1973,41 @@ mip_call_3dm_sensor_to_vehicle_euler_load(struct mip_device *device) {
  * mip_device_call.
  */
 static inline struct mip_result
-mip_call_3dm_sensor_to_vehicle_euler_default(struct mip_device *device) {
+mip_call_3dm_sensor_to_vehicle_transform_euler_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_euler_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_transform_euler_exchange, data, 1,
+                           NULL, NULL);
 }
 
 /**
  * Sensor-to-Vehicle Frame Transformation Euler: calls the command with these values, including
  * optional parameters. See mip_device_call.
  */
-static inline struct mip_result mip_call_3dm_sensor_to_vehicle_euler_with(
-    struct mip_device *device, const struct mip_3dm_sensor_to_vehicle_euler *command,
-    struct mip_3dm_sensor_to_vehicle_euler_response *response) {
-    return mip_device_call(device, &mip_3dm_sensor_to_vehicle_euler_command, command,
-                           &mip_3dm_sensor_to_vehicle_euler_response_codec, response);
+static inline struct mip_result mip_call_3dm_sensor_to_vehicle_transform_euler_with(
+    struct mip_device *device, const struct mip_3dm_sensor_to_vehicle_transform_euler *command,
+    struct mip_3dm_sensor_to_vehicle_transform_euler_response *response) {
+    return mip_device_call(device, &mip_3dm_sensor_to_vehicle_transform_euler_command, command,
+                           &mip_3dm_sensor_to_vehicle_transform_euler_response_codec, response);
 }
 
 /** What the client knows of the command. */
-extern MIP_API const struct mip_command mip_3dm_sensor_to_vehicle_quaternion_command;
+extern MIP_API const struct mip_command mip_3dm_sensor_to_vehicle_transform_quaternion_command;
 /** How it is answered. */
-extern MIP_API const struct mip_exchange mip_3dm_sensor_to_vehicle_quaternion_exchange;
+extern MIP_API const struct mip_exchange mip_3dm_sensor_to_vehicle_transform_quaternion_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Sensor-to-Vehicle
  * Frame Transformation Quaternion. If the command requests the response, it is stored in
  * `response`, which may be NULL.
  */
-static inline mip_error mip_send_3dm_sensor_to_vehicle_quaternion(
+static inline mip_error mip_send_3dm_sensor_to_vehicle_transform_quaternion(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_3dm_sensor_to_vehicle_quaternion *command,
-    struct mip_3dm_sensor_to_vehicle_quaternion_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_3dm_sensor_to_vehicle_quaternion_command,
-                           command, &mip_3dm_sensor_to_vehicle_quaternion_response_codec, response,
-                           now);
+    const struct mip_3dm_sensor_to_vehicle_transform_quaternion *command,
+    struct mip_3dm_sensor_to_vehicle_transform_quaternion_response *response, uint32_t now) {
+    return mip_client_send(
+        client, request, packet, &mip_3dm_sensor_to_vehicle_transform_quaternion_command, command,
+        &mip_3dm_sensor_to_vehicle_transform_quaternion_response_codec, response, now);
 }
 
 /**
@@ -2010,27 +2017,29 @@ static inline mip_error mip_send_3dm_sensor_to_vehicle_quaternion(
  * - q: Unit quaternion that transforms vectors from the sensor frame to the vehicle frame.
  *   Elements: w, x, y, z. Unit: 1. Required for write.
  */
-static inline struct mip_result
-mip_call_3dm_sensor_to_vehicle_quaternion_write(struct mip_device *device, const float q[4]) {
+static inline struct mip_result mip_call_3dm_sensor_to_vehicle_transform_quaternion_write(
+    struct mip_device *device, const float q[4]) {
     uint8_t data[17];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
     for (size_t i = 0; i < 4; i++) {
         mip_put_float(data + 1 + 4 * i, &q[i]);
     }
-    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_quaternion_exchange, data, 17, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_transform_quaternion_exchange, data,
+                           17, NULL, NULL);
 }
 
 /**
  * Sensor-to-Vehicle Frame Transformation Quaternion: read. Return the current setting in a
  * response. See mip_device_call.
  */
-static inline struct mip_result mip_call_3dm_sensor_to_vehicle_quaternion_read(
-    struct mip_device *device, struct mip_3dm_sensor_to_vehicle_quaternion_response *response) {
+static inline struct mip_result mip_call_3dm_sensor_to_vehicle_transform_quaternion_read(
+    struct mip_device *device,
+    struct mip_3dm_sensor_to_vehicle_transform_quaternion_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_quaternion_exchange, data, 1,
-                           &mip_3dm_sensor_to_vehicle_quaternion_response_codec, response);
+    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_transform_quaternion_exchange, data,
+                           1, &mip_3dm_sensor_to_vehicle_transform_quaternion_response_codec,
+                           response);
 }
 
 /**
@@ -2038,11 +2047,11 @@ static inline struct mip_result mip_call_3dm_sensor_to_vehicle_quaternion_read(
  * memory. See mip_device_call.
  */
 static inline struct mip_result
-mip_call_3dm_sensor_to_vehicle_quaternion_save(struct mip_device *device) {
+mip_call_3dm_sensor_to_vehicle_transform_quaternion_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_quaternion_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_transform_quaternion_exchange, data,
+                           1, NULL, NULL);
 }
 
 /**
@@ -2050,11 +2059,11 @@ mip_call_3dm_sensor_to_vehicle_quaternion_save(struct mip_device *device) {
  * mip_device_call.
  */
 static inline struct mip_result
-mip_call_3dm_sensor_to_vehicle_quaternion_load(struct mip_device *device) {
+mip_call_3dm_sensor_to_vehicle_transform_quaternion_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_quaternion_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_transform_quaternion_exchange, data,
+                           1, NULL, NULL);
 }
 
 /**
@@ -2062,40 +2071,42 @@ mip_call_3dm_sensor_to_vehicle_quaternion_load(struct mip_device *device) {
  * mip_device_call.
  */
 static inline struct mip_result
-mip_call_3dm_sensor_to_vehicle_quaternion_default(struct mip_device *device) {
+mip_call_3dm_sensor_to_vehicle_transform_quaternion_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_quaternion_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_transform_quaternion_exchange, data,
+                           1, NULL, NULL);
 }
 
 /**
  * Sensor-to-Vehicle Frame Transformation Quaternion: calls the command with these values, including
  * optional parameters. See mip_device_call.
  */
-static inline struct mip_result mip_call_3dm_sensor_to_vehicle_quaternion_with(
-    struct mip_device *device, const struct mip_3dm_sensor_to_vehicle_quaternion *command,
-    struct mip_3dm_sensor_to_vehicle_quaternion_response *response) {
-    return mip_device_call(device, &mip_3dm_sensor_to_vehicle_quaternion_command, command,
-                           &mip_3dm_sensor_to_vehicle_quaternion_response_codec, response);
+static inline struct mip_result mip_call_3dm_sensor_to_vehicle_transform_quaternion_with(
+    struct mip_device *device, const struct mip_3dm_sensor_to_vehicle_transform_quaternion *command,
+    struct mip_3dm_sensor_to_vehicle_transform_quaternion_response *response) {
+    return mip_device_call(device, &mip_3dm_sensor_to_vehicle_transform_quaternion_command, command,
+                           &mip_3dm_sensor_to_vehicle_transform_quaternion_response_codec,
+                           response);
 }
 
 /** What the client knows of the command. */
-extern MIP_API const struct mip_command mip_3dm_sensor_to_vehicle_dcm_command;
+extern MIP_API const struct mip_command mip_3dm_sensor_to_vehicle_transform_dcm_command;
 /** How it is answered. */
-extern MIP_API const struct mip_exchange mip_3dm_sensor_to_vehicle_dcm_exchange;
+extern MIP_API const struct mip_exchange mip_3dm_sensor_to_vehicle_transform_dcm_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Sensor-to-Vehicle
  * Frame Transformation Direction Cosine Matrix. If the command requests the response, it is stored
  * in `response`, which may be NULL.
  */
-static inline mip_error mip_send_3dm_sensor_to_vehicle_dcm(
+static inline mip_error mip_send_3dm_sensor_to_vehicle_transform_dcm(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_3dm_sensor_to_vehicle_dcm *command,
-    struct mip_3dm_sensor_to_vehicle_dcm_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_3dm_sensor_to_vehicle_dcm_command, command,
-                           &mip_3dm_sensor_to_vehicle_dcm_response_codec, response, now);
+    const struct mip_3dm_sensor_to_vehicle_transform_dcm *command,
+    struct mip_3dm_sensor_to_vehicle_transform_dcm_response *response, uint32_t now) {
+    return mip_client_send(client, request, packet,
+                           &mip_3dm_sensor_to_vehicle_transform_dcm_command, command,
+                           &mip_3dm_sensor_to_vehicle_transform_dcm_response_codec, response, now);
 }
 
 /**
@@ -2105,46 +2116,51 @@ static inline mip_error mip_send_3dm_sensor_to_vehicle_dcm(
  * - dcm: The matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
  *   Unit: 1. Required for write.
  */
-static inline struct mip_result mip_call_3dm_sensor_to_vehicle_dcm_write(struct mip_device *device,
-                                                                         const float dcm[9]) {
+static inline struct mip_result
+mip_call_3dm_sensor_to_vehicle_transform_dcm_write(struct mip_device *device, const float dcm[9]) {
     uint8_t data[37];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
     for (size_t i = 0; i < 9; i++) {
         mip_put_float(data + 1 + 4 * i, &dcm[i]);
     }
-    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_dcm_exchange, data, 37, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_transform_dcm_exchange, data, 37,
+                           NULL, NULL);
 }
 
 /**
  * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix: read. Return the current setting
  * in a response. See mip_device_call.
  */
-static inline struct mip_result mip_call_3dm_sensor_to_vehicle_dcm_read(
-    struct mip_device *device, struct mip_3dm_sensor_to_vehicle_dcm_response *response) {
+static inline struct mip_result mip_call_3dm_sensor_to_vehicle_transform_dcm_read(
+    struct mip_device *device, struct mip_3dm_sensor_to_vehicle_transform_dcm_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_dcm_exchange, data, 1,
-                           &mip_3dm_sensor_to_vehicle_dcm_response_codec, response);
+    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_transform_dcm_exchange, data, 1,
+                           &mip_3dm_sensor_to_vehicle_transform_dcm_response_codec, response);
 }
 
 /**
  * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix: save. Save the current setting to
  * non-volatile memory. See mip_device_call.
  */
-static inline struct mip_result mip_call_3dm_sensor_to_vehicle_dcm_save(struct mip_device *device) {
+static inline struct mip_result
+mip_call_3dm_sensor_to_vehicle_transform_dcm_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_dcm_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_transform_dcm_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /**
  * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix: load. Load the saved setting. See
  * mip_device_call.
  */
-static inline struct mip_result mip_call_3dm_sensor_to_vehicle_dcm_load(struct mip_device *device) {
+static inline struct mip_result
+mip_call_3dm_sensor_to_vehicle_transform_dcm_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_dcm_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_transform_dcm_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /**
@@ -2152,21 +2168,22 @@ static inline struct mip_result mip_call_3dm_sensor_to_vehicle_dcm_load(struct m
  * setting. See mip_device_call.
  */
 static inline struct mip_result
-mip_call_3dm_sensor_to_vehicle_dcm_default(struct mip_device *device) {
+mip_call_3dm_sensor_to_vehicle_transform_dcm_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_dcm_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_transform_dcm_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /**
  * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix: calls the command with these
  * values, including optional parameters. See mip_device_call.
  */
-static inline struct mip_result mip_call_3dm_sensor_to_vehicle_dcm_with(
-    struct mip_device *device, const struct mip_3dm_sensor_to_vehicle_dcm *command,
-    struct mip_3dm_sensor_to_vehicle_dcm_response *response) {
-    return mip_device_call(device, &mip_3dm_sensor_to_vehicle_dcm_command, command,
-                           &mip_3dm_sensor_to_vehicle_dcm_response_codec, response);
+static inline struct mip_result mip_call_3dm_sensor_to_vehicle_transform_dcm_with(
+    struct mip_device *device, const struct mip_3dm_sensor_to_vehicle_transform_dcm *command,
+    struct mip_3dm_sensor_to_vehicle_transform_dcm_response *response) {
+    return mip_device_call(device, &mip_3dm_sensor_to_vehicle_transform_dcm_command, command,
+                           &mip_3dm_sensor_to_vehicle_transform_dcm_response_codec, response);
 }
 
 /** What the client knows of the command. */
@@ -2274,8 +2291,8 @@ static inline mip_error mip_send_3dm_imu_signal_conditioning(
  *   Default: 10. Required for write.
  * - north_compensation: Time constant of the correction of the heading. Unit: s. Range: 1 to 1000.
  *   Default: 10. Required for write.
- * - mag_bandwidth: Bandwidth of the magnetometer. A value of enum mip_3dm_mag_bandwidth. Required
- *   for write.
+ * - mag_bandwidth: Bandwidth of the magnetometer of 3-series devices. A value of enum
+ *   mip_3dm_mag_bandwidth. Required for write.
  */
 static inline struct mip_result mip_call_3dm_imu_signal_conditioning_write(
     struct mip_device *device, uint16_t orientation_decimation,
@@ -2425,8 +2442,8 @@ static inline mip_error mip_send_3dm_accel_bias(struct mip_client *client,
 /**
  * Accelerometer Bias Configuration: write. Apply the new setting. See mip_device_call.
  *
- * - bias: Accelerometer bias. Elements: x, y, z. Unit: g. Frame: sensor. Required for write and
- *   apply.
+ * - bias: Bias that the device subtracts from the measured acceleration. Elements: x, y, z. Unit:
+ *   g. Frame: sensor. Required for write and apply.
  */
 static inline struct mip_result mip_call_3dm_accel_bias_write(struct mip_device *device,
                                                               const float bias[3]) {
@@ -2480,8 +2497,8 @@ static inline struct mip_result mip_call_3dm_accel_bias_default(struct mip_devic
  * Accelerometer Bias Configuration: apply. Apply the new setting and send no acknowledge (5-series
  * devices). See mip_device_call.
  *
- * - bias: Accelerometer bias. Elements: x, y, z. Unit: g. Frame: sensor. Required for write and
- *   apply.
+ * - bias: Bias that the device subtracts from the measured acceleration. Elements: x, y, z. Unit:
+ *   g. Frame: sensor. Required for write and apply.
  */
 static inline struct mip_result mip_call_3dm_accel_bias_apply(struct mip_device *device,
                                                               const float bias[3]) {
@@ -2527,8 +2544,8 @@ static inline mip_error mip_send_3dm_gyro_bias(struct mip_client *client,
 /**
  * Gyroscope Bias Configuration: write. Apply the new setting. See mip_device_call.
  *
- * - bias: Gyroscope bias. Elements: x, y, z. Unit: rad/s. Frame: sensor. Required for write and
- *   apply.
+ * - bias: Bias that the device subtracts from the measured angular rate. Elements: x, y, z. Unit:
+ *   rad/s. Frame: sensor. Required for write and apply.
  */
 static inline struct mip_result mip_call_3dm_gyro_bias_write(struct mip_device *device,
                                                              const float bias[3]) {
@@ -2580,8 +2597,8 @@ static inline struct mip_result mip_call_3dm_gyro_bias_default(struct mip_device
  * Gyroscope Bias Configuration: apply. Apply the new setting and send no acknowledge (5-series
  * devices). See mip_device_call.
  *
- * - bias: Gyroscope bias. Elements: x, y, z. Unit: rad/s. Frame: sensor. Required for write and
- *   apply.
+ * - bias: Bias that the device subtracts from the measured angular rate. Elements: x, y, z. Unit:
+ *   rad/s. Frame: sensor. Required for write and apply.
  */
 static inline struct mip_result mip_call_3dm_gyro_bias_apply(struct mip_device *device,
                                                              const float bias[3]) {
@@ -2666,8 +2683,8 @@ static inline mip_error mip_send_3dm_mag_hard_iron_offset(
 /**
  * Magnetometer Hard Iron Offset: write. Apply the new setting. See mip_device_call.
  *
- * - offset: Hard iron offset. Elements: x, y, z. Unit: gauss. Frame: sensor. Required for write and
- *   apply. On the 3DM-GX5-45: default 0, 0, 0.
+ * - offset: Offset that the device subtracts from the measured magnetic field. Elements: x, y, z.
+ *   Unit: gauss. Frame: sensor. Required for write and apply. On the 3DM-GX5-45: default 0, 0, 0.
  */
 static inline struct mip_result mip_call_3dm_mag_hard_iron_offset_write(struct mip_device *device,
                                                                         const float offset[3]) {
@@ -2722,8 +2739,8 @@ mip_call_3dm_mag_hard_iron_offset_default(struct mip_device *device) {
  * Magnetometer Hard Iron Offset: apply. Apply the new setting and send no acknowledge (5-series
  * devices). See mip_device_call.
  *
- * - offset: Hard iron offset. Elements: x, y, z. Unit: gauss. Frame: sensor. Required for write and
- *   apply. On the 3DM-GX5-45: default 0, 0, 0.
+ * - offset: Offset that the device subtracts from the measured magnetic field. Elements: x, y, z.
+ *   Unit: gauss. Frame: sensor. Required for write and apply. On the 3DM-GX5-45: default 0, 0, 0.
  */
 static inline struct mip_result mip_call_3dm_mag_hard_iron_offset_apply(struct mip_device *device,
                                                                         const float offset[3]) {
@@ -2945,8 +2962,8 @@ static inline mip_error mip_send_3dm_uart_baud_rate(
 /**
  * UART Baud Rate: write. Apply the new setting. See mip_device_call.
  *
- * - baud: Baud rate. Unit: Bd. Required for write. On the 3DM-GX5-15 and 3DM-GX5-45: default
- *   115200.
+ * - baud: Baud rate, one of those that the port supports. Unit: Bd. Required for write. On the
+ *   3DM-GX5-15 and 3DM-GX5-45: default 115200.
  */
 static inline struct mip_result mip_call_3dm_uart_baud_rate_write(struct mip_device *device,
                                                                   uint32_t baud) {
@@ -3757,7 +3774,7 @@ static inline mip_error mip_send_3dm_data_stream_format(
  * Data stream format: write. Apply the new setting. See mip_device_call.
  *
  * - stream: Stream whose format is set or read. A value of enum mip_3dm_internal_sensor.
- * - format: Its format. A value of enum mip_3dm_stream_format.
+ * - format: Format of a data stream. A value of enum mip_3dm_stream_format.
  */
 static inline struct mip_result mip_call_3dm_data_stream_format_write(
     struct mip_device *device, enum mip_3dm_internal_sensor stream,
@@ -3773,7 +3790,7 @@ static inline struct mip_result mip_call_3dm_data_stream_format_write(
  * Data stream format: read. Return the current setting in a response. See mip_device_call.
  *
  * - stream: Stream whose format is set or read. A value of enum mip_3dm_internal_sensor.
- * - format: Its format. A value of enum mip_3dm_stream_format.
+ * - format: Format of a data stream. A value of enum mip_3dm_stream_format.
  */
 static inline struct mip_result mip_call_3dm_data_stream_format_read(
     struct mip_device *device, enum mip_3dm_internal_sensor stream,
@@ -3790,7 +3807,7 @@ static inline struct mip_result mip_call_3dm_data_stream_format_read(
  * Data stream format: save. Save the current setting to non-volatile memory. See mip_device_call.
  *
  * - stream: Stream whose format is set or read. A value of enum mip_3dm_internal_sensor.
- * - format: Its format. A value of enum mip_3dm_stream_format.
+ * - format: Format of a data stream. A value of enum mip_3dm_stream_format.
  */
 static inline struct mip_result
 mip_call_3dm_data_stream_format_save(struct mip_device *device, enum mip_3dm_internal_sensor stream,
@@ -3806,7 +3823,7 @@ mip_call_3dm_data_stream_format_save(struct mip_device *device, enum mip_3dm_int
  * Data stream format: load. Load the saved setting. See mip_device_call.
  *
  * - stream: Stream whose format is set or read. A value of enum mip_3dm_internal_sensor.
- * - format: Its format. A value of enum mip_3dm_stream_format.
+ * - format: Format of a data stream. A value of enum mip_3dm_stream_format.
  */
 static inline struct mip_result
 mip_call_3dm_data_stream_format_load(struct mip_device *device, enum mip_3dm_internal_sensor stream,
@@ -3822,7 +3839,7 @@ mip_call_3dm_data_stream_format_load(struct mip_device *device, enum mip_3dm_int
  * Data stream format: default. Load the factory default setting. See mip_device_call.
  *
  * - stream: Stream whose format is set or read. A value of enum mip_3dm_internal_sensor.
- * - format: Its format. A value of enum mip_3dm_stream_format.
+ * - format: Format of a data stream. A value of enum mip_3dm_stream_format.
  */
 static inline struct mip_result mip_call_3dm_data_stream_format_default(
     struct mip_device *device, enum mip_3dm_internal_sensor stream,
@@ -3866,7 +3883,8 @@ static inline mip_error mip_send_3dm_device_power_state(
  * Device power state: write. Apply the new setting. See mip_device_call.
  *
  * - device_: The sensor. A value of enum mip_3dm_internal_sensor.
- * - state: Its power state. A value of enum mip_3dm_sensor_power_state. Required for write.
+ * - state: Power state of an internal sensor. A value of enum mip_3dm_sensor_power_state. Required
+ *   for write.
  */
 static inline struct mip_result mip_call_3dm_device_power_state_write(
     struct mip_device *device, enum mip_3dm_internal_sensor device_,
@@ -4012,6 +4030,18 @@ static inline mip_error mip_send_3dm_device_status(struct mip_client *client,
  * Adds the command to a packet and waits for its answer: see mip_client_send. Device Status. The
  * answer is this response.
  */
+static inline mip_error mip_send_for_3dm_device_status_basic_rq1_imu_response(
+    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
+    const struct mip_3dm_device_status *command,
+    struct mip_3dm_device_status_basic_rq1_imu_response *response, uint32_t now) {
+    return mip_client_send(client, request, packet, &mip_3dm_device_status_command, command,
+                           &mip_3dm_device_status_basic_rq1_imu_response_codec, response, now);
+}
+
+/**
+ * Adds the command to a packet and waits for its answer: see mip_client_send. Device Status. The
+ * answer is this response.
+ */
 static inline mip_error mip_send_for_3dm_device_status_basic_response(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
     const struct mip_3dm_device_status *command,
@@ -4024,12 +4054,13 @@ static inline mip_error mip_send_for_3dm_device_status_basic_response(
  * Adds the command to a packet and waits for its answer: see mip_client_send. Device Status. The
  * answer is this response.
  */
-static inline mip_error mip_send_for_3dm_device_status_basic_stateless_response(
+static inline mip_error mip_send_for_3dm_device_status_basic_without_state_response(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
     const struct mip_3dm_device_status *command,
-    struct mip_3dm_device_status_basic_stateless_response *response, uint32_t now) {
+    struct mip_3dm_device_status_basic_without_state_response *response, uint32_t now) {
     return mip_client_send(client, request, packet, &mip_3dm_device_status_command, command,
-                           &mip_3dm_device_status_basic_stateless_response_codec, response, now);
+                           &mip_3dm_device_status_basic_without_state_response_codec, response,
+                           now);
 }
 
 /**
@@ -4108,6 +4139,30 @@ static inline mip_error mip_send_for_3dm_device_status_diagnostic_imu_response(
  * Adds the command to a packet and waits for its answer: see mip_client_send. Device Status. The
  * answer is this response.
  */
+static inline mip_error mip_send_for_3dm_device_status_diagnostic_gx4_imu_response(
+    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
+    const struct mip_3dm_device_status *command,
+    struct mip_3dm_device_status_diagnostic_gx4_imu_response *response, uint32_t now) {
+    return mip_client_send(client, request, packet, &mip_3dm_device_status_command, command,
+                           &mip_3dm_device_status_diagnostic_gx4_imu_response_codec, response, now);
+}
+
+/**
+ * Adds the command to a packet and waits for its answer: see mip_client_send. Device Status. The
+ * answer is this response.
+ */
+static inline mip_error mip_send_for_3dm_device_status_diagnostic_rq1_imu_response(
+    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
+    const struct mip_3dm_device_status *command,
+    struct mip_3dm_device_status_diagnostic_rq1_imu_response *response, uint32_t now) {
+    return mip_client_send(client, request, packet, &mip_3dm_device_status_command, command,
+                           &mip_3dm_device_status_diagnostic_rq1_imu_response_codec, response, now);
+}
+
+/**
+ * Adds the command to a packet and waits for its answer: see mip_client_send. Device Status. The
+ * answer is this response.
+ */
 static inline mip_error mip_send_for_3dm_device_status_basic_gx3_response(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
     const struct mip_3dm_device_status *command,
@@ -4150,6 +4205,22 @@ mip_call_3dm_device_status(struct mip_device *device, uint16_t model_number,
  * - model_number: Model number of the device that answers. On the 3DM-GX5-15: always 6254. On the
  *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
  */
+static inline struct mip_result mip_call_for_3dm_device_status_basic_rq1_imu_response(
+    struct mip_device *device, uint16_t model_number,
+    struct mip_3dm_device_status_basic_rq1_imu_response *response) {
+    uint8_t data[3];
+    mip_put_16(data, (uint16_t)model_number);
+    mip_put_8(data + 2, (uint8_t)MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC);
+    return mip_device_send(device, &mip_3dm_device_status_exchange, data, 3,
+                           &mip_3dm_device_status_basic_rq1_imu_response_codec, response);
+}
+
+/**
+ * Device Status. The answer is decoded as this response. See mip_device_call.
+ *
+ * - model_number: Model number of the device that answers. On the 3DM-GX5-15: always 6254. On the
+ *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
+ */
 static inline struct mip_result mip_call_for_3dm_device_status_basic_response(
     struct mip_device *device, uint16_t model_number,
     struct mip_3dm_device_status_basic_response *response) {
@@ -4166,14 +4237,14 @@ static inline struct mip_result mip_call_for_3dm_device_status_basic_response(
  * - model_number: Model number of the device that answers. On the 3DM-GX5-15: always 6254. On the
  *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
  */
-static inline struct mip_result mip_call_for_3dm_device_status_basic_stateless_response(
+static inline struct mip_result mip_call_for_3dm_device_status_basic_without_state_response(
     struct mip_device *device, uint16_t model_number,
-    struct mip_3dm_device_status_basic_stateless_response *response) {
+    struct mip_3dm_device_status_basic_without_state_response *response) {
     uint8_t data[3];
     mip_put_16(data, (uint16_t)model_number);
     mip_put_8(data + 2, (uint8_t)MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC);
     return mip_device_send(device, &mip_3dm_device_status_exchange, data, 3,
-                           &mip_3dm_device_status_basic_stateless_response_codec, response);
+                           &mip_3dm_device_status_basic_without_state_response_codec, response);
 }
 
 /**
@@ -4286,6 +4357,38 @@ static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_imu_re
     mip_put_8(data + 2, (uint8_t)MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC);
     return mip_device_send(device, &mip_3dm_device_status_exchange, data, 3,
                            &mip_3dm_device_status_diagnostic_imu_response_codec, response);
+}
+
+/**
+ * Device Status. The answer is decoded as this response. See mip_device_call.
+ *
+ * - model_number: Model number of the device that answers. On the 3DM-GX5-15: always 6254. On the
+ *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
+ */
+static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_gx4_imu_response(
+    struct mip_device *device, uint16_t model_number,
+    struct mip_3dm_device_status_diagnostic_gx4_imu_response *response) {
+    uint8_t data[3];
+    mip_put_16(data, (uint16_t)model_number);
+    mip_put_8(data + 2, (uint8_t)MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC);
+    return mip_device_send(device, &mip_3dm_device_status_exchange, data, 3,
+                           &mip_3dm_device_status_diagnostic_gx4_imu_response_codec, response);
+}
+
+/**
+ * Device Status. The answer is decoded as this response. See mip_device_call.
+ *
+ * - model_number: Model number of the device that answers. On the 3DM-GX5-15: always 6254. On the
+ *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
+ */
+static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_rq1_imu_response(
+    struct mip_device *device, uint16_t model_number,
+    struct mip_3dm_device_status_diagnostic_rq1_imu_response *response) {
+    uint8_t data[3];
+    mip_put_16(data, (uint16_t)model_number);
+    mip_put_8(data + 2, (uint8_t)MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC);
+    return mip_device_send(device, &mip_3dm_device_status_exchange, data, 3,
+                           &mip_3dm_device_status_diagnostic_rq1_imu_response_codec, response);
 }
 
 /**

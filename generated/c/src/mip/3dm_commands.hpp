@@ -40,11 +40,11 @@ MIP_COMMAND_OF(mip_3dm_get_event_action_status, ::mip::mip_3dm::get_event_action
 MIP_COMMAND_OF(mip_3dm_event_trigger_config, ::mip::mip_3dm::event_trigger_config_response)
 MIP_COMMAND_OF(mip_3dm_event_action_config, ::mip::mip_3dm::event_action_config_response)
 MIP_COMMAND_OF(mip_3dm_device_settings, void)
-MIP_COMMAND_OF(mip_3dm_sensor_to_vehicle_euler,
+MIP_COMMAND_OF(mip_3dm_sensor_to_vehicle_transform_euler,
                ::mip::mip_3dm::sensor_to_vehicle_transform_euler_response)
-MIP_COMMAND_OF(mip_3dm_sensor_to_vehicle_quaternion,
+MIP_COMMAND_OF(mip_3dm_sensor_to_vehicle_transform_quaternion,
                ::mip::mip_3dm::sensor_to_vehicle_transform_quaternion_response)
-MIP_COMMAND_OF(mip_3dm_sensor_to_vehicle_dcm,
+MIP_COMMAND_OF(mip_3dm_sensor_to_vehicle_transform_dcm,
                ::mip::mip_3dm::sensor_to_vehicle_transform_dcm_response)
 MIP_COMMAND_OF(mip_3dm_gps_dynamics_mode, ::mip::mip_3dm::gps_dynamics_mode_response)
 MIP_COMMAND_OF(mip_3dm_imu_signal_conditioning, ::mip::mip_3dm::imu_signal_conditioning_response)
@@ -968,146 +968,153 @@ struct default_device_settings
 
 /**
  * Sensor-to-Vehicle Frame Transformation Euler: write. See
- * mip_call_3dm_sensor_to_vehicle_euler_write.
+ * mip_call_3dm_sensor_to_vehicle_transform_euler_write.
  */
 struct write_sensor_to_vehicle_transform_euler {
     float roll;
     float pitch;
     float yaw;
 
-    using command = ::mip_3dm_sensor_to_vehicle_euler;
+    using command = ::mip_3dm_sensor_to_vehicle_transform_euler;
     using response = void;
     mip_result call(mip_device *device_) const {
-        return ::mip_call_3dm_sensor_to_vehicle_euler_write(device_, roll, pitch, yaw);
+        return ::mip_call_3dm_sensor_to_vehicle_transform_euler_write(device_, roll, pitch, yaw);
     }
     const command *fill(command *to_) const {
-        return ::mip_3dm_sensor_to_vehicle_euler_write(to_, roll, pitch, yaw);
+        return ::mip_3dm_sensor_to_vehicle_transform_euler_write(to_, roll, pitch, yaw);
     }
 };
 
 /**
  * Sensor-to-Vehicle Frame Transformation Euler: read. See
- * mip_call_3dm_sensor_to_vehicle_euler_read.
+ * mip_call_3dm_sensor_to_vehicle_transform_euler_read.
  */
 struct read_sensor_to_vehicle_transform_euler
-    : fixed_command<::mip_3dm_sensor_to_vehicle_euler,
+    : fixed_command<::mip_3dm_sensor_to_vehicle_transform_euler,
                     ::mip::mip_3dm::sensor_to_vehicle_transform_euler_response,
                     MIP_FUNCTION_SELECTOR_READ> {};
 
 /**
  * Sensor-to-Vehicle Frame Transformation Euler: save. See
- * mip_call_3dm_sensor_to_vehicle_euler_save.
+ * mip_call_3dm_sensor_to_vehicle_transform_euler_save.
  */
 struct save_sensor_to_vehicle_transform_euler
-    : fixed_command<::mip_3dm_sensor_to_vehicle_euler, void, MIP_FUNCTION_SELECTOR_SAVE> {};
+    : fixed_command<::mip_3dm_sensor_to_vehicle_transform_euler, void, MIP_FUNCTION_SELECTOR_SAVE> {
+};
 
 /**
  * Sensor-to-Vehicle Frame Transformation Euler: load. See
- * mip_call_3dm_sensor_to_vehicle_euler_load.
+ * mip_call_3dm_sensor_to_vehicle_transform_euler_load.
  */
 struct load_sensor_to_vehicle_transform_euler
-    : fixed_command<::mip_3dm_sensor_to_vehicle_euler, void, MIP_FUNCTION_SELECTOR_LOAD> {};
+    : fixed_command<::mip_3dm_sensor_to_vehicle_transform_euler, void, MIP_FUNCTION_SELECTOR_LOAD> {
+};
 
 /**
  * Sensor-to-Vehicle Frame Transformation Euler: default. See
- * mip_call_3dm_sensor_to_vehicle_euler_default.
+ * mip_call_3dm_sensor_to_vehicle_transform_euler_default.
  */
 struct default_sensor_to_vehicle_transform_euler
-    : fixed_command<::mip_3dm_sensor_to_vehicle_euler, void, MIP_FUNCTION_SELECTOR_DEFAULT> {};
+    : fixed_command<::mip_3dm_sensor_to_vehicle_transform_euler, void,
+                    MIP_FUNCTION_SELECTOR_DEFAULT> {};
 
 /**
  * Sensor-to-Vehicle Frame Transformation Quaternion: write. See
- * mip_call_3dm_sensor_to_vehicle_quaternion_write.
+ * mip_call_3dm_sensor_to_vehicle_transform_quaternion_write.
  */
 struct write_sensor_to_vehicle_transform_quaternion {
     float q[4];
 
-    using command = ::mip_3dm_sensor_to_vehicle_quaternion;
+    using command = ::mip_3dm_sensor_to_vehicle_transform_quaternion;
     using response = void;
     mip_result call(mip_device *device_) const {
-        return ::mip_call_3dm_sensor_to_vehicle_quaternion_write(device_, q);
+        return ::mip_call_3dm_sensor_to_vehicle_transform_quaternion_write(device_, q);
     }
     const command *fill(command *to_) const {
-        return ::mip_3dm_sensor_to_vehicle_quaternion_write(to_, q);
+        return ::mip_3dm_sensor_to_vehicle_transform_quaternion_write(to_, q);
     }
 };
 
 /**
  * Sensor-to-Vehicle Frame Transformation Quaternion: read. See
- * mip_call_3dm_sensor_to_vehicle_quaternion_read.
+ * mip_call_3dm_sensor_to_vehicle_transform_quaternion_read.
  */
 struct read_sensor_to_vehicle_transform_quaternion
-    : fixed_command<::mip_3dm_sensor_to_vehicle_quaternion,
+    : fixed_command<::mip_3dm_sensor_to_vehicle_transform_quaternion,
                     ::mip::mip_3dm::sensor_to_vehicle_transform_quaternion_response,
                     MIP_FUNCTION_SELECTOR_READ> {};
 
 /**
  * Sensor-to-Vehicle Frame Transformation Quaternion: save. See
- * mip_call_3dm_sensor_to_vehicle_quaternion_save.
+ * mip_call_3dm_sensor_to_vehicle_transform_quaternion_save.
  */
 struct save_sensor_to_vehicle_transform_quaternion
-    : fixed_command<::mip_3dm_sensor_to_vehicle_quaternion, void, MIP_FUNCTION_SELECTOR_SAVE> {};
+    : fixed_command<::mip_3dm_sensor_to_vehicle_transform_quaternion, void,
+                    MIP_FUNCTION_SELECTOR_SAVE> {};
 
 /**
  * Sensor-to-Vehicle Frame Transformation Quaternion: load. See
- * mip_call_3dm_sensor_to_vehicle_quaternion_load.
+ * mip_call_3dm_sensor_to_vehicle_transform_quaternion_load.
  */
 struct load_sensor_to_vehicle_transform_quaternion
-    : fixed_command<::mip_3dm_sensor_to_vehicle_quaternion, void, MIP_FUNCTION_SELECTOR_LOAD> {};
+    : fixed_command<::mip_3dm_sensor_to_vehicle_transform_quaternion, void,
+                    MIP_FUNCTION_SELECTOR_LOAD> {};
 
 /**
  * Sensor-to-Vehicle Frame Transformation Quaternion: default. See
- * mip_call_3dm_sensor_to_vehicle_quaternion_default.
+ * mip_call_3dm_sensor_to_vehicle_transform_quaternion_default.
  */
 struct default_sensor_to_vehicle_transform_quaternion
-    : fixed_command<::mip_3dm_sensor_to_vehicle_quaternion, void, MIP_FUNCTION_SELECTOR_DEFAULT> {};
+    : fixed_command<::mip_3dm_sensor_to_vehicle_transform_quaternion, void,
+                    MIP_FUNCTION_SELECTOR_DEFAULT> {};
 
 /**
  * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix: write. See
- * mip_call_3dm_sensor_to_vehicle_dcm_write.
+ * mip_call_3dm_sensor_to_vehicle_transform_dcm_write.
  */
 struct write_sensor_to_vehicle_transform_dcm {
     float dcm[9];
 
-    using command = ::mip_3dm_sensor_to_vehicle_dcm;
+    using command = ::mip_3dm_sensor_to_vehicle_transform_dcm;
     using response = void;
     mip_result call(mip_device *device_) const {
-        return ::mip_call_3dm_sensor_to_vehicle_dcm_write(device_, dcm);
+        return ::mip_call_3dm_sensor_to_vehicle_transform_dcm_write(device_, dcm);
     }
     const command *fill(command *to_) const {
-        return ::mip_3dm_sensor_to_vehicle_dcm_write(to_, dcm);
+        return ::mip_3dm_sensor_to_vehicle_transform_dcm_write(to_, dcm);
     }
 };
 
 /**
  * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix: read. See
- * mip_call_3dm_sensor_to_vehicle_dcm_read.
+ * mip_call_3dm_sensor_to_vehicle_transform_dcm_read.
  */
 struct read_sensor_to_vehicle_transform_dcm
-    : fixed_command<::mip_3dm_sensor_to_vehicle_dcm,
+    : fixed_command<::mip_3dm_sensor_to_vehicle_transform_dcm,
                     ::mip::mip_3dm::sensor_to_vehicle_transform_dcm_response,
                     MIP_FUNCTION_SELECTOR_READ> {};
 
 /**
  * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix: save. See
- * mip_call_3dm_sensor_to_vehicle_dcm_save.
+ * mip_call_3dm_sensor_to_vehicle_transform_dcm_save.
  */
 struct save_sensor_to_vehicle_transform_dcm
-    : fixed_command<::mip_3dm_sensor_to_vehicle_dcm, void, MIP_FUNCTION_SELECTOR_SAVE> {};
+    : fixed_command<::mip_3dm_sensor_to_vehicle_transform_dcm, void, MIP_FUNCTION_SELECTOR_SAVE> {};
 
 /**
  * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix: load. See
- * mip_call_3dm_sensor_to_vehicle_dcm_load.
+ * mip_call_3dm_sensor_to_vehicle_transform_dcm_load.
  */
 struct load_sensor_to_vehicle_transform_dcm
-    : fixed_command<::mip_3dm_sensor_to_vehicle_dcm, void, MIP_FUNCTION_SELECTOR_LOAD> {};
+    : fixed_command<::mip_3dm_sensor_to_vehicle_transform_dcm, void, MIP_FUNCTION_SELECTOR_LOAD> {};
 
 /**
  * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix: default. See
- * mip_call_3dm_sensor_to_vehicle_dcm_default.
+ * mip_call_3dm_sensor_to_vehicle_transform_dcm_default.
  */
 struct default_sensor_to_vehicle_transform_dcm
-    : fixed_command<::mip_3dm_sensor_to_vehicle_dcm, void, MIP_FUNCTION_SELECTOR_DEFAULT> {};
+    : fixed_command<::mip_3dm_sensor_to_vehicle_transform_dcm, void,
+                    MIP_FUNCTION_SELECTOR_DEFAULT> {};
 
 /** GPS dynamics mode: write. See mip_call_3dm_gps_dynamics_mode_write. */
 struct write_gps_dynamics_mode {
@@ -2106,6 +2113,17 @@ struct device_status {
     }
 };
 
+/** Device Status. See mip_call_for_3dm_device_status_basic_rq1_imu_response. */
+struct for_device_status_basic_rq1_imu_response {
+    uint16_t model_number;
+
+    using command = ::mip_3dm_device_status;
+    using response = ::mip::mip_3dm::device_status_basic_rq1_imu_response;
+    mip_result call(mip_device *device_, response *to_) const {
+        return ::mip_call_for_3dm_device_status_basic_rq1_imu_response(device_, model_number, to_);
+    }
+};
+
 /** Device Status. See mip_call_for_3dm_device_status_basic_response. */
 struct for_device_status_basic_response {
     uint16_t model_number;
@@ -2117,15 +2135,15 @@ struct for_device_status_basic_response {
     }
 };
 
-/** Device Status. See mip_call_for_3dm_device_status_basic_stateless_response. */
+/** Device Status. See mip_call_for_3dm_device_status_basic_without_state_response. */
 struct for_device_status_basic_without_state_response {
     uint16_t model_number;
 
     using command = ::mip_3dm_device_status;
     using response = ::mip::mip_3dm::device_status_basic_without_state_response;
     mip_result call(mip_device *device_, response *to_) const {
-        return ::mip_call_for_3dm_device_status_basic_stateless_response(device_, model_number,
-                                                                         to_);
+        return ::mip_call_for_3dm_device_status_basic_without_state_response(device_, model_number,
+                                                                             to_);
     }
 };
 
@@ -2206,6 +2224,30 @@ struct for_device_status_diagnostic_imu_response {
     using response = ::mip::mip_3dm::device_status_diagnostic_imu_response;
     mip_result call(mip_device *device_, response *to_) const {
         return ::mip_call_for_3dm_device_status_diagnostic_imu_response(device_, model_number, to_);
+    }
+};
+
+/** Device Status. See mip_call_for_3dm_device_status_diagnostic_gx4_imu_response. */
+struct for_device_status_diagnostic_gx4_imu_response {
+    uint16_t model_number;
+
+    using command = ::mip_3dm_device_status;
+    using response = ::mip::mip_3dm::device_status_diagnostic_gx4_imu_response;
+    mip_result call(mip_device *device_, response *to_) const {
+        return ::mip_call_for_3dm_device_status_diagnostic_gx4_imu_response(device_, model_number,
+                                                                            to_);
+    }
+};
+
+/** Device Status. See mip_call_for_3dm_device_status_diagnostic_rq1_imu_response. */
+struct for_device_status_diagnostic_rq1_imu_response {
+    uint16_t model_number;
+
+    using command = ::mip_3dm_device_status;
+    using response = ::mip::mip_3dm::device_status_diagnostic_rq1_imu_response;
+    mip_result call(mip_device *device_, response *to_) const {
+        return ::mip_call_for_3dm_device_status_diagnostic_rq1_imu_response(device_, model_number,
+                                                                            to_);
     }
 };
 

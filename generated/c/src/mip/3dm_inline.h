@@ -369,8 +369,9 @@ MIP_CHECKED static inline mip_error mip_3dm_device_settings_encode_inline(
 }
 
 /** Decodes 3dm.sensor_to_vehicle_transform_euler_response. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_sensor_to_vehicle_euler_response_decode_inline(
-    struct mip_3dm_sensor_to_vehicle_euler_response *value, const struct mip_field *field) {
+static inline mip_error mip_3dm_sensor_to_vehicle_transform_euler_response_decode_inline(
+    struct mip_3dm_sensor_to_vehicle_transform_euler_response *value,
+    const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0xB1, 12);
     if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
@@ -386,8 +387,10 @@ static inline mip_error mip_3dm_sensor_to_vehicle_euler_response_decode_inline(
 
 /** Adds 3dm.sensor_to_vehicle_transform_euler_response to a packet. On an error the packet is
  * unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_euler_response_encode_inline(
-    const struct mip_3dm_sensor_to_vehicle_euler_response *value, struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error
+mip_3dm_sensor_to_vehicle_transform_euler_response_encode_inline(
+    const struct mip_3dm_sensor_to_vehicle_transform_euler_response *value,
+    struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0xB1, 12, &data);
     if (error != MIP_OK) {
@@ -401,8 +404,9 @@ MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_euler_response_enc
 
 /** Decodes 3dm.sensor_to_vehicle_transform_quaternion_response. On an error the structure is
  * zeroed. */
-static inline mip_error mip_3dm_sensor_to_vehicle_quaternion_response_decode_inline(
-    struct mip_3dm_sensor_to_vehicle_quaternion_response *value, const struct mip_field *field) {
+static inline mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_response_decode_inline(
+    struct mip_3dm_sensor_to_vehicle_transform_quaternion_response *value,
+    const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0xB2, 16);
     if (error != MIP_OK || sizeof(*value) != 16) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
@@ -418,8 +422,9 @@ static inline mip_error mip_3dm_sensor_to_vehicle_quaternion_response_decode_inl
 
 /** Adds 3dm.sensor_to_vehicle_transform_quaternion_response to a packet. On an error the packet is
  * unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_quaternion_response_encode_inline(
-    const struct mip_3dm_sensor_to_vehicle_quaternion_response *value,
+MIP_CHECKED static inline mip_error
+mip_3dm_sensor_to_vehicle_transform_quaternion_response_encode_inline(
+    const struct mip_3dm_sensor_to_vehicle_transform_quaternion_response *value,
     struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0xB2, 16, &data);
@@ -433,8 +438,8 @@ MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_quaternion_respons
 }
 
 /** Decodes 3dm.sensor_to_vehicle_transform_dcm_response. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_sensor_to_vehicle_dcm_response_decode_inline(
-    struct mip_3dm_sensor_to_vehicle_dcm_response *value, const struct mip_field *field) {
+static inline mip_error mip_3dm_sensor_to_vehicle_transform_dcm_response_decode_inline(
+    struct mip_3dm_sensor_to_vehicle_transform_dcm_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0xB3, 36);
     if (error != MIP_OK || sizeof(*value) != 36) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
@@ -450,8 +455,9 @@ static inline mip_error mip_3dm_sensor_to_vehicle_dcm_response_decode_inline(
 
 /** Adds 3dm.sensor_to_vehicle_transform_dcm_response to a packet. On an error the packet is
  * unchanged. */
-MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_dcm_response_encode_inline(
-    const struct mip_3dm_sensor_to_vehicle_dcm_response *value, struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_transform_dcm_response_encode_inline(
+    const struct mip_3dm_sensor_to_vehicle_transform_dcm_response *value,
+    struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0xB3, 36, &data);
     if (error != MIP_OK) {

@@ -25,8 +25,8 @@ static const uint8_t program_frame_config[] = {
 };
 
 const struct mip_codec mip_aiding_frame_config_codec = {
-    0x13, 0x01,  MIP_COMMAND,          0,           sizeof(struct mip_aiding_frame_config),
-    0,    false, program_frame_config, &mip_program};
+    0x13, 0x01, MIP_COMMAND,          0,           sizeof(struct mip_aiding_frame_config),
+    0,    0,    program_frame_config, &mip_program};
 
 static const uint8_t asked_frame_config_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                MIP_WHEN_END};
@@ -65,7 +65,7 @@ const struct mip_codec mip_aiding_frame_config_response_codec = {
     0,
     sizeof(struct mip_aiding_frame_config_response),
     0,
-    false,
+    0,
     program_frame_config_response,
     &mip_program};
 
@@ -77,8 +77,8 @@ static const uint8_t program_echo_control[] = {
 };
 
 const struct mip_codec mip_aiding_echo_control_codec = {
-    0x13, 0x1F,  MIP_COMMAND,          0,           sizeof(struct mip_aiding_echo_control),
-    0,    false, program_echo_control, &mip_program};
+    0x13, 0x1F, MIP_COMMAND,          0,           sizeof(struct mip_aiding_echo_control),
+    0,    0,    program_echo_control, &mip_program};
 
 static const uint8_t asked_echo_control_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                MIP_WHEN_END};
@@ -109,7 +109,7 @@ const struct mip_codec mip_aiding_echo_control_response_codec = {
     1,
     sizeof(struct mip_aiding_echo_control_response),
     0,
-    sizeof(struct mip_aiding_echo_control_response) >= 8,
+    0,
     program_echo_control_response,
     NULL};
 
@@ -124,8 +124,8 @@ static const uint8_t program_ecef_position[] = {
 };
 
 const struct mip_codec mip_aiding_ecef_position_codec = {
-    0x13, 0x21,  MIP_COMMAND,           49,  sizeof(struct mip_aiding_ecef_position),
-    0,    false, program_ecef_position, NULL};
+    0x13, 0x21, MIP_COMMAND,           49,  sizeof(struct mip_aiding_ecef_position),
+    0,    0,    program_ecef_position, NULL};
 
 const struct mip_exchange mip_aiding_ecef_position_exchange = {0x13, 0x21, 0, false, 0, NULL};
 
@@ -143,8 +143,8 @@ static const uint8_t program_llh_position[] = {
 };
 
 const struct mip_codec mip_aiding_llh_position_codec = {
-    0x13, 0x22,  MIP_COMMAND,          49,  sizeof(struct mip_aiding_llh_position),
-    0,    false, program_llh_position, NULL};
+    0x13, 0x22, MIP_COMMAND,          49,  sizeof(struct mip_aiding_llh_position),
+    0,    0,    program_llh_position, NULL};
 
 const struct mip_exchange mip_aiding_llh_position_exchange = {0x13, 0x22, 0, false, 0, NULL};
 
@@ -167,7 +167,7 @@ const struct mip_codec mip_aiding_height_above_ellipsoid_codec = {
     21,
     sizeof(struct mip_aiding_height_above_ellipsoid),
     0,
-    false,
+    0,
     program_height_above_ellipsoid,
     NULL};
 
@@ -187,8 +187,8 @@ static const uint8_t program_ecef_velocity[] = {
 };
 
 const struct mip_codec mip_aiding_ecef_velocity_codec = {
-    0x13, 0x28,  MIP_COMMAND,           37,  sizeof(struct mip_aiding_ecef_velocity),
-    0,    false, program_ecef_velocity, NULL};
+    0x13, 0x28, MIP_COMMAND,           37,  sizeof(struct mip_aiding_ecef_velocity),
+    0,    0,    program_ecef_velocity, NULL};
 
 const struct mip_exchange mip_aiding_ecef_velocity_exchange = {0x13, 0x28, 0, false, 0, NULL};
 
@@ -205,8 +205,8 @@ static const uint8_t program_ned_velocity[] = {
 };
 
 const struct mip_codec mip_aiding_ned_velocity_codec = {
-    0x13, 0x29,  MIP_COMMAND,          37,  sizeof(struct mip_aiding_ned_velocity),
-    0,    false, program_ned_velocity, NULL};
+    0x13, 0x29, MIP_COMMAND,          37,  sizeof(struct mip_aiding_ned_velocity),
+    0,    0,    program_ned_velocity, NULL};
 
 const struct mip_exchange mip_aiding_ned_velocity_exchange = {0x13, 0x29, 0, false, 0, NULL};
 
@@ -229,7 +229,7 @@ const struct mip_codec mip_aiding_body_frame_velocity_codec = {
     37,
     sizeof(struct mip_aiding_body_frame_velocity),
     0,
-    false,
+    0,
     program_body_frame_velocity,
     NULL};
 
@@ -248,8 +248,8 @@ static const uint8_t program_true_heading[] = {
 };
 
 const struct mip_codec mip_aiding_true_heading_codec = {
-    0x13, 0x31,  MIP_COMMAND,          21,  sizeof(struct mip_aiding_true_heading),
-    0,    false, program_true_heading, NULL};
+    0x13, 0x31, MIP_COMMAND,          21,  sizeof(struct mip_aiding_true_heading),
+    0,    0,    program_true_heading, NULL};
 
 const struct mip_exchange mip_aiding_true_heading_exchange = {0x13, 0x31, 0, false, 0, NULL};
 
@@ -271,7 +271,7 @@ const struct mip_codec mip_aiding_magnetic_field_codec = {0x13,
                                                           37,
                                                           sizeof(struct mip_aiding_magnetic_field),
                                                           0,
-                                                          false,
+                                                          0,
                                                           program_magnetic_field,
                                                           NULL};
 
@@ -290,8 +290,7 @@ static const uint8_t program_pressure[] = {
 };
 
 const struct mip_codec mip_aiding_pressure_codec = {
-    0x13, 0x33,  MIP_COMMAND,      21,  sizeof(struct mip_aiding_pressure),
-    0,    false, program_pressure, NULL};
+    0x13, 0x33, MIP_COMMAND, 21, sizeof(struct mip_aiding_pressure), 0, 0, program_pressure, NULL};
 
 const struct mip_exchange mip_aiding_pressure_exchange = {0x13, 0x33, 0, false, 0, NULL};
 

@@ -87,11 +87,11 @@ typedef uint16_t mip_aiding_axis_flags;
 #define MIP_AIDING_AXIS_FLAGS_Z 0x0004U
 /** Which coordinates of a position are valid; the others are ignored. */
 typedef uint16_t mip_aiding_llh_axis_flags;
-/** Bit 0. Latitude and its uncertainty. */
+/** Bit 0. Latitude and its uncertainty are valid. */
 #define MIP_AIDING_LLH_AXIS_FLAGS_LATITUDE 0x0001U
-/** Bit 1. Longitude and its uncertainty. */
+/** Bit 1. Longitude and its uncertainty are valid. */
 #define MIP_AIDING_LLH_AXIS_FLAGS_LONGITUDE 0x0002U
-/** Bit 2. Height and its uncertainty. */
+/** Bit 2. Height and its uncertainty are valid. */
 #define MIP_AIDING_LLH_AXIS_FLAGS_HEIGHT 0x0004U
 
 /** The member of mip_aiding_frame_config that `format` selects. */
@@ -115,7 +115,7 @@ union mip_aiding_frame_config_rotation {
  *
  * Functions: write, read, save, load and default. Answered by mip_aiding_frame_config_response.
  * Changes mip_filter_data_aiding_frame_config_error. Probably changes
- * mip_filter_data_aiding_frame_error_uncertainty. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
+ * mip_filter_data_aiding_frame_config_error_uncertainty. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
  * 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
  *
  * Aiding measurements name the frame by its number.

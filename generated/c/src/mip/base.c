@@ -8,7 +8,7 @@ static const uint8_t program_ping[] = {
 };
 
 const struct mip_codec mip_base_ping_codec = {
-    0x01, 0x01, MIP_COMMAND, 0, sizeof(struct mip_base_ping), 0, false, program_ping, NULL};
+    0x01, 0x01, MIP_COMMAND, 0, sizeof(struct mip_base_ping), 0, 0, program_ping, NULL};
 
 const struct mip_exchange mip_base_ping_exchange = {0x01, 0x01, 0, false, 0, NULL};
 
@@ -19,7 +19,7 @@ static const uint8_t program_set_idle[] = {
 };
 
 const struct mip_codec mip_base_set_idle_codec = {
-    0x01, 0x02, MIP_COMMAND, 0, sizeof(struct mip_base_set_idle), 0, false, program_set_idle, NULL};
+    0x01, 0x02, MIP_COMMAND, 0, sizeof(struct mip_base_set_idle), 0, 0, program_set_idle, NULL};
 
 const struct mip_exchange mip_base_set_idle_exchange = {0x01, 0x02, 0, false, 0, NULL};
 
@@ -36,7 +36,7 @@ const struct mip_codec mip_base_get_device_info_codec = {0x01,
                                                          0,
                                                          sizeof(struct mip_base_get_device_info),
                                                          0,
-                                                         false,
+                                                         0,
                                                          program_get_device_info,
                                                          NULL};
 
@@ -72,7 +72,7 @@ const struct mip_codec mip_base_get_device_info_response_codec = {
     82,
     sizeof(struct mip_base_get_device_info_response),
     0,
-    false,
+    0,
     program_get_device_info_response,
     NULL};
 
@@ -87,7 +87,7 @@ const struct mip_codec mip_base_get_device_descriptors_codec = {
     0,
     sizeof(struct mip_base_get_device_descriptors),
     0,
-    false,
+    0,
     program_get_device_descriptors,
     NULL};
 
@@ -119,7 +119,7 @@ const struct mip_codec mip_base_get_device_descriptors_response_codec = {
     0,
     sizeof(struct mip_base_get_device_descriptors_response),
     0,
-    false,
+    0,
     program_get_device_descriptors_response,
     &mip_program};
 
@@ -128,8 +128,8 @@ static const uint8_t program_built_in_test[] = {
 };
 
 const struct mip_codec mip_base_built_in_test_codec = {
-    0x01, 0x05,  MIP_COMMAND,           0,   sizeof(struct mip_base_built_in_test),
-    0,    false, program_built_in_test, NULL};
+    0x01, 0x05, MIP_COMMAND,           0,   sizeof(struct mip_base_built_in_test),
+    0,    0,    program_built_in_test, NULL};
 
 static const struct mip_response responses_built_in_test[] = {
     {NULL, NULL, 0x83, false},
@@ -158,7 +158,7 @@ const struct mip_codec mip_base_built_in_test_response_codec = {
     4,
     sizeof(struct mip_base_built_in_test_response),
     0,
-    sizeof(struct mip_base_built_in_test_response) >= 8,
+    MIP_SHAPE(0, 1, 0),
     program_built_in_test_response,
     NULL};
 
@@ -167,7 +167,7 @@ static const uint8_t program_resume[] = {
 };
 
 const struct mip_codec mip_base_resume_codec = {
-    0x01, 0x06, MIP_COMMAND, 0, sizeof(struct mip_base_resume), 0, false, program_resume, NULL};
+    0x01, 0x06, MIP_COMMAND, 0, sizeof(struct mip_base_resume), 0, 0, program_resume, NULL};
 
 const struct mip_exchange mip_base_resume_exchange = {0x01, 0x06, 0, false, 0, NULL};
 
@@ -185,7 +185,7 @@ const struct mip_codec mip_base_get_extended_descriptors_codec = {
     0,
     sizeof(struct mip_base_get_extended_descriptors),
     0,
-    false,
+    0,
     program_get_extended_descriptors,
     NULL};
 
@@ -217,7 +217,7 @@ const struct mip_codec mip_base_get_extended_descriptors_response_codec = {
     0,
     sizeof(struct mip_base_get_extended_descriptors_response),
     0,
-    false,
+    0,
     program_get_extended_descriptors_response,
     &mip_program};
 
@@ -232,7 +232,7 @@ const struct mip_codec mip_base_continuous_built_in_test_codec = {
     0,
     sizeof(struct mip_base_continuous_built_in_test),
     0,
-    false,
+    0,
     program_continuous_built_in_test,
     NULL};
 
@@ -263,7 +263,7 @@ const struct mip_codec mip_base_continuous_built_in_test_response_codec = {
     16,
     sizeof(struct mip_base_continuous_built_in_test_response),
     0,
-    sizeof(struct mip_base_continuous_built_in_test_response) >= 8,
+    0,
     program_continuous_built_in_test_response,
     NULL};
 
@@ -277,8 +277,8 @@ static const uint8_t program_comm_speed[] = {
 };
 
 const struct mip_codec mip_base_comm_speed_codec = {
-    0x01, 0x09,  MIP_COMMAND,        0,           sizeof(struct mip_base_comm_speed),
-    0,    false, program_comm_speed, &mip_program};
+    0x01, 0x09, MIP_COMMAND,        0,           sizeof(struct mip_base_comm_speed),
+    0,    0,    program_comm_speed, &mip_program};
 
 static const uint8_t asked_comm_speed_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_comm_speed[] = {
@@ -309,7 +309,7 @@ const struct mip_codec mip_base_comm_speed_response_codec = {
     5,
     sizeof(struct mip_base_comm_speed_response),
     0,
-    false,
+    0,
     program_comm_speed_response,
     NULL};
 
@@ -328,7 +328,7 @@ const struct mip_codec mip_base_gps_time_update_codec = {0x01,
                                                          0,
                                                          sizeof(struct mip_base_gps_time_update),
                                                          0,
-                                                         false,
+                                                         0,
                                                          program_gps_time_update,
                                                          &mip_program};
 
@@ -367,7 +367,7 @@ const struct mip_codec mip_base_gps_time_update_week_number_response_codec = {
     4,
     sizeof(struct mip_base_gps_time_update_week_number_response),
     0,
-    sizeof(struct mip_base_gps_time_update_week_number_response) >= 8,
+    MIP_SHAPE(0, 1, 0),
     program_gps_time_update_week_number_response,
     NULL};
 
@@ -383,7 +383,7 @@ const struct mip_codec mip_base_gps_time_update_tow_response_codec = {
     4,
     sizeof(struct mip_base_gps_time_update_tow_response),
     0,
-    sizeof(struct mip_base_gps_time_update_tow_response) >= 8,
+    MIP_SHAPE(0, 1, 0),
     program_gps_time_update_tow_response,
     NULL};
 
@@ -392,8 +392,7 @@ static const uint8_t program_soft_reset[] = {
 };
 
 const struct mip_codec mip_base_soft_reset_codec = {
-    0x01, 0x7E,  MIP_COMMAND,        0,   sizeof(struct mip_base_soft_reset),
-    0,    false, program_soft_reset, NULL};
+    0x01, 0x7E, MIP_COMMAND, 0, sizeof(struct mip_base_soft_reset), 0, 0, program_soft_reset, NULL};
 
 const struct mip_exchange mip_base_soft_reset_exchange = {0x01, 0x7E, 0, false, 0, NULL};
 

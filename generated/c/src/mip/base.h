@@ -34,11 +34,11 @@ extern "C" {
 struct mip_base_device_info {
     /** Firmware version as one decimal number: 1202 means 1.2.02. */
     uint16_t firmware_version;
-    /** Name of the model. */
+    /** What the model is called, such as 3DM-GQ7. */
     char model_name[17];
     /** Part number of the model. */
     char model_number[17];
-    /** Serial number. */
+    /** Number of this device, which begins with the model number. */
     char serial_number[17];
     /** Lot number; reserved and blank on some devices. */
     char lot_number[17];
@@ -48,7 +48,7 @@ struct mip_base_device_info {
 
 /** The part of the GPS time that a value holds. */
 enum mip_base_gps_time_field MIP_ENUM_8 {
-    /** Week number. */
+    /** The value `week_number`. */
     MIP_BASE_GPS_TIME_FIELD_WEEK_NUMBER = 1,
     /** Time of week in whole seconds. */
     MIP_BASE_GPS_TIME_FIELD_TOW = 2
@@ -357,12 +357,12 @@ struct mip_base_built_in_test_response {
      * 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15,
      * 3DM-CX5-25, 3DM-GX5-10 and 3DM-GX5-25: values of mip_gx5_built_in_test. Inferred: The
      * 3DM-GX5-15 has it. On the 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-15,
-     * 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-35,
-     * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: the values are not known. On the 3DM-CV7-AHRS,
-     * 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
-     * 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS and 3DM-RTK: values of mip_cv7_built_in_test. Inferred:
-     * The 3DM-CV7-GNSS/INS has it. On the 3DM-CV7-GNSS/INS: values of mip_cv7_built_in_test. On the
-     * 3DM-GX5-15: values of mip_gx5_built_in_test.
+     * 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU,
+     * 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT, 3DM-RQ1-45-ST and 3DM-RQ1-IMU: the values are not
+     * known. On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
+     * 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS and 3DM-RTK: values of
+     * mip_cv7_built_in_test. Inferred: The 3DM-CV7-GNSS/INS has it. On the 3DM-CV7-GNSS/INS: values
+     * of mip_cv7_built_in_test. On the 3DM-GX5-15: values of mip_gx5_built_in_test.
      */
     uint32_t result;
 };
@@ -567,7 +567,7 @@ struct mip_base_continuous_built_in_test_response {
      * Flags, defined by each device, least significant byte first: bit 8 is bit 0 of the second
      * byte. On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
      * 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of mip_cv7_inertial_bit.
-     * On the 3DM-CV7-GNSS/INS: values of mip_cv7_continuous_bit.
+     * On the 3DM-CV7-GNSS/INS: values of mip_cv7_continuous_built_in_test.
      */
     uint8_t result[16];
 };

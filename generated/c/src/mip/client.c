@@ -4,7 +4,7 @@
 #include <string.h>
 
 void mip_client_init(struct mip_client *client) {
-    client->waiting = NULL;
+    memset(client, 0, sizeof(*client));
     client->timeout = MIP_DEFAULT_TIMEOUT;
 }
 
@@ -39,6 +39,7 @@ void mip_client_wait(struct mip_client *client, struct mip_request *request, con
         return;
     }
     request->asked = left > 0 ? r : NULL;
+    request->behind = client->behind;
     while (*end != NULL) {
         end = &(*end)->next;
     }
@@ -170,7 +171,7 @@ bool mip_client_next(struct mip_client *client, struct mip_walk *walk,
     struct mip_field behind = *field; /* no response, if there is nothing */
     mip_walk_next(&ahead, &behind);
     for (struct mip_request **at = &client->waiting; (r = *at) != NULL; at = &r->next) {
-        if (r->exchange->descriptor != field->data[0] ||
+        if (r->behind != 0 || r->exchange->descriptor != field->data[0] ||
             r->exchange->descriptor_set != field->descriptor_set) {
             continue;
         }
@@ -197,11 +198,78 @@ bool mip_client_next(struct mip_client *client, struct mip_walk *walk,
     return true;
 }
 
+/** The payload of the answer of the shortest barrier: a single command is no barrier. */
+#define FIRST_BARRIER 8
+
+void mip_client_miss(struct mip_client *client) {
+    const uint8_t next = (uint8_t)(client->missed + 4);
+    client->missed = next < FIRST_BARRIER ? FIRST_BARRIER : next; /* after the last one, too */
+}
+
+size_t mip_client_guard(struct mip_client *client, uint8_t *fields) {
+    size_t size = 0;
+    if (MIP_BARRIER_SET != 0 && client->behind != client->missed) {
+        client->behind = client->missed;
+        while (size < client->missed / 2U) {
+            fields[size++] = 2;
+            fields[size++] = MIP_BARRIER_DESCRIPTOR;
+        }
+    }
+    return size;
+}
+
+size_t mip_client_barrier(struct mip_client *client, uint8_t *bytes) {
+    if (client->missed == 0 || client->behind == client->missed) {
+        return 0;
+    }
+    for (const struct mip_request *r = client->waiting; r != NULL; r = r->next) {
+        mip_client_miss(client); /* they may be of its kind */
+    }
+    const size_t size = mip_client_guard(client, bytes + MIP_HEADER_SIZE);
+    const size_t end = MIP_HEADER_SIZE + size;
+    bytes[0] = MIP_SYNC_1;
+    bytes[1] = MIP_SYNC_2;
+    bytes[2] = MIP_BARRIER_SET;
+    bytes[3] = (uint8_t)size;
+    mip_put_16(bytes + end, mip_checksum(bytes, end));
+    return size > 0 ? end + MIP_CHECKSUM_SIZE : 0;
+}
+
+bool mip_client_passes(struct mip_client *client, const struct mip_packet *packet) {
+    const uint8_t size = client->behind;
+    const uint8_t *field = packet->bytes + MIP_HEADER_SIZE;
+    if (MIP_BARRIER_SET == 0 || size == 0 || packet->descriptor_set != MIP_BARRIER_SET ||
+        packet->bytes[3] != size) {
+        return false;
+    }
+    for (size_t left = size; left > 0; left -= 4) { /* with any code */
+        if (field[0] != 4 || field[1] != MIP_ACKNOWLEDGE_DESCRIPTOR ||
+            field[2] != MIP_BARRIER_DESCRIPTOR) {
+            return false;
+        }
+        field += 4;
+    }
+    client->behind = 0;
+    if (client->missed == size) {
+        client->missed = 0;
+    }
+    while (client->waiting != NULL && client->waiting->behind != size) {
+        leave(&client->waiting, MIP_REQUEST_TIMED_OUT); /* answers are in order: it has none */
+    }
+    for (struct mip_request *r = client->waiting; r != NULL; r = r->next) {
+        r->behind = 0;
+    }
+    return true;
+}
+
 bool mip_client_receive(struct mip_client *client, const struct mip_packet *packet) {
     struct mip_walk walk = mip_walk_packet(packet);
     struct mip_request *request;
     struct mip_field field;
     bool answered = false;
+    if (mip_client_passes(client, packet)) {
+        return false;
+    }
     while (mip_client_next(client, &walk, &request, &field)) {
         answered = answered || request != NULL;
     }
@@ -226,6 +294,7 @@ bool mip_client_poll(struct mip_client *client, struct mip_parser *parser, uint3
             return true; /* noise may hide an answer; the part of the next packet is kept */
         } else {
             leave(at, MIP_REQUEST_TIMED_OUT);
+            mip_client_miss(client);
         }
     }
     return false;
@@ -235,6 +304,7 @@ void mip_client_cancel(struct mip_client *client, struct mip_request *request) {
     for (struct mip_request **at = &client->waiting; *at != NULL; at = &(*at)->next) {
         if (*at == request) {
             leave(at, MIP_REQUEST_CANCELLED);
+            mip_client_miss(client);
             break;
         }
     }

@@ -3,13 +3,6 @@
 
 #include <string.h>
 
-/** For how many milliseconds after a time-out a late answer is looked for. */
-#define LATE 10000
-
-/** Before a command, reading what has arrived ends after so many reads, or milliseconds. */
-#define CATCH_UP_READS 64
-#define CATCH_UP_TIME 100
-
 void mip_device_init(struct mip_device *device, const struct mip_port *port,
                      const struct mip_handler *handlers, size_t handler_count) {
     memset(device, 0, sizeof(*device)); /* so its parser, too, is at the beginning of a stream */
@@ -20,7 +13,7 @@ void mip_device_init(struct mip_device *device, const struct mip_port *port,
     device->client.timeout = MIP_DEFAULT_TIMEOUT;
 }
 
-const struct mip_codec mip_any_field = {0, 0, 0, 0, 0, 0, false, NULL, NULL};
+const struct mip_codec mip_any_field = {0, 0, 0, 0, 0, 0, 0, NULL, NULL};
 
 /** Is a handler for this field? */
 static bool is_for(const struct mip_handler *handler, const struct mip_field *field) {
@@ -43,6 +36,9 @@ static void handle(struct mip_device *device, const struct mip_packet *packet) {
     struct mip_walk walk = mip_walk_packet(packet);
     struct mip_request *answered;
     struct mip_field field;
+    if (mip_client_passes(&device->client, packet)) {
+        return;
+    }
     device->packet = packet;
     tell(device, true);
     while (mip_client_next(&device->client, &walk, &answered, &field)) {
@@ -103,21 +99,19 @@ bool mip_device_poll(struct mip_device *device) {
 /** The place of a command's data in its packet. */
 #define DATA (MIP_HEADER_SIZE + 2)
 
-/** Reads and handles what has arrived; not for ever, because more may be arriving. */
-static void catch_up(struct mip_device *device, uint8_t *bytes, uint32_t start) {
-    struct mip_packet packet;
-    unsigned left = CATCH_UP_READS;
-    while (left > 0 && update(device, bytes) == (OPEN | CAME) &&
-           (uint32_t)(device->heard - start) < CATCH_UP_TIME) {
-        left--;
-    }
-    while (mip_parser_look_behind(&device->parser, &packet)) {
-        handle(device, &packet);
-    }
+/** Sends a packet whose fields are at their place. */
+static bool transmit(const struct mip_device *device, uint8_t descriptor_set, uint8_t *bytes,
+                     size_t size) {
+    const size_t end = MIP_HEADER_SIZE + size;
+    bytes[0] = MIP_SYNC_1;
+    bytes[1] = MIP_SYNC_2;
+    bytes[2] = descriptor_set;
+    bytes[3] = (uint8_t)size;
+    mip_put_16(bytes + end, mip_checksum(bytes, end));
+    return device->port.write(device->port.user, bytes, end + MIP_CHECKSUM_SIZE);
 }
 
-/** Before a command: false in a handler. If the answer to an earlier one may still come, what has
- * arrived is handled first. */
+/** Before a command: false in a handler. */
 static bool begin(struct mip_device *device, struct mip_request *request, uint8_t *bytes) {
     if (request->response != NULL) {
         memset(request->response, 0, request->codec->size);
@@ -126,12 +120,10 @@ static bool begin(struct mip_device *device, struct mip_request *request, uint8_
         request->state = MIP_BUSY;
         return false;
     }
-    if (device->owed) {
-        const uint32_t now = device->port.now(device->port.user);
-        device->owed = (uint32_t)(now - device->missed) < LATE;
-        if (device->owed) {
-            catch_up(device, bytes, now);
-        }
+    const size_t size = mip_client_guard(&device->client, bytes + MIP_HEADER_SIZE);
+    if (size > 0 && !transmit(device, MIP_BARRIER_SET, bytes, size)) {
+        mip_client_miss(&device->client); /* the next one is another */
+        return false;
     }
     return true;
 }
@@ -140,25 +132,17 @@ static bool begin(struct mip_device *device, struct mip_request *request, uint8_
 static void carry_out(struct mip_device *device, struct mip_request *request, uint8_t *bytes,
                       size_t size) {
     const struct mip_port *port = &device->port;
-    const size_t end = DATA + size;
-    bytes[0] = MIP_SYNC_1;
-    bytes[1] = MIP_SYNC_2;
-    bytes[2] = request->exchange->descriptor_set;
-    bytes[3] = bytes[4] = (uint8_t)(size + 2);
+    bytes[4] = (uint8_t)(size + 2);
     bytes[5] = request->exchange->descriptor;
-    mip_put_16(bytes + end, mip_checksum(bytes, end));
-    if (port->write(port->user, bytes, end + MIP_CHECKSUM_SIZE)) {
+    if (transmit(device, request->exchange->descriptor_set, bytes, size + 2)) {
         mip_client_wait(&device->client, request, bytes + MIP_HEADER_SIZE, port->now(port->user));
         while (request->state == MIP_REQUEST_WAITING) {
             if ((update(device, bytes) & OPEN) == 0) {       /* the packet is gone */
                 mip_client_cancel(&device->client, request); /* unless the last bytes answered it */
             }
         }
-    }
-    if (request->state == MIP_NOT_SENT || /* a part may have been */
-        request->state == MIP_TIMED_OUT || request->state == MIP_CLOSED) {
-        device->missed = port->now(port->user);
-        device->owed = true;
+    } else {
+        mip_client_miss(&device->client); /* a part may have been sent */
     }
 }
 

@@ -10,6 +10,15 @@
 
 namespace mip {
 
+MIP_LAYOUT(mip_displacement_get_calibration, MIP_DISPLACEMENT_GET_CALIBRATION,
+           MIP_DISPLACEMENT_GET_CALIBRATION)
+MIP_LAYOUT(mip_displacement_output_rate, MIP_DISPLACEMENT_OUTPUT_RATE, MIP_DISPLACEMENT_OUTPUT_RATE)
+MIP_LAYOUT(mip_displacement_device_time, MIP_DISPLACEMENT_DEVICE_TIME, MIP_DISPLACEMENT_DEVICE_TIME)
+MIP_LAYOUT(mip_displacement_get_calibration_response, MIP_DISPLACEMENT_GET_CALIBRATION_RESPONSE,
+           MIP_DISPLACEMENT_GET_CALIBRATION_RESPONSE)
+MIP_LAYOUT(mip_displacement_output_rate_response, MIP_DISPLACEMENT_OUTPUT_RATE_RESPONSE,
+           MIP_DISPLACEMENT_OUTPUT_RATE_RESPONSE)
+
 /** Displacement commands */
 inline constexpr std::uint8_t displacement_set = MIP_DISPLACEMENT_SET;
 
@@ -26,6 +35,15 @@ using ::mip::operator<<;
 using ::mip::get;
 using ::mip::has;
 using ::mip::to_string;
+
+/**
+ * Get Analog to Displacement Calibration response. See struct
+ * mip_displacement_get_calibration_response.
+ */
+using get_calibration_response = ::mip_displacement_get_calibration_response;
+
+/** Displacement Output Data Rate response. See struct mip_displacement_output_rate_response. */
+using output_rate_response = ::mip_displacement_output_rate_response;
 
 } // namespace displacement
 

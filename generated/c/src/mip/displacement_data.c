@@ -14,7 +14,7 @@ const struct mip_codec mip_displacement_data_displacement_raw_codec = {
     4,
     sizeof(struct mip_displacement_data_displacement_raw),
     0,
-    sizeof(struct mip_displacement_data_displacement_raw) >= 8,
+    MIP_SHAPE(0, 1, 0),
     program_displacement_raw,
     NULL};
 
@@ -30,6 +30,16 @@ const struct mip_codec mip_displacement_data_displacement_codec = {
     4,
     sizeof(struct mip_displacement_data_displacement),
     0,
-    sizeof(struct mip_displacement_data_displacement) >= 8,
+    MIP_SHAPE(0, 1, 0),
     program_displacement,
     NULL};
+
+static const uint8_t program_timestamp[] = {
+    MIP_8_BITS(1, MIP_AT(struct mip_displacement_data_timestamp, flags)),
+    MIP_64_BITS(1, MIP_AT(struct mip_displacement_data_timestamp, time)),
+    MIP_END,
+};
+
+const struct mip_codec mip_displacement_data_timestamp_codec = {
+    0x90, 0x04, MIP_DATA,          9,   sizeof(struct mip_displacement_data_timestamp),
+    0,    0,    program_timestamp, NULL};

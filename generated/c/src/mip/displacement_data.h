@@ -3,6 +3,8 @@
  *
  * Displacement data (0x90). Measurements of the DEMOD-DC, a digital demodulator for displacement
  * sensors.
+ *
+ * Devices that may support a field, but are not certain to, are listed only in mip/profiles.h.
  */
 #ifndef MIP_DISPLACEMENT_DATA_H
 #define MIP_DISPLACEMENT_DATA_H
@@ -24,16 +26,24 @@ extern "C" {
 #define MIP_DISPLACEMENT_DATA_SET 0x90
 
 /**
+ * Whether the time of displacement data is valid. Uncertain: That it is a bitfield. MSCL takes the
+ * time for valid if the number is 1.
+ */
+typedef uint8_t mip_displacement_data_timestamp_flags;
+/** Bit 0. The clock has been set; `time` is valid. */
+#define MIP_DISPLACEMENT_DATA_TIMESTAMP_FLAGS_TIME 0x01U
+
+/**
  * Raw displacement: data (0x90,0x01).
  *
  * Displacement in counts of the converter.
  *
- * Not listed in any device profile. Known only from the MicroStrain Communication Library.
+ * No device is certain to support it. Known only from the MicroStrain Communication Library.
  *
  * - mscl: Raw displacement (0x90,0x01)
  */
 struct mip_displacement_data_displacement_raw {
-    /** Displacement in counts. Unit: 1. */
+    /** Output of the analog-to-digital converter. Unit: 1. */
     uint32_t counts;
 };
 
@@ -62,14 +72,14 @@ MIP_CHECKED static inline mip_error mip_displacement_data_displacement_raw_encod
 /**
  * Displacement: data (0x90,0x02).
  *
- * Calibrated displacement of the sensor.
+ * Displacement of the sensor, computed with its calibration.
  *
- * Not listed in any device profile. Known only from the MicroStrain Communication Library.
+ * No device is certain to support it. Known only from the MicroStrain Communication Library.
  *
  * - mscl: Displacement (0x90,0x02)
  */
 struct mip_displacement_data_displacement {
-    /** Displacement. Unit: mm. */
+    /** Position of the sensor along its axis. Unit: mm. */
     float displacement;
 };
 
@@ -94,6 +104,48 @@ static inline mip_error mip_displacement_data_displacement_decode(
 MIP_CHECKED static inline mip_error mip_displacement_data_displacement_encode(
     const struct mip_displacement_data_displacement *value, struct mip_builder *builder) {
     return mip_encode(&mip_displacement_data_displacement_codec, value, builder);
+}
+/**
+ * Displacement Device Timestamp: data (0x90,0x04).
+ *
+ * Time of the measurement by the clock of the device.
+ *
+ * No device is certain to support it. Also called `displacement_timestamp`. Known only from the
+ * MicroStrain Communication Library.
+ *
+ * - mscl: Displacement Device Timestamp (0x90,0x04)
+ */
+struct mip_displacement_data_timestamp {
+    /** Whether the time of displacement data is valid. */
+    mip_displacement_data_timestamp_flags flags;
+    /**
+     * UTC since 1970-01-01, without leap seconds, if the clock was set so. Unit: ns. Valid if
+     * MIP_DISPLACEMENT_DATA_TIMESTAMP_FLAGS_TIME in flags is set.
+     */
+    uint64_t time;
+};
+
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_DISPLACEMENT_DATA_TIMESTAMP 0x9004
+/** Its descriptor. */
+#define MIP_DISPLACEMENT_DATA_TIMESTAMP_DESCRIPTOR 0x04
+/** Its name in the specification. */
+#define MIP_DISPLACEMENT_DATA_TIMESTAMP_NAME "displacement_data.timestamp"
+
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_displacement_data_timestamp_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_displacement_data_timestamp_decode(
+    struct mip_displacement_data_timestamp *value, const struct mip_field *field) {
+    return mip_decode_only(&mip_displacement_data_timestamp_codec, 0x04, value, sizeof(*value),
+                           field);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+MIP_CHECKED static inline mip_error mip_displacement_data_timestamp_encode(
+    const struct mip_displacement_data_timestamp *value, struct mip_builder *builder) {
+    return mip_encode(&mip_displacement_data_timestamp_codec, value, builder);
 }
 /** @} */
 

@@ -14,6 +14,8 @@ MIP_LAYOUT(mip_displacement_data_displacement_raw, MIP_DISPLACEMENT_DATA_DISPLAC
            MIP_DISPLACEMENT_DATA_DISPLACEMENT_RAW)
 MIP_LAYOUT(mip_displacement_data_displacement, MIP_DISPLACEMENT_DATA_DISPLACEMENT,
            MIP_DISPLACEMENT_DATA_DISPLACEMENT)
+MIP_LAYOUT(mip_displacement_data_timestamp, MIP_DISPLACEMENT_DATA_TIMESTAMP,
+           MIP_DISPLACEMENT_DATA_TIMESTAMP)
 
 /** Displacement data */
 inline constexpr std::uint8_t displacement_data_set = MIP_DISPLACEMENT_DATA_SET;
@@ -32,11 +34,28 @@ using ::mip::get;
 using ::mip::has;
 using ::mip::to_string;
 
+/** mip_displacement_data_timestamp_flags: displacement_data.timestamp_flags */
+enum class timestamp_flags : uint8_t {
+    time = MIP_DISPLACEMENT_DATA_TIMESTAMP_FLAGS_TIME,
+};
+inline flag_names names_of(timestamp_flags) {
+    return {::mip_names_displacement_data_timestamp_flags};
+}
+
 /** Raw displacement. See struct mip_displacement_data_displacement_raw. */
 using displacement_raw = ::mip_displacement_data_displacement_raw;
 
 /** Displacement. See struct mip_displacement_data_displacement. */
 using displacement = ::mip_displacement_data_displacement;
+
+struct timestamp_ : ::mip_displacement_data_timestamp {
+    using c_type = ::mip_displacement_data_timestamp;
+    ::mip::displacement_data::timestamp_flags flags() const {
+        return static_cast<::mip::displacement_data::timestamp_flags>(c_type::flags);
+    }
+};
+/** Displacement Device Timestamp. See struct mip_displacement_data_timestamp. */
+using timestamp = timestamp_;
 
 } // namespace displacement_data
 

@@ -68,6 +68,34 @@ MIP_CHECKED static inline mip_error mip_displacement_data_displacement_encode_in
     return MIP_OK;
 }
 
+/** Decodes displacement_data.timestamp. On an error the structure is zeroed. */
+static inline mip_error mip_displacement_data_timestamp_decode_inline(
+    struct mip_displacement_data_timestamp *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x90, 0x04, 9);
+    if (error != MIP_OK || sizeof(*value) != 9) { /* gaps are zeroed, too */
+        memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
+        return error;
+    }
+    value->flags = mip_get_8(field->data);
+    value->time = mip_get_64(field->data + 1);
+    return MIP_OK;
+}
+
+/** Adds displacement_data.timestamp to a packet. On an error the packet is unchanged. */
+MIP_CHECKED static inline mip_error mip_displacement_data_timestamp_encode_inline(
+    const struct mip_displacement_data_timestamp *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x90, 0x04, 9, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->flags);
+    mip_put_64(data + 1, value->time);
+    return MIP_OK;
+}
+
 #ifdef __cplusplus
 }
 #endif

@@ -8,7 +8,7 @@ static const uint8_t program_reset[] = {
 };
 
 const struct mip_codec mip_filter_reset_codec = {
-    0x0D, 0x01, MIP_COMMAND, 0, sizeof(struct mip_filter_reset), 0, false, program_reset, NULL};
+    0x0D, 0x01, MIP_COMMAND, 0, sizeof(struct mip_filter_reset), 0, 0, program_reset, NULL};
 
 const struct mip_exchange mip_filter_reset_exchange = {0x0D, 0x01, 0, false, 0, NULL};
 
@@ -27,7 +27,7 @@ const struct mip_codec mip_filter_set_initial_attitude_codec = {
     12,
     sizeof(struct mip_filter_set_initial_attitude),
     0,
-    sizeof(struct mip_filter_set_initial_attitude) >= 8,
+    MIP_SHAPE(0, 3, 0),
     program_set_initial_attitude,
     NULL};
 
@@ -49,7 +49,7 @@ const struct mip_codec mip_filter_set_initial_heading_codec = {
     4,
     sizeof(struct mip_filter_set_initial_heading),
     0,
-    sizeof(struct mip_filter_set_initial_heading) >= 8,
+    MIP_SHAPE(0, 1, 0),
     program_set_initial_heading,
     NULL};
 
@@ -70,7 +70,7 @@ const struct mip_codec mip_filter_set_initial_attitude_from_imu_codec = {
     4,
     sizeof(struct mip_filter_set_initial_attitude_from_imu),
     0,
-    sizeof(struct mip_filter_set_initial_attitude_from_imu) >= 8,
+    MIP_SHAPE(0, 1, 0),
     program_set_initial_attitude_from_imu,
     NULL};
 
@@ -86,7 +86,7 @@ static const uint8_t program_run[] = {
 };
 
 const struct mip_codec mip_filter_run_codec = {
-    0x0D, 0x05, MIP_COMMAND, 0, sizeof(struct mip_filter_run), 0, false, program_run, NULL};
+    0x0D, 0x05, MIP_COMMAND, 0, sizeof(struct mip_filter_run), 0, 0, program_run, NULL};
 
 const struct mip_exchange mip_filter_run_exchange = {0x0D, 0x05, 0, false, 0, NULL};
 
@@ -106,7 +106,7 @@ const struct mip_codec mip_filter_vehicle_dynamics_mode_codec = {
     0,
     sizeof(struct mip_filter_vehicle_dynamics_mode),
     0,
-    false,
+    0,
     program_vehicle_dynamics_mode,
     &mip_program};
 
@@ -139,63 +139,65 @@ const struct mip_codec mip_filter_vehicle_dynamics_mode_response_codec = {
     1,
     sizeof(struct mip_filter_vehicle_dynamics_mode_response),
     0,
-    sizeof(struct mip_filter_vehicle_dynamics_mode_response) >= 8,
+    0,
     program_vehicle_dynamics_mode_response,
     NULL};
 
-static const uint8_t program_sensor_to_vehicle_euler[] = {
+static const uint8_t program_sensor_to_vehicle_rotation_euler[] = {
     MIP_REQUIRED(1, 3),
     MIP_GROUP(1),
-    MIP_32_BITS(1, MIP_AT(struct mip_filter_sensor_to_vehicle_euler, roll)),
+    MIP_32_BITS(1, MIP_AT(struct mip_filter_sensor_to_vehicle_rotation_euler, roll)),
     MIP_GROUP(1),
-    MIP_32_BITS(1, MIP_AT(struct mip_filter_sensor_to_vehicle_euler, pitch)),
+    MIP_32_BITS(1, MIP_AT(struct mip_filter_sensor_to_vehicle_rotation_euler, pitch)),
     MIP_GROUP(1),
-    MIP_32_BITS(1, MIP_AT(struct mip_filter_sensor_to_vehicle_euler, yaw)),
+    MIP_32_BITS(1, MIP_AT(struct mip_filter_sensor_to_vehicle_rotation_euler, yaw)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_sensor_to_vehicle_euler_codec = {
+const struct mip_codec mip_filter_sensor_to_vehicle_rotation_euler_codec = {
     0x0D,
     0x11,
     MIP_COMMAND,
     0,
-    sizeof(struct mip_filter_sensor_to_vehicle_euler),
+    sizeof(struct mip_filter_sensor_to_vehicle_rotation_euler),
     0,
-    false,
-    program_sensor_to_vehicle_euler,
+    0,
+    program_sensor_to_vehicle_rotation_euler,
     &mip_program};
 
-static const uint8_t asked_sensor_to_vehicle_euler_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                          MIP_WHEN_END};
-static const struct mip_response responses_sensor_to_vehicle_euler[] = {
-    {asked_sensor_to_vehicle_euler_1, NULL, 0x81, false},
+static const uint8_t asked_sensor_to_vehicle_rotation_euler_1[] = {
+    MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
+static const struct mip_response responses_sensor_to_vehicle_rotation_euler[] = {
+    {asked_sensor_to_vehicle_rotation_euler_1, NULL, 0x81, false},
 };
 
-const struct mip_exchange mip_filter_sensor_to_vehicle_euler_exchange = {
+const struct mip_exchange mip_filter_sensor_to_vehicle_rotation_euler_exchange = {
     0x0D,
     0x11,
     0,
     true,
-    sizeof(responses_sensor_to_vehicle_euler) / sizeof(responses_sensor_to_vehicle_euler[0]),
-    responses_sensor_to_vehicle_euler};
+    sizeof(responses_sensor_to_vehicle_rotation_euler) /
+        sizeof(responses_sensor_to_vehicle_rotation_euler[0]),
+    responses_sensor_to_vehicle_rotation_euler};
 
-const struct mip_command mip_filter_sensor_to_vehicle_euler_command = {
-    &mip_filter_sensor_to_vehicle_euler_codec, &mip_filter_sensor_to_vehicle_euler_exchange};
+const struct mip_command mip_filter_sensor_to_vehicle_rotation_euler_command = {
+    &mip_filter_sensor_to_vehicle_rotation_euler_codec,
+    &mip_filter_sensor_to_vehicle_rotation_euler_exchange};
 
-static const uint8_t program_sensor_to_vehicle_euler_response[] = {
-    MIP_32_BITS(3, MIP_AT(struct mip_filter_sensor_to_vehicle_euler_response, roll)),
+static const uint8_t program_sensor_to_vehicle_rotation_euler_response[] = {
+    MIP_32_BITS(3, MIP_AT(struct mip_filter_sensor_to_vehicle_rotation_euler_response, roll)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_sensor_to_vehicle_euler_response_codec = {
+const struct mip_codec mip_filter_sensor_to_vehicle_rotation_euler_response_codec = {
     0x0D,
     0x81,
     MIP_RESPONSE,
     12,
-    sizeof(struct mip_filter_sensor_to_vehicle_euler_response),
+    sizeof(struct mip_filter_sensor_to_vehicle_rotation_euler_response),
     0,
-    sizeof(struct mip_filter_sensor_to_vehicle_euler_response) >= 8,
-    program_sensor_to_vehicle_euler_response,
+    MIP_SHAPE(0, 3, 0),
+    program_sensor_to_vehicle_rotation_euler_response,
     NULL};
 
 static const uint8_t program_sensor_to_vehicle_offset[] = {
@@ -212,7 +214,7 @@ const struct mip_codec mip_filter_sensor_to_vehicle_offset_codec = {
     0,
     sizeof(struct mip_filter_sensor_to_vehicle_offset),
     0,
-    false,
+    0,
     program_sensor_to_vehicle_offset,
     &mip_program};
 
@@ -245,7 +247,7 @@ const struct mip_codec mip_filter_sensor_to_vehicle_offset_response_codec = {
     12,
     sizeof(struct mip_filter_sensor_to_vehicle_offset_response),
     0,
-    sizeof(struct mip_filter_sensor_to_vehicle_offset_response) >= 8,
+    MIP_SHAPE(0, 3, 0),
     program_sensor_to_vehicle_offset_response,
     NULL};
 
@@ -262,7 +264,7 @@ const struct mip_codec mip_filter_antenna_offset_codec = {0x0D,
                                                           0,
                                                           sizeof(struct mip_filter_antenna_offset),
                                                           0,
-                                                          false,
+                                                          0,
                                                           program_antenna_offset,
                                                           &mip_program};
 
@@ -295,7 +297,7 @@ const struct mip_codec mip_filter_antenna_offset_response_codec = {
     12,
     sizeof(struct mip_filter_antenna_offset_response),
     0,
-    sizeof(struct mip_filter_antenna_offset_response) >= 8,
+    MIP_SHAPE(0, 3, 0),
     program_antenna_offset_response,
     NULL};
 
@@ -313,7 +315,7 @@ const struct mip_codec mip_filter_estimation_control_codec = {
     0,
     sizeof(struct mip_filter_estimation_control),
     0,
-    false,
+    0,
     program_estimation_control,
     &mip_program};
 
@@ -346,7 +348,7 @@ const struct mip_codec mip_filter_estimation_control_response_codec = {
     2,
     sizeof(struct mip_filter_estimation_control_response),
     0,
-    sizeof(struct mip_filter_estimation_control_response) >= 8,
+    MIP_SHAPE(0, 0, 1),
     program_estimation_control_response,
     NULL};
 
@@ -358,8 +360,8 @@ static const uint8_t program_gnss_source[] = {
 };
 
 const struct mip_codec mip_filter_gnss_source_codec = {
-    0x0D, 0x15,  MIP_COMMAND,         0,           sizeof(struct mip_filter_gnss_source),
-    0,    false, program_gnss_source, &mip_program};
+    0x0D, 0x15, MIP_COMMAND,         0,           sizeof(struct mip_filter_gnss_source),
+    0,    0,    program_gnss_source, &mip_program};
 
 static const uint8_t asked_gnss_source_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                               MIP_WHEN_END};
@@ -390,7 +392,7 @@ const struct mip_codec mip_filter_gnss_source_response_codec = {
     1,
     sizeof(struct mip_filter_gnss_source_response),
     0,
-    sizeof(struct mip_filter_gnss_source_response) >= 8,
+    0,
     program_gnss_source_response,
     NULL};
 
@@ -409,7 +411,7 @@ const struct mip_codec mip_filter_external_gnss_update_codec = {
     70,
     sizeof(struct mip_filter_external_gnss_update),
     0,
-    false,
+    0,
     program_external_gnss_update,
     NULL};
 
@@ -432,7 +434,7 @@ const struct mip_codec mip_filter_external_heading_update_codec = {
     9,
     sizeof(struct mip_filter_external_heading_update),
     0,
-    sizeof(struct mip_filter_external_heading_update) >= 8,
+    0,
     program_external_heading_update,
     NULL};
 
@@ -455,7 +457,7 @@ const struct mip_codec mip_filter_heading_source_codec = {0x0D,
                                                           0,
                                                           sizeof(struct mip_filter_heading_source),
                                                           0,
-                                                          false,
+                                                          0,
                                                           program_heading_source,
                                                           &mip_program};
 
@@ -488,7 +490,7 @@ const struct mip_codec mip_filter_heading_source_response_codec = {
     1,
     sizeof(struct mip_filter_heading_source_response),
     0,
-    sizeof(struct mip_filter_heading_source_response) >= 8,
+    0,
     program_heading_source_response,
     NULL};
 
@@ -506,7 +508,7 @@ const struct mip_codec mip_filter_auto_initialization_control_codec = {
     0,
     sizeof(struct mip_filter_auto_initialization_control),
     0,
-    false,
+    0,
     program_auto_initialization_control,
     &mip_program};
 
@@ -541,7 +543,7 @@ const struct mip_codec mip_filter_auto_initialization_control_response_codec = {
     1,
     sizeof(struct mip_filter_auto_initialization_control_response),
     0,
-    sizeof(struct mip_filter_auto_initialization_control_response) >= 8,
+    0,
     program_auto_initialization_control_response,
     NULL};
 
@@ -553,8 +555,8 @@ static const uint8_t program_accel_noise[] = {
 };
 
 const struct mip_codec mip_filter_accel_noise_codec = {
-    0x0D, 0x1A,  MIP_COMMAND,         0,           sizeof(struct mip_filter_accel_noise),
-    0,    false, program_accel_noise, &mip_program};
+    0x0D, 0x1A, MIP_COMMAND,         0,           sizeof(struct mip_filter_accel_noise),
+    0,    0,    program_accel_noise, &mip_program};
 
 static const uint8_t asked_accel_noise_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                               MIP_WHEN_END};
@@ -585,7 +587,7 @@ const struct mip_codec mip_filter_accel_noise_response_codec = {
     12,
     sizeof(struct mip_filter_accel_noise_response),
     0,
-    sizeof(struct mip_filter_accel_noise_response) >= 8,
+    MIP_SHAPE(0, 3, 0),
     program_accel_noise_response,
     NULL};
 
@@ -597,8 +599,8 @@ static const uint8_t program_gyro_noise[] = {
 };
 
 const struct mip_codec mip_filter_gyro_noise_codec = {
-    0x0D, 0x1B,  MIP_COMMAND,        0,           sizeof(struct mip_filter_gyro_noise),
-    0,    false, program_gyro_noise, &mip_program};
+    0x0D, 0x1B, MIP_COMMAND,        0,           sizeof(struct mip_filter_gyro_noise),
+    0,    0,    program_gyro_noise, &mip_program};
 
 static const uint8_t asked_gyro_noise_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_gyro_noise[] = {
@@ -628,7 +630,7 @@ const struct mip_codec mip_filter_gyro_noise_response_codec = {
     12,
     sizeof(struct mip_filter_gyro_noise_response),
     0,
-    sizeof(struct mip_filter_gyro_noise_response) >= 8,
+    MIP_SHAPE(0, 3, 0),
     program_gyro_noise_response,
     NULL};
 
@@ -648,7 +650,7 @@ const struct mip_codec mip_filter_accel_bias_model_codec = {
     0,
     sizeof(struct mip_filter_accel_bias_model),
     0,
-    false,
+    0,
     program_accel_bias_model,
     &mip_program};
 
@@ -681,7 +683,7 @@ const struct mip_codec mip_filter_accel_bias_model_response_codec = {
     24,
     sizeof(struct mip_filter_accel_bias_model_response),
     0,
-    sizeof(struct mip_filter_accel_bias_model_response) >= 8,
+    MIP_SHAPE(0, 6, 0),
     program_accel_bias_model_response,
     NULL};
 
@@ -701,7 +703,7 @@ const struct mip_codec mip_filter_gyro_bias_model_codec = {
     0,
     sizeof(struct mip_filter_gyro_bias_model),
     0,
-    false,
+    0,
     program_gyro_bias_model,
     &mip_program};
 
@@ -734,7 +736,7 @@ const struct mip_codec mip_filter_gyro_bias_model_response_codec = {
     24,
     sizeof(struct mip_filter_gyro_bias_model_response),
     0,
-    sizeof(struct mip_filter_gyro_bias_model_response) >= 8,
+    MIP_SHAPE(0, 6, 0),
     program_gyro_bias_model_response,
     NULL};
 
@@ -748,8 +750,8 @@ static const uint8_t program_auto_zupt[] = {
 };
 
 const struct mip_codec mip_filter_auto_zupt_codec = {
-    0x0D, 0x1E,  MIP_COMMAND,       0,           sizeof(struct mip_filter_auto_zupt),
-    0,    false, program_auto_zupt, &mip_program};
+    0x0D, 0x1E, MIP_COMMAND,       0,           sizeof(struct mip_filter_auto_zupt),
+    0,    0,    program_auto_zupt, &mip_program};
 
 static const uint8_t asked_auto_zupt_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_auto_zupt[] = {
@@ -780,7 +782,7 @@ const struct mip_codec mip_filter_auto_zupt_response_codec = {
     5,
     sizeof(struct mip_filter_auto_zupt_response),
     0,
-    false,
+    0,
     program_auto_zupt_response,
     NULL};
 
@@ -799,7 +801,7 @@ const struct mip_codec mip_filter_external_heading_update_with_time_codec = {
     19,
     sizeof(struct mip_filter_external_heading_update_with_time),
     0,
-    false,
+    0,
     program_external_heading_update_with_time,
     NULL};
 
@@ -826,7 +828,7 @@ const struct mip_codec mip_filter_auto_angular_zupt_codec = {
     0,
     sizeof(struct mip_filter_auto_angular_zupt),
     0,
-    false,
+    0,
     program_auto_angular_zupt,
     &mip_program};
 
@@ -860,7 +862,7 @@ const struct mip_codec mip_filter_auto_angular_zupt_response_codec = {
     5,
     sizeof(struct mip_filter_auto_angular_zupt_response),
     0,
-    false,
+    0,
     program_auto_angular_zupt_response,
     NULL};
 
@@ -878,7 +880,7 @@ const struct mip_codec mip_filter_tare_orientation_codec = {
     0,
     sizeof(struct mip_filter_tare_orientation),
     0,
-    false,
+    0,
     program_tare_orientation,
     &mip_program};
 
@@ -911,7 +913,7 @@ const struct mip_codec mip_filter_tare_orientation_response_codec = {
     1,
     sizeof(struct mip_filter_tare_orientation_response),
     0,
-    sizeof(struct mip_filter_tare_orientation_response) >= 8,
+    0,
     program_tare_orientation_response,
     NULL};
 
@@ -925,7 +927,7 @@ const struct mip_codec mip_filter_commanded_zupt_codec = {0x0D,
                                                           0,
                                                           sizeof(struct mip_filter_commanded_zupt),
                                                           0,
-                                                          false,
+                                                          0,
                                                           program_commanded_zupt,
                                                           NULL};
 
@@ -945,7 +947,7 @@ const struct mip_codec mip_filter_commanded_angular_zupt_codec = {
     0,
     sizeof(struct mip_filter_commanded_angular_zupt),
     0,
-    false,
+    0,
     program_commanded_angular_zupt,
     NULL};
 
@@ -975,7 +977,7 @@ const struct mip_codec mip_filter_reference_position_codec = {
     0,
     sizeof(struct mip_filter_reference_position),
     0,
-    false,
+    0,
     program_reference_position,
     &mip_program};
 
@@ -1009,7 +1011,7 @@ const struct mip_codec mip_filter_reference_position_response_codec = {
     25,
     sizeof(struct mip_filter_reference_position_response),
     0,
-    false,
+    0,
     program_reference_position_response,
     NULL};
 
@@ -1025,7 +1027,7 @@ const struct mip_codec mip_filter_mag_capture_auto_calibration_codec = {
     1,
     sizeof(struct mip_filter_mag_capture_auto_calibration),
     0,
-    sizeof(struct mip_filter_mag_capture_auto_calibration) >= 8,
+    0,
     program_mag_capture_auto_calibration,
     NULL};
 
@@ -1044,8 +1046,8 @@ static const uint8_t program_gravity_noise[] = {
 };
 
 const struct mip_codec mip_filter_gravity_noise_codec = {
-    0x0D, 0x28,  MIP_COMMAND,           0,           sizeof(struct mip_filter_gravity_noise),
-    0,    false, program_gravity_noise, &mip_program};
+    0x0D, 0x28, MIP_COMMAND,           0,           sizeof(struct mip_filter_gravity_noise),
+    0,    0,    program_gravity_noise, &mip_program};
 
 static const uint8_t asked_gravity_noise_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                 MIP_WHEN_END};
@@ -1076,7 +1078,7 @@ const struct mip_codec mip_filter_gravity_noise_response_codec = {
     12,
     sizeof(struct mip_filter_gravity_noise_response),
     0,
-    sizeof(struct mip_filter_gravity_noise_response) >= 8,
+    MIP_SHAPE(0, 3, 0),
     program_gravity_noise_response,
     NULL};
 
@@ -1094,7 +1096,7 @@ const struct mip_codec mip_filter_pressure_altitude_noise_codec = {
     0,
     sizeof(struct mip_filter_pressure_altitude_noise),
     0,
-    false,
+    0,
     program_pressure_altitude_noise,
     &mip_program};
 
@@ -1127,7 +1129,7 @@ const struct mip_codec mip_filter_pressure_altitude_noise_response_codec = {
     4,
     sizeof(struct mip_filter_pressure_altitude_noise_response),
     0,
-    sizeof(struct mip_filter_pressure_altitude_noise_response) >= 8,
+    MIP_SHAPE(0, 1, 0),
     program_pressure_altitude_noise_response,
     NULL};
 
@@ -1145,7 +1147,7 @@ const struct mip_codec mip_filter_hard_iron_offset_noise_codec = {
     0,
     sizeof(struct mip_filter_hard_iron_offset_noise),
     0,
-    false,
+    0,
     program_hard_iron_offset_noise,
     &mip_program};
 
@@ -1178,7 +1180,7 @@ const struct mip_codec mip_filter_hard_iron_offset_noise_response_codec = {
     12,
     sizeof(struct mip_filter_hard_iron_offset_noise_response),
     0,
-    sizeof(struct mip_filter_hard_iron_offset_noise_response) >= 8,
+    MIP_SHAPE(0, 3, 0),
     program_hard_iron_offset_noise_response,
     NULL};
 
@@ -1196,7 +1198,7 @@ const struct mip_codec mip_filter_soft_iron_matrix_noise_codec = {
     0,
     sizeof(struct mip_filter_soft_iron_matrix_noise),
     0,
-    false,
+    0,
     program_soft_iron_matrix_noise,
     &mip_program};
 
@@ -1229,7 +1231,7 @@ const struct mip_codec mip_filter_soft_iron_matrix_noise_response_codec = {
     36,
     sizeof(struct mip_filter_soft_iron_matrix_noise_response),
     0,
-    sizeof(struct mip_filter_soft_iron_matrix_noise_response) >= 8,
+    MIP_SHAPE(0, 9, 0),
     program_soft_iron_matrix_noise_response,
     NULL};
 
@@ -1247,7 +1249,7 @@ const struct mip_codec mip_filter_enable_measurements_codec = {
     0,
     sizeof(struct mip_filter_enable_measurements),
     0,
-    false,
+    0,
     program_enable_measurements,
     &mip_program};
 
@@ -1280,7 +1282,7 @@ const struct mip_codec mip_filter_enable_measurements_response_codec = {
     2,
     sizeof(struct mip_filter_enable_measurements_response),
     0,
-    sizeof(struct mip_filter_enable_measurements_response) >= 8,
+    MIP_SHAPE(0, 0, 1),
     program_enable_measurements_response,
     NULL};
 
@@ -1292,8 +1294,8 @@ static const uint8_t program_mag_noise[] = {
 };
 
 const struct mip_codec mip_filter_mag_noise_codec = {
-    0x0D, 0x42,  MIP_COMMAND,       0,           sizeof(struct mip_filter_mag_noise),
-    0,    false, program_mag_noise, &mip_program};
+    0x0D, 0x42, MIP_COMMAND,       0,           sizeof(struct mip_filter_mag_noise),
+    0,    0,    program_mag_noise, &mip_program};
 
 static const uint8_t asked_mag_noise_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_mag_noise[] = {
@@ -1323,7 +1325,7 @@ const struct mip_codec mip_filter_mag_noise_response_codec = {
     12,
     sizeof(struct mip_filter_mag_noise_response),
     0,
-    sizeof(struct mip_filter_mag_noise_response) >= 8,
+    MIP_SHAPE(0, 3, 0),
     program_mag_noise_response,
     NULL};
 
@@ -1343,7 +1345,7 @@ const struct mip_codec mip_filter_magnetic_declination_source_codec = {
     0,
     sizeof(struct mip_filter_magnetic_declination_source),
     0,
-    false,
+    0,
     program_magnetic_declination_source,
     &mip_program};
 
@@ -1379,7 +1381,7 @@ const struct mip_codec mip_filter_magnetic_declination_source_response_codec = {
     5,
     sizeof(struct mip_filter_magnetic_declination_source_response),
     0,
-    false,
+    0,
     program_magnetic_declination_source_response,
     NULL};
 
@@ -1409,7 +1411,7 @@ const struct mip_codec mip_filter_accel_magnitude_adaptive_codec = {
     0,
     sizeof(struct mip_filter_accel_magnitude_adaptive),
     0,
-    false,
+    0,
     program_accel_magnitude_adaptive,
     &mip_program};
 
@@ -1444,7 +1446,7 @@ const struct mip_codec mip_filter_accel_magnitude_adaptive_response_codec = {
     25,
     sizeof(struct mip_filter_accel_magnitude_adaptive_response),
     0,
-    false,
+    0,
     program_accel_magnitude_adaptive_response,
     NULL};
 
@@ -1474,7 +1476,7 @@ const struct mip_codec mip_filter_mag_magnitude_adaptive_codec = {
     0,
     sizeof(struct mip_filter_mag_magnitude_adaptive),
     0,
-    false,
+    0,
     program_mag_magnitude_adaptive,
     &mip_program};
 
@@ -1508,7 +1510,7 @@ const struct mip_codec mip_filter_mag_magnitude_adaptive_response_codec = {
     25,
     sizeof(struct mip_filter_mag_magnitude_adaptive_response),
     0,
-    false,
+    0,
     program_mag_magnitude_adaptive_response,
     NULL};
 
@@ -1534,7 +1536,7 @@ const struct mip_codec mip_filter_mag_dip_angle_adaptive_codec = {
     0,
     sizeof(struct mip_filter_mag_dip_angle_adaptive),
     0,
-    false,
+    0,
     program_mag_dip_angle_adaptive,
     &mip_program};
 
@@ -1568,7 +1570,7 @@ const struct mip_codec mip_filter_mag_dip_angle_adaptive_response_codec = {
     17,
     sizeof(struct mip_filter_mag_dip_angle_adaptive_response),
     0,
-    false,
+    0,
     program_mag_dip_angle_adaptive_response,
     NULL};
 
@@ -1586,7 +1588,7 @@ const struct mip_codec mip_filter_altitude_aiding_codec = {
     0,
     sizeof(struct mip_filter_altitude_aiding),
     0,
-    false,
+    0,
     program_altitude_aiding,
     &mip_program};
 
@@ -1619,7 +1621,7 @@ const struct mip_codec mip_filter_altitude_aiding_response_codec = {
     1,
     sizeof(struct mip_filter_altitude_aiding_response),
     0,
-    sizeof(struct mip_filter_altitude_aiding_response) >= 8,
+    0,
     program_altitude_aiding_response,
     NULL};
 
@@ -1637,7 +1639,7 @@ const struct mip_codec mip_filter_pitch_roll_aiding_codec = {
     0,
     sizeof(struct mip_filter_pitch_roll_aiding),
     0,
-    false,
+    0,
     program_pitch_roll_aiding,
     &mip_program};
 
@@ -1670,7 +1672,7 @@ const struct mip_codec mip_filter_pitch_roll_aiding_response_codec = {
     1,
     sizeof(struct mip_filter_pitch_roll_aiding_response),
     0,
-    sizeof(struct mip_filter_pitch_roll_aiding_response) >= 8,
+    0,
     program_pitch_roll_aiding_response,
     NULL};
 
@@ -1690,7 +1692,7 @@ const struct mip_codec mip_filter_magnetic_inclination_source_codec = {
     0,
     sizeof(struct mip_filter_magnetic_inclination_source),
     0,
-    false,
+    0,
     program_magnetic_inclination_source,
     &mip_program};
 
@@ -1726,7 +1728,7 @@ const struct mip_codec mip_filter_magnetic_inclination_source_response_codec = {
     5,
     sizeof(struct mip_filter_magnetic_inclination_source_response),
     0,
-    false,
+    0,
     program_magnetic_inclination_source_response,
     NULL};
 
@@ -1746,7 +1748,7 @@ const struct mip_codec mip_filter_magnetic_magnitude_source_codec = {
     0,
     sizeof(struct mip_filter_magnetic_magnitude_source),
     0,
-    false,
+    0,
     program_magnetic_magnitude_source,
     &mip_program};
 
@@ -1780,59 +1782,61 @@ const struct mip_codec mip_filter_magnetic_magnitude_source_response_codec = {
     5,
     sizeof(struct mip_filter_magnetic_magnitude_source_response),
     0,
-    false,
+    0,
     program_magnetic_magnitude_source_response,
     NULL};
 
-static const uint8_t program_sensor_to_vehicle_dcm[] = {
+static const uint8_t program_sensor_to_vehicle_rotation_dcm[] = {
     MIP_REQUIRED(1, 1),
     MIP_GROUP(1),
-    MIP_32_BITS(9, MIP_AT(struct mip_filter_sensor_to_vehicle_dcm, dcm)),
+    MIP_32_BITS(9, MIP_AT(struct mip_filter_sensor_to_vehicle_rotation_dcm, dcm)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_sensor_to_vehicle_dcm_codec = {
+const struct mip_codec mip_filter_sensor_to_vehicle_rotation_dcm_codec = {
     0x0D,
     0x4E,
     MIP_COMMAND,
     0,
-    sizeof(struct mip_filter_sensor_to_vehicle_dcm),
+    sizeof(struct mip_filter_sensor_to_vehicle_rotation_dcm),
     0,
-    false,
-    program_sensor_to_vehicle_dcm,
+    0,
+    program_sensor_to_vehicle_rotation_dcm,
     &mip_program};
 
-static const uint8_t asked_sensor_to_vehicle_dcm_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                        MIP_WHEN_END};
-static const struct mip_response responses_sensor_to_vehicle_dcm[] = {
-    {asked_sensor_to_vehicle_dcm_1, NULL, 0xBE, false},
+static const uint8_t asked_sensor_to_vehicle_rotation_dcm_1[] = {
+    MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
+static const struct mip_response responses_sensor_to_vehicle_rotation_dcm[] = {
+    {asked_sensor_to_vehicle_rotation_dcm_1, NULL, 0xBE, false},
 };
 
-const struct mip_exchange mip_filter_sensor_to_vehicle_dcm_exchange = {
+const struct mip_exchange mip_filter_sensor_to_vehicle_rotation_dcm_exchange = {
     0x0D,
     0x4E,
     0,
     true,
-    sizeof(responses_sensor_to_vehicle_dcm) / sizeof(responses_sensor_to_vehicle_dcm[0]),
-    responses_sensor_to_vehicle_dcm};
+    sizeof(responses_sensor_to_vehicle_rotation_dcm) /
+        sizeof(responses_sensor_to_vehicle_rotation_dcm[0]),
+    responses_sensor_to_vehicle_rotation_dcm};
 
-const struct mip_command mip_filter_sensor_to_vehicle_dcm_command = {
-    &mip_filter_sensor_to_vehicle_dcm_codec, &mip_filter_sensor_to_vehicle_dcm_exchange};
+const struct mip_command mip_filter_sensor_to_vehicle_rotation_dcm_command = {
+    &mip_filter_sensor_to_vehicle_rotation_dcm_codec,
+    &mip_filter_sensor_to_vehicle_rotation_dcm_exchange};
 
-static const uint8_t program_sensor_to_vehicle_dcm_response[] = {
-    MIP_32_BITS(9, MIP_AT(struct mip_filter_sensor_to_vehicle_dcm_response, dcm)),
+static const uint8_t program_sensor_to_vehicle_rotation_dcm_response[] = {
+    MIP_32_BITS(9, MIP_AT(struct mip_filter_sensor_to_vehicle_rotation_dcm_response, dcm)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_sensor_to_vehicle_dcm_response_codec = {
+const struct mip_codec mip_filter_sensor_to_vehicle_rotation_dcm_response_codec = {
     0x0D,
     0xBE,
     MIP_RESPONSE,
     36,
-    sizeof(struct mip_filter_sensor_to_vehicle_dcm_response),
+    sizeof(struct mip_filter_sensor_to_vehicle_rotation_dcm_response),
     0,
-    sizeof(struct mip_filter_sensor_to_vehicle_dcm_response) >= 8,
-    program_sensor_to_vehicle_dcm_response,
+    MIP_SHAPE(0, 9, 0),
+    program_sensor_to_vehicle_rotation_dcm_response,
     NULL};
 
 static const uint8_t program_sensor_to_vehicle_quaternion[] = {
@@ -1849,7 +1853,7 @@ const struct mip_codec mip_filter_sensor_to_vehicle_quaternion_codec = {
     0,
     sizeof(struct mip_filter_sensor_to_vehicle_quaternion),
     0,
-    false,
+    0,
     program_sensor_to_vehicle_quaternion,
     &mip_program};
 
@@ -1884,7 +1888,7 @@ const struct mip_codec mip_filter_sensor_to_vehicle_quaternion_response_codec = 
     16,
     sizeof(struct mip_filter_sensor_to_vehicle_quaternion_response),
     0,
-    sizeof(struct mip_filter_sensor_to_vehicle_quaternion_response) >= 8,
+    MIP_SHAPE(0, 4, 0),
     program_sensor_to_vehicle_quaternion_response,
     NULL};
 
@@ -1904,7 +1908,7 @@ const struct mip_codec mip_filter_aiding_measurement_enable_codec = {
     0,
     sizeof(struct mip_filter_aiding_measurement_enable),
     0,
-    false,
+    0,
     program_aiding_measurement_enable,
     &mip_program};
 
@@ -1938,7 +1942,7 @@ const struct mip_codec mip_filter_aiding_measurement_enable_response_codec = {
     3,
     sizeof(struct mip_filter_aiding_measurement_enable_response),
     0,
-    sizeof(struct mip_filter_aiding_measurement_enable_response) >= 8,
+    0,
     program_aiding_measurement_enable_response,
     NULL};
 
@@ -1960,7 +1964,7 @@ const struct mip_codec mip_filter_kinematic_constraint_codec = {
     0,
     sizeof(struct mip_filter_kinematic_constraint),
     0,
-    false,
+    0,
     program_kinematic_constraint,
     &mip_program};
 
@@ -1993,7 +1997,7 @@ const struct mip_codec mip_filter_kinematic_constraint_response_codec = {
     3,
     sizeof(struct mip_filter_kinematic_constraint_response),
     0,
-    sizeof(struct mip_filter_kinematic_constraint_response) >= 8,
+    0,
     program_kinematic_constraint_response,
     NULL};
 
@@ -2027,7 +2031,7 @@ const struct mip_codec mip_filter_initialization_config_codec = {
     0,
     sizeof(struct mip_filter_initialization_config),
     0,
-    false,
+    0,
     program_initialization_config,
     &mip_program};
 
@@ -2063,7 +2067,7 @@ const struct mip_codec mip_filter_initialization_config_response_codec = {
     40,
     sizeof(struct mip_filter_initialization_config_response),
     0,
-    false,
+    0,
     program_initialization_config_response,
     NULL};
 
@@ -2083,7 +2087,7 @@ const struct mip_codec mip_filter_adaptive_filter_options_codec = {
     0,
     sizeof(struct mip_filter_adaptive_filter_options),
     0,
-    false,
+    0,
     program_adaptive_filter_options,
     &mip_program};
 
@@ -2117,7 +2121,7 @@ const struct mip_codec mip_filter_adaptive_filter_options_response_codec = {
     3,
     sizeof(struct mip_filter_adaptive_filter_options_response),
     0,
-    false,
+    0,
     program_adaptive_filter_options_response,
     NULL};
 
@@ -2137,7 +2141,7 @@ const struct mip_codec mip_filter_multi_antenna_offset_codec = {
     0,
     sizeof(struct mip_filter_multi_antenna_offset),
     0,
-    false,
+    0,
     program_multi_antenna_offset,
     &mip_program};
 
@@ -2171,7 +2175,7 @@ const struct mip_codec mip_filter_multi_antenna_offset_response_codec = {
     13,
     sizeof(struct mip_filter_multi_antenna_offset_response),
     0,
-    false,
+    0,
     program_multi_antenna_offset_response,
     NULL};
 
@@ -2193,7 +2197,7 @@ const struct mip_codec mip_filter_relative_position_config_codec = {
     0,
     sizeof(struct mip_filter_relative_position_config),
     0,
-    false,
+    0,
     program_relative_position_config,
     &mip_program};
 
@@ -2228,7 +2232,7 @@ const struct mip_codec mip_filter_relative_position_config_response_codec = {
     26,
     sizeof(struct mip_filter_relative_position_config_response),
     0,
-    false,
+    0,
     program_relative_position_config_response,
     NULL};
 
@@ -2248,7 +2252,7 @@ const struct mip_codec mip_filter_reference_point_lever_arm_codec = {
     0,
     sizeof(struct mip_filter_reference_point_lever_arm),
     0,
-    false,
+    0,
     program_reference_point_lever_arm,
     &mip_program};
 
@@ -2282,7 +2286,7 @@ const struct mip_codec mip_filter_reference_point_lever_arm_response_codec = {
     13,
     sizeof(struct mip_filter_reference_point_lever_arm_response),
     0,
-    false,
+    0,
     program_reference_point_lever_arm_response,
     NULL};
 
@@ -2299,7 +2303,7 @@ const struct mip_codec mip_filter_speed_measurement_codec = {
     13,
     sizeof(struct mip_filter_speed_measurement),
     0,
-    false,
+    0,
     program_speed_measurement,
     NULL};
 
@@ -2325,7 +2329,7 @@ const struct mip_codec mip_filter_speed_lever_arm_codec = {
     0,
     sizeof(struct mip_filter_speed_lever_arm),
     0,
-    false,
+    0,
     program_speed_lever_arm,
     &mip_program};
 
@@ -2359,162 +2363,168 @@ const struct mip_codec mip_filter_speed_lever_arm_response_codec = {
     13,
     sizeof(struct mip_filter_speed_lever_arm_response),
     0,
-    false,
+    0,
     program_speed_lever_arm_response,
     NULL};
 
-static const uint8_t program_vertical_gyro_constraint[] = {
+static const uint8_t program_vertical_gyro_constraint_control[] = {
     MIP_REQUIRED(1, 1),
     MIP_GROUP(1),
-    MIP_8_BITS(1, MIP_AT(struct mip_filter_vertical_gyro_constraint, enable)),
+    MIP_8_BITS(1, MIP_AT(struct mip_filter_vertical_gyro_constraint_control, enable)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_vertical_gyro_constraint_codec = {
+const struct mip_codec mip_filter_vertical_gyro_constraint_control_codec = {
     0x0D,
     0x62,
     MIP_COMMAND,
     0,
-    sizeof(struct mip_filter_vertical_gyro_constraint),
+    sizeof(struct mip_filter_vertical_gyro_constraint_control),
     0,
-    false,
-    program_vertical_gyro_constraint,
+    0,
+    program_vertical_gyro_constraint_control,
     &mip_program};
 
-static const uint8_t asked_vertical_gyro_constraint_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                           MIP_WHEN_END};
-static const struct mip_response responses_vertical_gyro_constraint[] = {
-    {asked_vertical_gyro_constraint_1, NULL, 0xE2, false},
+static const uint8_t asked_vertical_gyro_constraint_control_1[] = {
+    MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
+static const struct mip_response responses_vertical_gyro_constraint_control[] = {
+    {asked_vertical_gyro_constraint_control_1, NULL, 0xE2, false},
 };
 
-const struct mip_exchange mip_filter_vertical_gyro_constraint_exchange = {
+const struct mip_exchange mip_filter_vertical_gyro_constraint_control_exchange = {
     0x0D,
     0x62,
     0,
     true,
-    sizeof(responses_vertical_gyro_constraint) / sizeof(responses_vertical_gyro_constraint[0]),
-    responses_vertical_gyro_constraint};
+    sizeof(responses_vertical_gyro_constraint_control) /
+        sizeof(responses_vertical_gyro_constraint_control[0]),
+    responses_vertical_gyro_constraint_control};
 
-const struct mip_command mip_filter_vertical_gyro_constraint_command = {
-    &mip_filter_vertical_gyro_constraint_codec, &mip_filter_vertical_gyro_constraint_exchange};
+const struct mip_command mip_filter_vertical_gyro_constraint_control_command = {
+    &mip_filter_vertical_gyro_constraint_control_codec,
+    &mip_filter_vertical_gyro_constraint_control_exchange};
 
-static const uint8_t program_vertical_gyro_constraint_response[] = {
-    MIP_8_BITS(1, MIP_AT(struct mip_filter_vertical_gyro_constraint_response, enable)),
+static const uint8_t program_vertical_gyro_constraint_control_response[] = {
+    MIP_8_BITS(1, MIP_AT(struct mip_filter_vertical_gyro_constraint_control_response, enable)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_vertical_gyro_constraint_response_codec = {
+const struct mip_codec mip_filter_vertical_gyro_constraint_control_response_codec = {
     0x0D,
     0xE2,
     MIP_RESPONSE,
     1,
-    sizeof(struct mip_filter_vertical_gyro_constraint_response),
+    sizeof(struct mip_filter_vertical_gyro_constraint_control_response),
     0,
-    sizeof(struct mip_filter_vertical_gyro_constraint_response) >= 8,
-    program_vertical_gyro_constraint_response,
+    0,
+    program_vertical_gyro_constraint_control_response,
     NULL};
 
-static const uint8_t program_wheeled_vehicle_constraint[] = {
+static const uint8_t program_wheeled_vehicle_constraint_control[] = {
     MIP_REQUIRED(1, 1),
     MIP_GROUP(1),
-    MIP_8_BITS(1, MIP_AT(struct mip_filter_wheeled_vehicle_constraint, enable)),
+    MIP_8_BITS(1, MIP_AT(struct mip_filter_wheeled_vehicle_constraint_control, enable)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_wheeled_vehicle_constraint_codec = {
+const struct mip_codec mip_filter_wheeled_vehicle_constraint_control_codec = {
     0x0D,
     0x63,
     MIP_COMMAND,
     0,
-    sizeof(struct mip_filter_wheeled_vehicle_constraint),
+    sizeof(struct mip_filter_wheeled_vehicle_constraint_control),
     0,
-    false,
-    program_wheeled_vehicle_constraint,
+    0,
+    program_wheeled_vehicle_constraint_control,
     &mip_program};
 
-static const uint8_t asked_wheeled_vehicle_constraint_1[] = {
+static const uint8_t asked_wheeled_vehicle_constraint_control_1[] = {
     MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
-static const struct mip_response responses_wheeled_vehicle_constraint[] = {
-    {asked_wheeled_vehicle_constraint_1, NULL, 0xE3, false},
+static const struct mip_response responses_wheeled_vehicle_constraint_control[] = {
+    {asked_wheeled_vehicle_constraint_control_1, NULL, 0xE3, false},
 };
 
-const struct mip_exchange mip_filter_wheeled_vehicle_constraint_exchange = {
+const struct mip_exchange mip_filter_wheeled_vehicle_constraint_control_exchange = {
     0x0D,
     0x63,
     0,
     true,
-    sizeof(responses_wheeled_vehicle_constraint) / sizeof(responses_wheeled_vehicle_constraint[0]),
-    responses_wheeled_vehicle_constraint};
+    sizeof(responses_wheeled_vehicle_constraint_control) /
+        sizeof(responses_wheeled_vehicle_constraint_control[0]),
+    responses_wheeled_vehicle_constraint_control};
 
-const struct mip_command mip_filter_wheeled_vehicle_constraint_command = {
-    &mip_filter_wheeled_vehicle_constraint_codec, &mip_filter_wheeled_vehicle_constraint_exchange};
+const struct mip_command mip_filter_wheeled_vehicle_constraint_control_command = {
+    &mip_filter_wheeled_vehicle_constraint_control_codec,
+    &mip_filter_wheeled_vehicle_constraint_control_exchange};
 
-static const uint8_t program_wheeled_vehicle_constraint_response[] = {
-    MIP_8_BITS(1, MIP_AT(struct mip_filter_wheeled_vehicle_constraint_response, enable)),
+static const uint8_t program_wheeled_vehicle_constraint_control_response[] = {
+    MIP_8_BITS(1, MIP_AT(struct mip_filter_wheeled_vehicle_constraint_control_response, enable)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_wheeled_vehicle_constraint_response_codec = {
+const struct mip_codec mip_filter_wheeled_vehicle_constraint_control_response_codec = {
     0x0D,
     0xE3,
     MIP_RESPONSE,
     1,
-    sizeof(struct mip_filter_wheeled_vehicle_constraint_response),
+    sizeof(struct mip_filter_wheeled_vehicle_constraint_control_response),
     0,
-    sizeof(struct mip_filter_wheeled_vehicle_constraint_response) >= 8,
-    program_wheeled_vehicle_constraint_response,
+    0,
+    program_wheeled_vehicle_constraint_control_response,
     NULL};
 
-static const uint8_t program_gnss_antenna_calibration[] = {
+static const uint8_t program_gnss_antenna_calibration_control[] = {
     MIP_REQUIRED(1, 2),
     MIP_GROUP(1),
-    MIP_8_BITS(1, MIP_AT(struct mip_filter_gnss_antenna_calibration, enable)),
+    MIP_8_BITS(1, MIP_AT(struct mip_filter_gnss_antenna_calibration_control, enable)),
     MIP_GROUP(1),
-    MIP_32_BITS(1, MIP_AT(struct mip_filter_gnss_antenna_calibration, max_offset)),
+    MIP_32_BITS(1, MIP_AT(struct mip_filter_gnss_antenna_calibration_control, max_offset)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_gnss_antenna_calibration_codec = {
+const struct mip_codec mip_filter_gnss_antenna_calibration_control_codec = {
     0x0D,
     0x64,
     MIP_COMMAND,
     0,
-    sizeof(struct mip_filter_gnss_antenna_calibration),
+    sizeof(struct mip_filter_gnss_antenna_calibration_control),
     0,
-    false,
-    program_gnss_antenna_calibration,
+    0,
+    program_gnss_antenna_calibration_control,
     &mip_program};
 
-static const uint8_t asked_gnss_antenna_calibration_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                           MIP_WHEN_END};
-static const struct mip_response responses_gnss_antenna_calibration[] = {
-    {asked_gnss_antenna_calibration_1, NULL, 0xE4, false},
+static const uint8_t asked_gnss_antenna_calibration_control_1[] = {
+    MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
+static const struct mip_response responses_gnss_antenna_calibration_control[] = {
+    {asked_gnss_antenna_calibration_control_1, NULL, 0xE4, false},
 };
 
-const struct mip_exchange mip_filter_gnss_antenna_calibration_exchange = {
+const struct mip_exchange mip_filter_gnss_antenna_calibration_control_exchange = {
     0x0D,
     0x64,
     0,
     true,
-    sizeof(responses_gnss_antenna_calibration) / sizeof(responses_gnss_antenna_calibration[0]),
-    responses_gnss_antenna_calibration};
+    sizeof(responses_gnss_antenna_calibration_control) /
+        sizeof(responses_gnss_antenna_calibration_control[0]),
+    responses_gnss_antenna_calibration_control};
 
-const struct mip_command mip_filter_gnss_antenna_calibration_command = {
-    &mip_filter_gnss_antenna_calibration_codec, &mip_filter_gnss_antenna_calibration_exchange};
+const struct mip_command mip_filter_gnss_antenna_calibration_control_command = {
+    &mip_filter_gnss_antenna_calibration_control_codec,
+    &mip_filter_gnss_antenna_calibration_control_exchange};
 
-static const uint8_t program_gnss_antenna_calibration_response[] = {
-    MIP_8_BITS(1, MIP_AT(struct mip_filter_gnss_antenna_calibration_response, enable)),
-    MIP_32_BITS(1, MIP_AT(struct mip_filter_gnss_antenna_calibration_response, max_offset)),
+static const uint8_t program_gnss_antenna_calibration_control_response[] = {
+    MIP_8_BITS(1, MIP_AT(struct mip_filter_gnss_antenna_calibration_control_response, enable)),
+    MIP_32_BITS(1, MIP_AT(struct mip_filter_gnss_antenna_calibration_control_response, max_offset)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_gnss_antenna_calibration_response_codec = {
+const struct mip_codec mip_filter_gnss_antenna_calibration_control_response_codec = {
     0x0D,
     0xE4,
     MIP_RESPONSE,
     5,
-    sizeof(struct mip_filter_gnss_antenna_calibration_response),
+    sizeof(struct mip_filter_gnss_antenna_calibration_control_response),
     0,
-    false,
-    program_gnss_antenna_calibration_response,
+    0,
+    program_gnss_antenna_calibration_control_response,
     NULL};

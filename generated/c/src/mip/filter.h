@@ -99,13 +99,13 @@ MIP_API const char *mip_filter_heading_type_name(uint8_t value);
 enum mip_filter_heading_update_source MIP_ENUM_8 {
     /** No heading updates. */
     MIP_FILTER_HEADING_UPDATE_SOURCE_NONE = 0,
-    /** The magnetometer. */
+    /** The device's own magnetometer. */
     MIP_FILTER_HEADING_UPDATE_SOURCE_MAG = 1,
     /** The velocity that the GNSS receiver measures. */
     MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY = 2,
     /** The heading messages that the user sends. */
     MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL = 3,
-    /** GNSS velocity and magnetometer. */
+    /** The course over ground and the magnetometer. */
     MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY_AND_MAG = 4,
     /** GNSS velocity and the messages of the user. */
     MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY_AND_EXTERNAL = 5,
@@ -119,11 +119,11 @@ enum mip_filter_heading_update_source MIP_ENUM_8 {
 MIP_API const char *mip_filter_heading_update_source_name(uint8_t value);
 /** Axes to tare; 0 resets all axes. */
 typedef uint8_t mip_filter_tare_axes;
-/** Bit 0. Tare roll. */
+/** Bit 0. The present roll becomes zero. */
 #define MIP_FILTER_TARE_AXES_ROLL 0x01U
-/** Bit 1. Tare pitch. */
+/** Bit 1. The present pitch becomes zero. */
 #define MIP_FILTER_TARE_AXES_PITCH 0x02U
-/** Bit 2. Tare yaw. */
+/** Bit 2. The present yaw becomes zero. */
 #define MIP_FILTER_TARE_AXES_YAW 0x04U
 /** Measurements that the filter uses. */
 typedef uint16_t mip_filter_measurement_flags;
@@ -182,7 +182,7 @@ MIP_API const char *mip_filter_pitch_roll_aiding_source_name(uint8_t value);
 /**
  * A source of aiding measurements.
  *
- * GNSS position and velocity.
+ * Position and velocity of the GNSS receivers.
  */
 #define MIP_FILTER_AIDING_SOURCE_GNSS_POSITION_VELOCITY 0
 /** GNSS heading of two antennas. */
@@ -214,7 +214,7 @@ MIP_API const char *mip_filter_aiding_source_name(uint16_t value);
 enum mip_filter_accel_constraint MIP_ENUM_8 {
     /** Nothing. */
     MIP_FILTER_ACCEL_CONSTRAINT_NONE = 0,
-    /** It is zero. */
+    /** The filter assumes no acceleration. */
     MIP_FILTER_ACCEL_CONSTRAINT_ZERO_ACCEL = 1
 };
 
@@ -228,9 +228,9 @@ MIP_API const char *mip_filter_accel_constraint_name(uint8_t value);
 enum mip_filter_velocity_constraint MIP_ENUM_8 {
     /** Nothing. */
     MIP_FILTER_VELOCITY_CONSTRAINT_NONE = 0,
-    /** It is zero. */
+    /** The filter assumes that the device does not move. */
     MIP_FILTER_VELOCITY_CONSTRAINT_ZERO_VELOCITY = 1,
-    /** It is that of a wheeled vehicle. */
+    /** The filter assumes the motion of a wheeled vehicle. */
     MIP_FILTER_VELOCITY_CONSTRAINT_WHEELED_VEHICLE = 2
 };
 
@@ -244,7 +244,7 @@ MIP_API const char *mip_filter_velocity_constraint_name(uint8_t value);
 enum mip_filter_angular_constraint MIP_ENUM_8 {
     /** Nothing. */
     MIP_FILTER_ANGULAR_CONSTRAINT_NONE = 0,
-    /** It is zero. */
+    /** The filter assumes no rotation. */
     MIP_FILTER_ANGULAR_CONSTRAINT_ZERO_ANGULAR_RATE = 1
 };
 
@@ -252,20 +252,12 @@ enum mip_filter_angular_constraint MIP_ENUM_8 {
 MIP_API const char *mip_filter_angular_constraint_name(uint8_t value);
 /** Which initial conditions the device determines automatically and which the user provides. */
 enum mip_filter_initial_condition_source MIP_ENUM_8 {
-    /**
-     * Position, velocity and attitude are automatic. Full name: auto_position_velocity_attitude.
-     */
-    MIP_FILTER_INITIAL_CONDITION_SOURCE_AUTO_POS_VEL_ATTITUDE = 0,
-    /**
-     * Position, velocity, pitch and roll are automatic; the user provides the heading. Full name:
-     * auto_position_velocity_pitch_roll.
-     */
-    MIP_FILTER_INITIAL_CONDITION_SOURCE_AUTO_POS_VEL_PITCH_ROLL = 1,
-    /**
-     * Position and velocity are automatic; the user provides the attitude. Full name:
-     * auto_position_velocity.
-     */
-    MIP_FILTER_INITIAL_CONDITION_SOURCE_AUTO_POS_VEL = 2,
+    /** Position, velocity and attitude are automatic. */
+    MIP_FILTER_INITIAL_CONDITION_SOURCE_AUTO_POSITION_VELOCITY_ATTITUDE = 0,
+    /** Position, velocity, pitch and roll are automatic; the user provides the heading. */
+    MIP_FILTER_INITIAL_CONDITION_SOURCE_AUTO_POSITION_VELOCITY_PITCH_ROLL = 1,
+    /** Position and velocity are automatic; the user provides the attitude. */
+    MIP_FILTER_INITIAL_CONDITION_SOURCE_AUTO_POSITION_VELOCITY = 2,
     /** The user provides position, velocity and attitude. */
     MIP_FILTER_INITIAL_CONDITION_SOURCE_MANUAL = 3
 };
@@ -316,7 +308,7 @@ enum mip_filter_relative_position_source MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_relative_position_source_name(uint8_t value);
-/** A point of reference. */
+/** The end of a lever arm. */
 enum mip_filter_reference_point MIP_ENUM_8 {
     /** The origin of the vehicle. */
     MIP_FILTER_REFERENCE_POINT_VEHICLE = 1
@@ -725,24 +717,22 @@ MIP_CHECKED static inline mip_error mip_filter_vehicle_dynamics_mode_response_en
  *
  * Euler angles of the rotation from the sensor frame to the vehicle frame (5-series).
  *
- * Full name: filter.sensor_to_vehicle_rotation_euler.
- *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_sensor_to_vehicle_euler_response. Changes mip_sensor_scaled_accel,
+ * mip_filter_sensor_to_vehicle_rotation_euler_response. Changes mip_sensor_scaled_accel,
  * mip_sensor_scaled_gyro, mip_sensor_scaled_mag, mip_sensor_delta_theta, mip_sensor_delta_velocity,
  * mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm, mip_filter_data_euler_angles,
  * mip_filter_data_linear_accel, mip_filter_data_comp_angular_rate, mip_filter_data_gravity_vector
  * and mip_filter_data_comp_accel. Supported by 3DM-GX5-15 and 3DM-GX5-45. Uncertain: The formula.
- * The text of the manual lacks it; it is the inverse of that of mip_3dm_sensor_to_vehicle_euler,
- * which the 3DM-CV7 manual states.
+ * The text of the manual lacks it; it is the inverse of that of
+ * mip_3dm_sensor_to_vehicle_transform_euler, which the 3DM-CV7 manual states.
  *
- * The 3DM-CV7 uses the inverse instead: mip_3dm_sensor_to_vehicle_euler.
+ * The 3DM-CV7 uses the inverse instead: mip_3dm_sensor_to_vehicle_transform_euler.
  *
  * `v_sensor = Rz(yaw) * Ry(pitch) * Rx(roll) * v_vehicle`
  *
  * - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
  */
-struct mip_filter_sensor_to_vehicle_euler {
+struct mip_filter_sensor_to_vehicle_rotation_euler {
     /**
      * Number of parameters that are present, not counting the function selector. When decoding:
      * those received. To send: 0 for only the required ones.
@@ -759,26 +749,26 @@ struct mip_filter_sensor_to_vehicle_euler {
 };
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_FILTER_SENSOR_TO_VEHICLE_EULER 0x0D11
+#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_EULER 0x0D11
 /** Its descriptor. */
-#define MIP_FILTER_SENSOR_TO_VEHICLE_EULER_DESCRIPTOR 0x11
+#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_EULER_DESCRIPTOR 0x11
 /** Its name in the specification. */
-#define MIP_FILTER_SENSOR_TO_VEHICLE_EULER_NAME "filter.sensor_to_vehicle_rotation_euler"
+#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_EULER_NAME "filter.sensor_to_vehicle_rotation_euler"
 
 /** Its wire format. */
-extern MIP_API const struct mip_codec mip_filter_sensor_to_vehicle_euler_codec;
+extern MIP_API const struct mip_codec mip_filter_sensor_to_vehicle_rotation_euler_codec;
 
 /** Decodes it. On an error the structure is zeroed. */
-static inline mip_error mip_filter_sensor_to_vehicle_euler_decode(
-    struct mip_filter_sensor_to_vehicle_euler *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_sensor_to_vehicle_euler_codec, 0x11, value, sizeof(*value),
-                           field);
+static inline mip_error mip_filter_sensor_to_vehicle_rotation_euler_decode(
+    struct mip_filter_sensor_to_vehicle_rotation_euler *value, const struct mip_field *field) {
+    return mip_decode_only(&mip_filter_sensor_to_vehicle_rotation_euler_codec, 0x11, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_euler_encode(
-    const struct mip_filter_sensor_to_vehicle_euler *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_sensor_to_vehicle_euler_codec, value, builder);
+MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_rotation_euler_encode(
+    const struct mip_filter_sensor_to_vehicle_rotation_euler *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_sensor_to_vehicle_rotation_euler_codec, value, builder);
 } /**
    * Apply the new setting. Fills the structure and returns its address.
    *
@@ -786,8 +776,10 @@ MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_euler_encode(
    * - pitch: Pitch angle. Unit: rad. Required for write.
    * - yaw: Yaw angle. Unit: rad. Required for write.
    */
-static inline struct mip_filter_sensor_to_vehicle_euler *mip_filter_sensor_to_vehicle_euler_write(
-    struct mip_filter_sensor_to_vehicle_euler *command, float roll, float pitch, float yaw) {
+static inline struct mip_filter_sensor_to_vehicle_rotation_euler *
+mip_filter_sensor_to_vehicle_rotation_euler_write(
+    struct mip_filter_sensor_to_vehicle_rotation_euler *command, float roll, float pitch,
+    float yaw) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_WRITE;
     command->roll = roll;
@@ -796,29 +788,33 @@ static inline struct mip_filter_sensor_to_vehicle_euler *mip_filter_sensor_to_ve
     return command;
 }
 /** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_filter_sensor_to_vehicle_euler *
-mip_filter_sensor_to_vehicle_euler_read(struct mip_filter_sensor_to_vehicle_euler *command) {
+static inline struct mip_filter_sensor_to_vehicle_rotation_euler *
+mip_filter_sensor_to_vehicle_rotation_euler_read(
+    struct mip_filter_sensor_to_vehicle_rotation_euler *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_filter_sensor_to_vehicle_euler *
-mip_filter_sensor_to_vehicle_euler_save(struct mip_filter_sensor_to_vehicle_euler *command) {
+static inline struct mip_filter_sensor_to_vehicle_rotation_euler *
+mip_filter_sensor_to_vehicle_rotation_euler_save(
+    struct mip_filter_sensor_to_vehicle_rotation_euler *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
 /** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_filter_sensor_to_vehicle_euler *
-mip_filter_sensor_to_vehicle_euler_load(struct mip_filter_sensor_to_vehicle_euler *command) {
+static inline struct mip_filter_sensor_to_vehicle_rotation_euler *
+mip_filter_sensor_to_vehicle_rotation_euler_load(
+    struct mip_filter_sensor_to_vehicle_rotation_euler *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
 /** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_filter_sensor_to_vehicle_euler *
-mip_filter_sensor_to_vehicle_euler_default(struct mip_filter_sensor_to_vehicle_euler *command) {
+static inline struct mip_filter_sensor_to_vehicle_rotation_euler *
+mip_filter_sensor_to_vehicle_rotation_euler_default(
+    struct mip_filter_sensor_to_vehicle_rotation_euler *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
@@ -827,13 +823,11 @@ mip_filter_sensor_to_vehicle_euler_default(struct mip_filter_sensor_to_vehicle_e
 /**
  * Sensor to vehicle frame transformation response: response (0x0D,0x81).
  *
- * Full name: filter.sensor_to_vehicle_rotation_euler_response.
- *
- * Answers mip_filter_sensor_to_vehicle_euler. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+ * Answers mip_filter_sensor_to_vehicle_rotation_euler. Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
  */
-struct mip_filter_sensor_to_vehicle_euler_response {
+struct mip_filter_sensor_to_vehicle_rotation_euler_response {
     /** Roll angle. Unit: rad. */
     float roll;
     /** Pitch angle. Unit: rad. */
@@ -843,27 +837,29 @@ struct mip_filter_sensor_to_vehicle_euler_response {
 };
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_FILTER_SENSOR_TO_VEHICLE_EULER_RESPONSE 0x0D81
+#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_EULER_RESPONSE 0x0D81
 /** Its descriptor. */
-#define MIP_FILTER_SENSOR_TO_VEHICLE_EULER_RESPONSE_DESCRIPTOR 0x81
+#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_EULER_RESPONSE_DESCRIPTOR 0x81
 /** Its name in the specification. */
-#define MIP_FILTER_SENSOR_TO_VEHICLE_EULER_RESPONSE_NAME \
+#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_EULER_RESPONSE_NAME \
     "filter.sensor_to_vehicle_rotation_euler_response"
 
 /** Its wire format. */
-extern MIP_API const struct mip_codec mip_filter_sensor_to_vehicle_euler_response_codec;
+extern MIP_API const struct mip_codec mip_filter_sensor_to_vehicle_rotation_euler_response_codec;
 
 /** Decodes it. On an error the structure is zeroed. */
-static inline mip_error mip_filter_sensor_to_vehicle_euler_response_decode(
-    struct mip_filter_sensor_to_vehicle_euler_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_sensor_to_vehicle_euler_response_codec, 0x81, value,
+static inline mip_error mip_filter_sensor_to_vehicle_rotation_euler_response_decode(
+    struct mip_filter_sensor_to_vehicle_rotation_euler_response *value,
+    const struct mip_field *field) {
+    return mip_decode_only(&mip_filter_sensor_to_vehicle_rotation_euler_response_codec, 0x81, value,
                            sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_euler_response_encode(
-    const struct mip_filter_sensor_to_vehicle_euler_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_sensor_to_vehicle_euler_response_codec, value, builder);
+MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_rotation_euler_response_encode(
+    const struct mip_filter_sensor_to_vehicle_rotation_euler_response *value,
+    struct mip_builder *builder) {
+    return mip_encode(&mip_filter_sensor_to_vehicle_rotation_euler_response_codec, value, builder);
 }
 /**
  * Sensor to vehicle offset: command (0x0D,0x12).
@@ -1140,7 +1136,7 @@ MIP_CHECKED static inline mip_error mip_filter_antenna_offset_response_encode(
  * mip_filter_data_mag_offset and mip_filter_data_mag_matrix. Probably changes
  * mip_filter_data_gyro_bias_uncertainty, mip_filter_data_accel_bias_uncertainty,
  * mip_filter_data_gyro_scale_factor_uncertainty, mip_filter_data_accel_scale_factor_uncertainty,
- * mip_filter_data_antenna_offset_uncertainty, mip_filter_data_mag_offset_uncertainty and
+ * mip_filter_data_antenna_offset_correction_uncertainty, mip_filter_data_mag_offset_uncertainty and
  * mip_filter_data_mag_matrix_uncertainty. Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
@@ -5219,17 +5215,15 @@ MIP_CHECKED static inline mip_error mip_filter_magnetic_magnitude_source_respons
  *
  * Rotation from the sensor frame to the vehicle frame as a direction cosine matrix.
  *
- * Full name: filter.sensor_to_vehicle_rotation_dcm.
- *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_sensor_to_vehicle_dcm_response. Changes mip_sensor_scaled_accel,
+ * mip_filter_sensor_to_vehicle_rotation_dcm_response. Changes mip_sensor_scaled_accel,
  * mip_sensor_scaled_gyro, mip_sensor_scaled_mag, mip_sensor_delta_theta, mip_sensor_delta_velocity,
  * mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm, mip_filter_data_euler_angles,
  * mip_filter_data_linear_accel, mip_filter_data_comp_angular_rate and
  * mip_filter_data_gravity_vector. Probably changes mip_filter_data_comp_accel. Not listed in any
  * device profile. Known only from the MicroStrain MIP SDK.
  *
- * It is the inverse of the matrix that mip_3dm_sensor_to_vehicle_dcm takes.
+ * It is the inverse of the matrix that mip_3dm_sensor_to_vehicle_transform_dcm takes.
  *
  * The device refuses a matrix that is not orthonormal to within 0.001.
  *
@@ -5237,7 +5231,7 @@ MIP_CHECKED static inline mip_error mip_filter_magnetic_magnitude_source_respons
  *
  * - mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E)
  */
-struct mip_filter_sensor_to_vehicle_dcm {
+struct mip_filter_sensor_to_vehicle_rotation_dcm {
     /**
      * Number of parameters that are present, not counting the function selector. When decoding:
      * those received. To send: 0 for only the required ones.
@@ -5253,63 +5247,68 @@ struct mip_filter_sensor_to_vehicle_dcm {
 };
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_FILTER_SENSOR_TO_VEHICLE_DCM 0x0D4E
+#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM 0x0D4E
 /** Its descriptor. */
-#define MIP_FILTER_SENSOR_TO_VEHICLE_DCM_DESCRIPTOR 0x4E
+#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM_DESCRIPTOR 0x4E
 /** Its name in the specification. */
-#define MIP_FILTER_SENSOR_TO_VEHICLE_DCM_NAME "filter.sensor_to_vehicle_rotation_dcm"
+#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM_NAME "filter.sensor_to_vehicle_rotation_dcm"
 
 /** Its wire format. */
-extern MIP_API const struct mip_codec mip_filter_sensor_to_vehicle_dcm_codec;
+extern MIP_API const struct mip_codec mip_filter_sensor_to_vehicle_rotation_dcm_codec;
 
 /** Decodes it. On an error the structure is zeroed. */
-static inline mip_error mip_filter_sensor_to_vehicle_dcm_decode(
-    struct mip_filter_sensor_to_vehicle_dcm *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_sensor_to_vehicle_dcm_codec, 0x4E, value, sizeof(*value),
-                           field);
+static inline mip_error mip_filter_sensor_to_vehicle_rotation_dcm_decode(
+    struct mip_filter_sensor_to_vehicle_rotation_dcm *value, const struct mip_field *field) {
+    return mip_decode_only(&mip_filter_sensor_to_vehicle_rotation_dcm_codec, 0x4E, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_dcm_encode(
-    const struct mip_filter_sensor_to_vehicle_dcm *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_sensor_to_vehicle_dcm_codec, value, builder);
+MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_rotation_dcm_encode(
+    const struct mip_filter_sensor_to_vehicle_rotation_dcm *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_sensor_to_vehicle_rotation_dcm_codec, value, builder);
 } /**
    * Apply the new setting. Fills the structure and returns its address.
    *
    * - dcm: Rotation matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32,
    * m33. Unit: 1. Required for write.
    */
-static inline struct mip_filter_sensor_to_vehicle_dcm *mip_filter_sensor_to_vehicle_dcm_write(
-    struct mip_filter_sensor_to_vehicle_dcm *command, const float dcm[9]) {
+static inline struct mip_filter_sensor_to_vehicle_rotation_dcm *
+mip_filter_sensor_to_vehicle_rotation_dcm_write(
+    struct mip_filter_sensor_to_vehicle_rotation_dcm *command, const float dcm[9]) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_WRITE;
     memcpy(command->dcm, dcm, sizeof(command->dcm));
     return command;
 }
 /** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_filter_sensor_to_vehicle_dcm *
-mip_filter_sensor_to_vehicle_dcm_read(struct mip_filter_sensor_to_vehicle_dcm *command) {
+static inline struct mip_filter_sensor_to_vehicle_rotation_dcm *
+mip_filter_sensor_to_vehicle_rotation_dcm_read(
+    struct mip_filter_sensor_to_vehicle_rotation_dcm *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_filter_sensor_to_vehicle_dcm *
-mip_filter_sensor_to_vehicle_dcm_save(struct mip_filter_sensor_to_vehicle_dcm *command) {
+static inline struct mip_filter_sensor_to_vehicle_rotation_dcm *
+mip_filter_sensor_to_vehicle_rotation_dcm_save(
+    struct mip_filter_sensor_to_vehicle_rotation_dcm *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
 /** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_filter_sensor_to_vehicle_dcm *
-mip_filter_sensor_to_vehicle_dcm_load(struct mip_filter_sensor_to_vehicle_dcm *command) {
+static inline struct mip_filter_sensor_to_vehicle_rotation_dcm *
+mip_filter_sensor_to_vehicle_rotation_dcm_load(
+    struct mip_filter_sensor_to_vehicle_rotation_dcm *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
 /** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_filter_sensor_to_vehicle_dcm *
-mip_filter_sensor_to_vehicle_dcm_default(struct mip_filter_sensor_to_vehicle_dcm *command) {
+static inline struct mip_filter_sensor_to_vehicle_rotation_dcm *
+mip_filter_sensor_to_vehicle_rotation_dcm_default(
+    struct mip_filter_sensor_to_vehicle_rotation_dcm *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
@@ -5318,13 +5317,11 @@ mip_filter_sensor_to_vehicle_dcm_default(struct mip_filter_sensor_to_vehicle_dcm
 /**
  * Sensor to vehicle rotation, matrix response: response (0x0D,0xBE).
  *
- * Full name: filter.sensor_to_vehicle_rotation_dcm_response.
- *
- * Answers mip_filter_sensor_to_vehicle_dcm. Known only from the MicroStrain MIP SDK.
+ * Answers mip_filter_sensor_to_vehicle_rotation_dcm. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E)
  */
-struct mip_filter_sensor_to_vehicle_dcm_response {
+struct mip_filter_sensor_to_vehicle_rotation_dcm_response {
     /**
      * Rotation matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
      * Unit: 1.
@@ -5333,27 +5330,29 @@ struct mip_filter_sensor_to_vehicle_dcm_response {
 };
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_FILTER_SENSOR_TO_VEHICLE_DCM_RESPONSE 0x0DBE
+#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE 0x0DBE
 /** Its descriptor. */
-#define MIP_FILTER_SENSOR_TO_VEHICLE_DCM_RESPONSE_DESCRIPTOR 0xBE
+#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE_DESCRIPTOR 0xBE
 /** Its name in the specification. */
-#define MIP_FILTER_SENSOR_TO_VEHICLE_DCM_RESPONSE_NAME \
+#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE_NAME \
     "filter.sensor_to_vehicle_rotation_dcm_response"
 
 /** Its wire format. */
-extern MIP_API const struct mip_codec mip_filter_sensor_to_vehicle_dcm_response_codec;
+extern MIP_API const struct mip_codec mip_filter_sensor_to_vehicle_rotation_dcm_response_codec;
 
 /** Decodes it. On an error the structure is zeroed. */
-static inline mip_error mip_filter_sensor_to_vehicle_dcm_response_decode(
-    struct mip_filter_sensor_to_vehicle_dcm_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_sensor_to_vehicle_dcm_response_codec, 0xBE, value,
+static inline mip_error mip_filter_sensor_to_vehicle_rotation_dcm_response_decode(
+    struct mip_filter_sensor_to_vehicle_rotation_dcm_response *value,
+    const struct mip_field *field) {
+    return mip_decode_only(&mip_filter_sensor_to_vehicle_rotation_dcm_response_codec, 0xBE, value,
                            sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_dcm_response_encode(
-    const struct mip_filter_sensor_to_vehicle_dcm_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_sensor_to_vehicle_dcm_response_codec, value, builder);
+MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_rotation_dcm_response_encode(
+    const struct mip_filter_sensor_to_vehicle_rotation_dcm_response *value,
+    struct mip_builder *builder) {
+    return mip_encode(&mip_filter_sensor_to_vehicle_rotation_dcm_response_codec, value, builder);
 }
 /**
  * Sensor to vehicle rotation, quaternion: command (0x0D,0x4F).
@@ -5370,7 +5369,7 @@ MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_dcm_response_en
  * mip_filter_data_gravity_vector. Probably changes mip_filter_data_comp_accel. Not listed in any
  * device profile. Known only from the MicroStrain MIP SDK.
  *
- * It is the inverse of the quaternion that mip_3dm_sensor_to_vehicle_quaternion takes.
+ * It is the inverse of the quaternion that mip_3dm_sensor_to_vehicle_transform_quaternion takes.
  *
  * The device normalizes it, so the elements read back may differ slightly from those written.
  *
@@ -5703,7 +5702,7 @@ mip_filter_aiding_measurement_enable_default(struct mip_filter_aiding_measuremen
  * - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
  */
 struct mip_filter_aiding_measurement_enable_response {
-    /** The source. A value of mip_filter_aiding_source. */
+    /** Aiding source that the setting is for. A value of mip_filter_aiding_source. */
     uint16_t aiding_source;
     /** Whether the filter uses the source. */
     mip_bool enable;
@@ -6686,7 +6685,7 @@ mip_filter_reference_point_lever_arm_default(struct mip_filter_reference_point_l
  * - 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56)
  */
 struct mip_filter_reference_point_lever_arm_response {
-    /** The point. A value of enum mip_filter_reference_point. */
+    /** Point whose lever arm follows. A value of enum mip_filter_reference_point. */
     uint8_t reference_point;
     /**
      * From the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at
@@ -6923,10 +6922,8 @@ MIP_CHECKED static inline mip_error mip_filter_speed_lever_arm_response_encode(
  *
  * Lets the filter maintain pitch and roll by the accelerometers while there is no GNSS.
  *
- * Full name: filter.vertical_gyro_constraint_control.
- *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_vertical_gyro_constraint_response. Probably changes
+ * mip_filter_vertical_gyro_constraint_control_response. Probably changes
  * mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm and
  * mip_filter_data_euler_angles. Not listed in any device profile. Known only from the MicroStrain
  * MIP SDK.
@@ -6935,7 +6932,7 @@ MIP_CHECKED static inline mip_error mip_filter_speed_lever_arm_response_encode(
  *
  * - mip-sdk-4: Vertical Gyro Constraint Control (0x0D,0x62)
  */
-struct mip_filter_vertical_gyro_constraint {
+struct mip_filter_vertical_gyro_constraint_control {
     /**
      * Number of parameters that are present, not counting the function selector. When decoding:
      * those received. To send: 0 for only the required ones.
@@ -6948,62 +6945,67 @@ struct mip_filter_vertical_gyro_constraint {
 };
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT 0x0D62
+#define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL 0x0D62
 /** Its descriptor. */
-#define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_DESCRIPTOR 0x62
+#define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL_DESCRIPTOR 0x62
 /** Its name in the specification. */
-#define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_NAME "filter.vertical_gyro_constraint_control"
+#define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL_NAME "filter.vertical_gyro_constraint_control"
 
 /** Its wire format. */
-extern MIP_API const struct mip_codec mip_filter_vertical_gyro_constraint_codec;
+extern MIP_API const struct mip_codec mip_filter_vertical_gyro_constraint_control_codec;
 
 /** Decodes it. On an error the structure is zeroed. */
-static inline mip_error mip_filter_vertical_gyro_constraint_decode(
-    struct mip_filter_vertical_gyro_constraint *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_vertical_gyro_constraint_codec, 0x62, value, sizeof(*value),
-                           field);
+static inline mip_error mip_filter_vertical_gyro_constraint_control_decode(
+    struct mip_filter_vertical_gyro_constraint_control *value, const struct mip_field *field) {
+    return mip_decode_only(&mip_filter_vertical_gyro_constraint_control_codec, 0x62, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_vertical_gyro_constraint_encode(
-    const struct mip_filter_vertical_gyro_constraint *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_vertical_gyro_constraint_codec, value, builder);
+MIP_CHECKED static inline mip_error mip_filter_vertical_gyro_constraint_control_encode(
+    const struct mip_filter_vertical_gyro_constraint_control *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_vertical_gyro_constraint_control_codec, value, builder);
 } /**
    * Apply the new setting. Fills the structure and returns its address.
    *
    * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
    */
-static inline struct mip_filter_vertical_gyro_constraint *mip_filter_vertical_gyro_constraint_write(
-    struct mip_filter_vertical_gyro_constraint *command, uint8_t enable) {
+static inline struct mip_filter_vertical_gyro_constraint_control *
+mip_filter_vertical_gyro_constraint_control_write(
+    struct mip_filter_vertical_gyro_constraint_control *command, uint8_t enable) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_WRITE;
     command->enable = enable;
     return command;
 }
 /** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_filter_vertical_gyro_constraint *
-mip_filter_vertical_gyro_constraint_read(struct mip_filter_vertical_gyro_constraint *command) {
+static inline struct mip_filter_vertical_gyro_constraint_control *
+mip_filter_vertical_gyro_constraint_control_read(
+    struct mip_filter_vertical_gyro_constraint_control *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_filter_vertical_gyro_constraint *
-mip_filter_vertical_gyro_constraint_save(struct mip_filter_vertical_gyro_constraint *command) {
+static inline struct mip_filter_vertical_gyro_constraint_control *
+mip_filter_vertical_gyro_constraint_control_save(
+    struct mip_filter_vertical_gyro_constraint_control *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
 /** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_filter_vertical_gyro_constraint *
-mip_filter_vertical_gyro_constraint_load(struct mip_filter_vertical_gyro_constraint *command) {
+static inline struct mip_filter_vertical_gyro_constraint_control *
+mip_filter_vertical_gyro_constraint_control_load(
+    struct mip_filter_vertical_gyro_constraint_control *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
 /** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_filter_vertical_gyro_constraint *
-mip_filter_vertical_gyro_constraint_default(struct mip_filter_vertical_gyro_constraint *command) {
+static inline struct mip_filter_vertical_gyro_constraint_control *
+mip_filter_vertical_gyro_constraint_control_default(
+    struct mip_filter_vertical_gyro_constraint_control *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
@@ -7012,58 +7014,56 @@ mip_filter_vertical_gyro_constraint_default(struct mip_filter_vertical_gyro_cons
 /**
  * Vertical gyro constraint response: response (0x0D,0xE2).
  *
- * Full name: filter.vertical_gyro_constraint_control_response.
- *
- * Answers mip_filter_vertical_gyro_constraint. Known only from the MicroStrain MIP SDK.
+ * Answers mip_filter_vertical_gyro_constraint_control. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Vertical Gyro Constraint Control (0x0D,0x62)
  */
-struct mip_filter_vertical_gyro_constraint_response {
+struct mip_filter_vertical_gyro_constraint_control_response {
     /** 0 disables, 1 enables. Range: 0 to 1. */
     uint8_t enable;
 };
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_RESPONSE 0x0DE2
+#define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL_RESPONSE 0x0DE2
 /** Its descriptor. */
-#define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_RESPONSE_DESCRIPTOR 0xE2
+#define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL_RESPONSE_DESCRIPTOR 0xE2
 /** Its name in the specification. */
-#define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_RESPONSE_NAME \
+#define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL_RESPONSE_NAME \
     "filter.vertical_gyro_constraint_control_response"
 
 /** Its wire format. */
-extern MIP_API const struct mip_codec mip_filter_vertical_gyro_constraint_response_codec;
+extern MIP_API const struct mip_codec mip_filter_vertical_gyro_constraint_control_response_codec;
 
 /** Decodes it. On an error the structure is zeroed. */
-static inline mip_error mip_filter_vertical_gyro_constraint_response_decode(
-    struct mip_filter_vertical_gyro_constraint_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_vertical_gyro_constraint_response_codec, 0xE2, value,
+static inline mip_error mip_filter_vertical_gyro_constraint_control_response_decode(
+    struct mip_filter_vertical_gyro_constraint_control_response *value,
+    const struct mip_field *field) {
+    return mip_decode_only(&mip_filter_vertical_gyro_constraint_control_response_codec, 0xE2, value,
                            sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_vertical_gyro_constraint_response_encode(
-    const struct mip_filter_vertical_gyro_constraint_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_vertical_gyro_constraint_response_codec, value, builder);
+MIP_CHECKED static inline mip_error mip_filter_vertical_gyro_constraint_control_response_encode(
+    const struct mip_filter_vertical_gyro_constraint_control_response *value,
+    struct mip_builder *builder) {
+    return mip_encode(&mip_filter_vertical_gyro_constraint_control_response_codec, value, builder);
 }
 /**
  * Wheeled vehicle constraint: command (0x0D,0x63).
  *
  * Lets the filter assume that the vehicle moves only along its x axis.
  *
- * Full name: filter.wheeled_vehicle_constraint_control.
- *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_wheeled_vehicle_constraint_response. Probably changes mip_filter_data_ned_velocity,
- * mip_filter_data_ecef_velocity, mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm
- * and mip_filter_data_euler_angles. Supported by 3DM-CV7-GNSS/INS.
+ * mip_filter_wheeled_vehicle_constraint_control_response. Probably changes
+ * mip_filter_data_ned_velocity, mip_filter_data_ecef_velocity, mip_filter_data_attitude_quaternion,
+ * mip_filter_data_attitude_dcm and mip_filter_data_euler_angles. Supported by 3DM-CV7-GNSS/INS.
  *
  * It improves the heading of cars and similar vehicles, especially with intermittent GNSS. Do not
  * use it for vehicles that move sideways, such as aircraft.
  *
  * - 3dm-cv7-gnss-ins: Wheeled Vehicle Constraint Control (0x0D,0x63)
  */
-struct mip_filter_wheeled_vehicle_constraint {
+struct mip_filter_wheeled_vehicle_constraint_control {
     /**
      * Number of parameters that are present, not counting the function selector. When decoding:
      * those received. To send: 0 for only the required ones.
@@ -7076,64 +7076,69 @@ struct mip_filter_wheeled_vehicle_constraint {
 };
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT 0x0D63
+#define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL 0x0D63
 /** Its descriptor. */
-#define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_DESCRIPTOR 0x63
+#define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL_DESCRIPTOR 0x63
 /** Its name in the specification. */
-#define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_NAME "filter.wheeled_vehicle_constraint_control"
+#define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL_NAME \
+    "filter.wheeled_vehicle_constraint_control"
 
 /** Its wire format. */
-extern MIP_API const struct mip_codec mip_filter_wheeled_vehicle_constraint_codec;
+extern MIP_API const struct mip_codec mip_filter_wheeled_vehicle_constraint_control_codec;
 
 /** Decodes it. On an error the structure is zeroed. */
-static inline mip_error mip_filter_wheeled_vehicle_constraint_decode(
-    struct mip_filter_wheeled_vehicle_constraint *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_wheeled_vehicle_constraint_codec, 0x63, value,
+static inline mip_error mip_filter_wheeled_vehicle_constraint_control_decode(
+    struct mip_filter_wheeled_vehicle_constraint_control *value, const struct mip_field *field) {
+    return mip_decode_only(&mip_filter_wheeled_vehicle_constraint_control_codec, 0x63, value,
                            sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_wheeled_vehicle_constraint_encode(
-    const struct mip_filter_wheeled_vehicle_constraint *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_wheeled_vehicle_constraint_codec, value, builder);
+MIP_CHECKED static inline mip_error mip_filter_wheeled_vehicle_constraint_control_encode(
+    const struct mip_filter_wheeled_vehicle_constraint_control *value,
+    struct mip_builder *builder) {
+    return mip_encode(&mip_filter_wheeled_vehicle_constraint_control_codec, value, builder);
 } /**
    * Apply the new setting. Fills the structure and returns its address.
    *
    * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
    */
-static inline struct mip_filter_wheeled_vehicle_constraint *
-mip_filter_wheeled_vehicle_constraint_write(struct mip_filter_wheeled_vehicle_constraint *command,
-                                            uint8_t enable) {
+static inline struct mip_filter_wheeled_vehicle_constraint_control *
+mip_filter_wheeled_vehicle_constraint_control_write(
+    struct mip_filter_wheeled_vehicle_constraint_control *command, uint8_t enable) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_WRITE;
     command->enable = enable;
     return command;
 }
 /** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_filter_wheeled_vehicle_constraint *
-mip_filter_wheeled_vehicle_constraint_read(struct mip_filter_wheeled_vehicle_constraint *command) {
+static inline struct mip_filter_wheeled_vehicle_constraint_control *
+mip_filter_wheeled_vehicle_constraint_control_read(
+    struct mip_filter_wheeled_vehicle_constraint_control *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_filter_wheeled_vehicle_constraint *
-mip_filter_wheeled_vehicle_constraint_save(struct mip_filter_wheeled_vehicle_constraint *command) {
+static inline struct mip_filter_wheeled_vehicle_constraint_control *
+mip_filter_wheeled_vehicle_constraint_control_save(
+    struct mip_filter_wheeled_vehicle_constraint_control *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
 /** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_filter_wheeled_vehicle_constraint *
-mip_filter_wheeled_vehicle_constraint_load(struct mip_filter_wheeled_vehicle_constraint *command) {
+static inline struct mip_filter_wheeled_vehicle_constraint_control *
+mip_filter_wheeled_vehicle_constraint_control_load(
+    struct mip_filter_wheeled_vehicle_constraint_control *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
 /** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_filter_wheeled_vehicle_constraint *
-mip_filter_wheeled_vehicle_constraint_default(
-    struct mip_filter_wheeled_vehicle_constraint *command) {
+static inline struct mip_filter_wheeled_vehicle_constraint_control *
+mip_filter_wheeled_vehicle_constraint_control_default(
+    struct mip_filter_wheeled_vehicle_constraint_control *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
@@ -7142,50 +7147,48 @@ mip_filter_wheeled_vehicle_constraint_default(
 /**
  * Wheeled vehicle constraint response: response (0x0D,0xE3).
  *
- * Full name: filter.wheeled_vehicle_constraint_control_response.
- *
- * Answers mip_filter_wheeled_vehicle_constraint. Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_filter_wheeled_vehicle_constraint_control. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Wheeled Vehicle Constraint Control (0x0D,0x63)
  */
-struct mip_filter_wheeled_vehicle_constraint_response {
+struct mip_filter_wheeled_vehicle_constraint_control_response {
     /** 0 disables, 1 enables. Range: 0 to 1. */
     uint8_t enable;
 };
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_RESPONSE 0x0DE3
+#define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL_RESPONSE 0x0DE3
 /** Its descriptor. */
-#define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_RESPONSE_DESCRIPTOR 0xE3
+#define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL_RESPONSE_DESCRIPTOR 0xE3
 /** Its name in the specification. */
-#define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_RESPONSE_NAME \
+#define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL_RESPONSE_NAME \
     "filter.wheeled_vehicle_constraint_control_response"
 
 /** Its wire format. */
-extern MIP_API const struct mip_codec mip_filter_wheeled_vehicle_constraint_response_codec;
+extern MIP_API const struct mip_codec mip_filter_wheeled_vehicle_constraint_control_response_codec;
 
 /** Decodes it. On an error the structure is zeroed. */
-static inline mip_error mip_filter_wheeled_vehicle_constraint_response_decode(
-    struct mip_filter_wheeled_vehicle_constraint_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_wheeled_vehicle_constraint_response_codec, 0xE3, value,
-                           sizeof(*value), field);
+static inline mip_error mip_filter_wheeled_vehicle_constraint_control_response_decode(
+    struct mip_filter_wheeled_vehicle_constraint_control_response *value,
+    const struct mip_field *field) {
+    return mip_decode_only(&mip_filter_wheeled_vehicle_constraint_control_response_codec, 0xE3,
+                           value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_wheeled_vehicle_constraint_response_encode(
-    const struct mip_filter_wheeled_vehicle_constraint_response *value,
+MIP_CHECKED static inline mip_error mip_filter_wheeled_vehicle_constraint_control_response_encode(
+    const struct mip_filter_wheeled_vehicle_constraint_control_response *value,
     struct mip_builder *builder) {
-    return mip_encode(&mip_filter_wheeled_vehicle_constraint_response_codec, value, builder);
+    return mip_encode(&mip_filter_wheeled_vehicle_constraint_control_response_codec, value,
+                      builder);
 }
 /**
  * GNSS antenna offset calibration: command (0x0D,0x64).
  *
  * Lets the filter track the error of the antenna offset.
  *
- * Full name: filter.gnss_antenna_calibration_control.
- *
  * Also called `gnss_antenna_cal_control`. Functions: write, read, save, load and default. Answered
- * by mip_filter_gnss_antenna_calibration_response. Changes
+ * by mip_filter_gnss_antenna_calibration_control_response. Changes
  * mip_filter_data_multi_antenna_offset_correction. Probably changes
  * mip_filter_data_multi_antenna_offset_uncertainty. Supported by 3DM-CV7-GNSS/INS and
  * 3DM-GQ7-GNSS/INS.
@@ -7193,7 +7196,7 @@ MIP_CHECKED static inline mip_error mip_filter_wheeled_vehicle_constraint_respon
  * - 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64)
  * - 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration
  */
-struct mip_filter_gnss_antenna_calibration {
+struct mip_filter_gnss_antenna_calibration_control {
     /**
      * Number of parameters that are present, not counting the function selector. When decoding:
      * those received. To send: 0 for only the required ones.
@@ -7211,26 +7214,26 @@ struct mip_filter_gnss_antenna_calibration {
 };
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_FILTER_GNSS_ANTENNA_CALIBRATION 0x0D64
+#define MIP_FILTER_GNSS_ANTENNA_CALIBRATION_CONTROL 0x0D64
 /** Its descriptor. */
-#define MIP_FILTER_GNSS_ANTENNA_CALIBRATION_DESCRIPTOR 0x64
+#define MIP_FILTER_GNSS_ANTENNA_CALIBRATION_CONTROL_DESCRIPTOR 0x64
 /** Its name in the specification. */
-#define MIP_FILTER_GNSS_ANTENNA_CALIBRATION_NAME "filter.gnss_antenna_calibration_control"
+#define MIP_FILTER_GNSS_ANTENNA_CALIBRATION_CONTROL_NAME "filter.gnss_antenna_calibration_control"
 
 /** Its wire format. */
-extern MIP_API const struct mip_codec mip_filter_gnss_antenna_calibration_codec;
+extern MIP_API const struct mip_codec mip_filter_gnss_antenna_calibration_control_codec;
 
 /** Decodes it. On an error the structure is zeroed. */
-static inline mip_error mip_filter_gnss_antenna_calibration_decode(
-    struct mip_filter_gnss_antenna_calibration *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_gnss_antenna_calibration_codec, 0x64, value, sizeof(*value),
-                           field);
+static inline mip_error mip_filter_gnss_antenna_calibration_control_decode(
+    struct mip_filter_gnss_antenna_calibration_control *value, const struct mip_field *field) {
+    return mip_decode_only(&mip_filter_gnss_antenna_calibration_control_codec, 0x64, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_gnss_antenna_calibration_encode(
-    const struct mip_filter_gnss_antenna_calibration *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_gnss_antenna_calibration_codec, value, builder);
+MIP_CHECKED static inline mip_error mip_filter_gnss_antenna_calibration_control_encode(
+    const struct mip_filter_gnss_antenna_calibration_control *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_gnss_antenna_calibration_control_codec, value, builder);
 } /**
    * Apply the new setting. Fills the structure and returns its address.
    *
@@ -7238,8 +7241,9 @@ MIP_CHECKED static inline mip_error mip_filter_gnss_antenna_calibration_encode(
    * - max_offset: Largest absolute error that is tracked. Unit: m. Frame: vehicle. Range: at least
    * 0. Required for write. On the 3DM-CV7-GNSS/INS: range 0 to 0.5; default 0.1.
    */
-static inline struct mip_filter_gnss_antenna_calibration *mip_filter_gnss_antenna_calibration_write(
-    struct mip_filter_gnss_antenna_calibration *command, uint8_t enable, float max_offset) {
+static inline struct mip_filter_gnss_antenna_calibration_control *
+mip_filter_gnss_antenna_calibration_control_write(
+    struct mip_filter_gnss_antenna_calibration_control *command, uint8_t enable, float max_offset) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_WRITE;
     command->enable = enable;
@@ -7247,29 +7251,33 @@ static inline struct mip_filter_gnss_antenna_calibration *mip_filter_gnss_antenn
     return command;
 }
 /** Return the current setting in a response. Fills the structure and returns its address. */
-static inline struct mip_filter_gnss_antenna_calibration *
-mip_filter_gnss_antenna_calibration_read(struct mip_filter_gnss_antenna_calibration *command) {
+static inline struct mip_filter_gnss_antenna_calibration_control *
+mip_filter_gnss_antenna_calibration_control_read(
+    struct mip_filter_gnss_antenna_calibration_control *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
-static inline struct mip_filter_gnss_antenna_calibration *
-mip_filter_gnss_antenna_calibration_save(struct mip_filter_gnss_antenna_calibration *command) {
+static inline struct mip_filter_gnss_antenna_calibration_control *
+mip_filter_gnss_antenna_calibration_control_save(
+    struct mip_filter_gnss_antenna_calibration_control *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
 /** Load the saved setting. Fills the structure and returns its address. */
-static inline struct mip_filter_gnss_antenna_calibration *
-mip_filter_gnss_antenna_calibration_load(struct mip_filter_gnss_antenna_calibration *command) {
+static inline struct mip_filter_gnss_antenna_calibration_control *
+mip_filter_gnss_antenna_calibration_control_load(
+    struct mip_filter_gnss_antenna_calibration_control *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
 /** Load the factory default setting. Fills the structure and returns its address. */
-static inline struct mip_filter_gnss_antenna_calibration *
-mip_filter_gnss_antenna_calibration_default(struct mip_filter_gnss_antenna_calibration *command) {
+static inline struct mip_filter_gnss_antenna_calibration_control *
+mip_filter_gnss_antenna_calibration_control_default(
+    struct mip_filter_gnss_antenna_calibration_control *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
@@ -7278,15 +7286,13 @@ mip_filter_gnss_antenna_calibration_default(struct mip_filter_gnss_antenna_calib
 /**
  * GNSS antenna offset calibration response: response (0x0D,0xE4).
  *
- * Full name: filter.gnss_antenna_calibration_control_response.
- *
- * Also called `gnss_antenna_cal_control_response`. Answers mip_filter_gnss_antenna_calibration.
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * Also called `gnss_antenna_cal_control_response`. Answers
+ * mip_filter_gnss_antenna_calibration_control. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64)
  * - 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration
  */
-struct mip_filter_gnss_antenna_calibration_response {
+struct mip_filter_gnss_antenna_calibration_control_response {
     /** 0 disables, 1 enables. Range: 0 to 1. */
     uint8_t enable;
     /** Largest absolute error that is tracked. Unit: m. Frame: vehicle. Range: at least 0. */
@@ -7294,27 +7300,29 @@ struct mip_filter_gnss_antenna_calibration_response {
 };
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_FILTER_GNSS_ANTENNA_CALIBRATION_RESPONSE 0x0DE4
+#define MIP_FILTER_GNSS_ANTENNA_CALIBRATION_CONTROL_RESPONSE 0x0DE4
 /** Its descriptor. */
-#define MIP_FILTER_GNSS_ANTENNA_CALIBRATION_RESPONSE_DESCRIPTOR 0xE4
+#define MIP_FILTER_GNSS_ANTENNA_CALIBRATION_CONTROL_RESPONSE_DESCRIPTOR 0xE4
 /** Its name in the specification. */
-#define MIP_FILTER_GNSS_ANTENNA_CALIBRATION_RESPONSE_NAME \
+#define MIP_FILTER_GNSS_ANTENNA_CALIBRATION_CONTROL_RESPONSE_NAME \
     "filter.gnss_antenna_calibration_control_response"
 
 /** Its wire format. */
-extern MIP_API const struct mip_codec mip_filter_gnss_antenna_calibration_response_codec;
+extern MIP_API const struct mip_codec mip_filter_gnss_antenna_calibration_control_response_codec;
 
 /** Decodes it. On an error the structure is zeroed. */
-static inline mip_error mip_filter_gnss_antenna_calibration_response_decode(
-    struct mip_filter_gnss_antenna_calibration_response *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_gnss_antenna_calibration_response_codec, 0xE4, value,
+static inline mip_error mip_filter_gnss_antenna_calibration_control_response_decode(
+    struct mip_filter_gnss_antenna_calibration_control_response *value,
+    const struct mip_field *field) {
+    return mip_decode_only(&mip_filter_gnss_antenna_calibration_control_response_codec, 0xE4, value,
                            sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_gnss_antenna_calibration_response_encode(
-    const struct mip_filter_gnss_antenna_calibration_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_gnss_antenna_calibration_response_codec, value, builder);
+MIP_CHECKED static inline mip_error mip_filter_gnss_antenna_calibration_control_response_encode(
+    const struct mip_filter_gnss_antenna_calibration_control_response *value,
+    struct mip_builder *builder) {
+    return mip_encode(&mip_filter_gnss_antenna_calibration_control_response_codec, value, builder);
 }
 /** @} */
 

@@ -20,8 +20,8 @@ MIP_LAYOUT(mip_filter_set_initial_attitude_from_imu, MIP_FILTER_SET_INITIAL_ATTI
 MIP_LAYOUT(mip_filter_run, MIP_FILTER_RUN, MIP_FILTER_RUN)
 MIP_LAYOUT(mip_filter_vehicle_dynamics_mode, MIP_FILTER_VEHICLE_DYNAMICS_MODE,
            MIP_FILTER_VEHICLE_DYNAMICS_MODE)
-MIP_LAYOUT(mip_filter_sensor_to_vehicle_euler, MIP_FILTER_SENSOR_TO_VEHICLE_EULER,
-           MIP_FILTER_SENSOR_TO_VEHICLE_EULER)
+MIP_LAYOUT(mip_filter_sensor_to_vehicle_rotation_euler, MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_EULER,
+           MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_EULER)
 MIP_LAYOUT(mip_filter_sensor_to_vehicle_offset, MIP_FILTER_SENSOR_TO_VEHICLE_OFFSET,
            MIP_FILTER_SENSOR_TO_VEHICLE_OFFSET)
 MIP_LAYOUT(mip_filter_antenna_offset, MIP_FILTER_ANTENNA_OFFSET, MIP_FILTER_ANTENNA_OFFSET)
@@ -76,8 +76,8 @@ MIP_LAYOUT(mip_filter_magnetic_inclination_source, MIP_FILTER_MAGNETIC_INCLINATI
            MIP_FILTER_MAGNETIC_INCLINATION_SOURCE)
 MIP_LAYOUT(mip_filter_magnetic_magnitude_source, MIP_FILTER_MAGNETIC_MAGNITUDE_SOURCE,
            MIP_FILTER_MAGNETIC_MAGNITUDE_SOURCE)
-MIP_LAYOUT(mip_filter_sensor_to_vehicle_dcm, MIP_FILTER_SENSOR_TO_VEHICLE_DCM,
-           MIP_FILTER_SENSOR_TO_VEHICLE_DCM)
+MIP_LAYOUT(mip_filter_sensor_to_vehicle_rotation_dcm, MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM,
+           MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM)
 MIP_LAYOUT(mip_filter_sensor_to_vehicle_quaternion, MIP_FILTER_SENSOR_TO_VEHICLE_QUATERNION,
            MIP_FILTER_SENSOR_TO_VEHICLE_QUATERNION)
 MIP_LAYOUT(mip_filter_aiding_measurement_enable, MIP_FILTER_AIDING_MEASUREMENT_ENABLE,
@@ -96,16 +96,18 @@ MIP_LAYOUT(mip_filter_reference_point_lever_arm, MIP_FILTER_REFERENCE_POINT_LEVE
            MIP_FILTER_REFERENCE_POINT_LEVER_ARM)
 MIP_LAYOUT(mip_filter_speed_measurement, MIP_FILTER_SPEED_MEASUREMENT, MIP_FILTER_SPEED_MEASUREMENT)
 MIP_LAYOUT(mip_filter_speed_lever_arm, MIP_FILTER_SPEED_LEVER_ARM, MIP_FILTER_SPEED_LEVER_ARM)
-MIP_LAYOUT(mip_filter_vertical_gyro_constraint, MIP_FILTER_VERTICAL_GYRO_CONSTRAINT,
-           MIP_FILTER_VERTICAL_GYRO_CONSTRAINT)
-MIP_LAYOUT(mip_filter_wheeled_vehicle_constraint, MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT,
-           MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT)
-MIP_LAYOUT(mip_filter_gnss_antenna_calibration, MIP_FILTER_GNSS_ANTENNA_CALIBRATION,
-           MIP_FILTER_GNSS_ANTENNA_CALIBRATION)
+MIP_LAYOUT(mip_filter_vertical_gyro_constraint_control, MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL,
+           MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL)
+MIP_LAYOUT(mip_filter_wheeled_vehicle_constraint_control,
+           MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL,
+           MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL)
+MIP_LAYOUT(mip_filter_gnss_antenna_calibration_control, MIP_FILTER_GNSS_ANTENNA_CALIBRATION_CONTROL,
+           MIP_FILTER_GNSS_ANTENNA_CALIBRATION_CONTROL)
 MIP_LAYOUT(mip_filter_vehicle_dynamics_mode_response, MIP_FILTER_VEHICLE_DYNAMICS_MODE_RESPONSE,
            MIP_FILTER_VEHICLE_DYNAMICS_MODE_RESPONSE)
-MIP_LAYOUT(mip_filter_sensor_to_vehicle_euler_response, MIP_FILTER_SENSOR_TO_VEHICLE_EULER_RESPONSE,
-           MIP_FILTER_SENSOR_TO_VEHICLE_EULER_RESPONSE)
+MIP_LAYOUT(mip_filter_sensor_to_vehicle_rotation_euler_response,
+           MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_EULER_RESPONSE,
+           MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_EULER_RESPONSE)
 MIP_LAYOUT(mip_filter_sensor_to_vehicle_offset_response,
            MIP_FILTER_SENSOR_TO_VEHICLE_OFFSET_RESPONSE,
            MIP_FILTER_SENSOR_TO_VEHICLE_OFFSET_RESPONSE)
@@ -168,8 +170,9 @@ MIP_LAYOUT(mip_filter_magnetic_inclination_source_response,
 MIP_LAYOUT(mip_filter_magnetic_magnitude_source_response,
            MIP_FILTER_MAGNETIC_MAGNITUDE_SOURCE_RESPONSE,
            MIP_FILTER_MAGNETIC_MAGNITUDE_SOURCE_RESPONSE)
-MIP_LAYOUT(mip_filter_sensor_to_vehicle_dcm_response, MIP_FILTER_SENSOR_TO_VEHICLE_DCM_RESPONSE,
-           MIP_FILTER_SENSOR_TO_VEHICLE_DCM_RESPONSE)
+MIP_LAYOUT(mip_filter_sensor_to_vehicle_rotation_dcm_response,
+           MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE,
+           MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE)
 MIP_LAYOUT(mip_filter_sensor_to_vehicle_quaternion_response,
            MIP_FILTER_SENSOR_TO_VEHICLE_QUATERNION_RESPONSE,
            MIP_FILTER_SENSOR_TO_VEHICLE_QUATERNION_RESPONSE)
@@ -192,15 +195,15 @@ MIP_LAYOUT(mip_filter_reference_point_lever_arm_response,
            MIP_FILTER_REFERENCE_POINT_LEVER_ARM_RESPONSE)
 MIP_LAYOUT(mip_filter_speed_lever_arm_response, MIP_FILTER_SPEED_LEVER_ARM_RESPONSE,
            MIP_FILTER_SPEED_LEVER_ARM_RESPONSE)
-MIP_LAYOUT(mip_filter_vertical_gyro_constraint_response,
-           MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_RESPONSE,
-           MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_RESPONSE)
-MIP_LAYOUT(mip_filter_wheeled_vehicle_constraint_response,
-           MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_RESPONSE,
-           MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_RESPONSE)
-MIP_LAYOUT(mip_filter_gnss_antenna_calibration_response,
-           MIP_FILTER_GNSS_ANTENNA_CALIBRATION_RESPONSE,
-           MIP_FILTER_GNSS_ANTENNA_CALIBRATION_RESPONSE)
+MIP_LAYOUT(mip_filter_vertical_gyro_constraint_control_response,
+           MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL_RESPONSE,
+           MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL_RESPONSE)
+MIP_LAYOUT(mip_filter_wheeled_vehicle_constraint_control_response,
+           MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL_RESPONSE,
+           MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL_RESPONSE)
+MIP_LAYOUT(mip_filter_gnss_antenna_calibration_control_response,
+           MIP_FILTER_GNSS_ANTENNA_CALIBRATION_CONTROL_RESPONSE,
+           MIP_FILTER_GNSS_ANTENNA_CALIBRATION_CONTROL_RESPONSE)
 
 /** Filter commands */
 inline constexpr std::uint8_t filter_set = MIP_FILTER_SET;
@@ -383,9 +386,11 @@ inline value_names names_of(angular_constraint) {
 
 /** mip_filter_initial_condition_source: filter.initial_condition_source */
 enum class initial_condition_source : uint8_t {
-    auto_position_velocity_attitude = MIP_FILTER_INITIAL_CONDITION_SOURCE_AUTO_POS_VEL_ATTITUDE,
-    auto_position_velocity_pitch_roll = MIP_FILTER_INITIAL_CONDITION_SOURCE_AUTO_POS_VEL_PITCH_ROLL,
-    auto_position_velocity = MIP_FILTER_INITIAL_CONDITION_SOURCE_AUTO_POS_VEL,
+    auto_position_velocity_attitude =
+        MIP_FILTER_INITIAL_CONDITION_SOURCE_AUTO_POSITION_VELOCITY_ATTITUDE,
+    auto_position_velocity_pitch_roll =
+        MIP_FILTER_INITIAL_CONDITION_SOURCE_AUTO_POSITION_VELOCITY_PITCH_ROLL,
+    auto_position_velocity = MIP_FILTER_INITIAL_CONDITION_SOURCE_AUTO_POSITION_VELOCITY,
     manual = MIP_FILTER_INITIAL_CONDITION_SOURCE_MANUAL,
 };
 inline value_names names_of(initial_condition_source) {
@@ -451,9 +456,10 @@ using vehicle_dynamics_mode_response = vehicle_dynamics_mode_response_;
 
 /**
  * Sensor to vehicle frame transformation response. See struct
- * mip_filter_sensor_to_vehicle_euler_response.
+ * mip_filter_sensor_to_vehicle_rotation_euler_response.
  */
-using sensor_to_vehicle_rotation_euler_response = ::mip_filter_sensor_to_vehicle_euler_response;
+using sensor_to_vehicle_rotation_euler_response =
+    ::mip_filter_sensor_to_vehicle_rotation_euler_response;
 
 /** Sensor to vehicle offset response. See struct mip_filter_sensor_to_vehicle_offset_response. */
 using sensor_to_vehicle_offset_response = ::mip_filter_sensor_to_vehicle_offset_response;
@@ -638,9 +644,10 @@ using magnetic_magnitude_source_response = magnetic_magnitude_source_response_;
 
 /**
  * Sensor to vehicle rotation, matrix response. See struct
- * mip_filter_sensor_to_vehicle_dcm_response.
+ * mip_filter_sensor_to_vehicle_rotation_dcm_response.
  */
-using sensor_to_vehicle_rotation_dcm_response = ::mip_filter_sensor_to_vehicle_dcm_response;
+using sensor_to_vehicle_rotation_dcm_response =
+    ::mip_filter_sensor_to_vehicle_rotation_dcm_response;
 
 /**
  * Sensor to vehicle rotation, quaternion response. See struct
@@ -733,20 +740,26 @@ using reference_point_lever_arm_response = reference_point_lever_arm_response_;
 /** Speed measurement lever arm response. See struct mip_filter_speed_lever_arm_response. */
 using speed_lever_arm_response = ::mip_filter_speed_lever_arm_response;
 
-/** Vertical gyro constraint response. See struct mip_filter_vertical_gyro_constraint_response. */
-using vertical_gyro_constraint_control_response = ::mip_filter_vertical_gyro_constraint_response;
+/**
+ * Vertical gyro constraint response. See struct
+ * mip_filter_vertical_gyro_constraint_control_response.
+ */
+using vertical_gyro_constraint_control_response =
+    ::mip_filter_vertical_gyro_constraint_control_response;
 
 /**
- * Wheeled vehicle constraint response. See struct mip_filter_wheeled_vehicle_constraint_response.
+ * Wheeled vehicle constraint response. See struct
+ * mip_filter_wheeled_vehicle_constraint_control_response.
  */
 using wheeled_vehicle_constraint_control_response =
-    ::mip_filter_wheeled_vehicle_constraint_response;
+    ::mip_filter_wheeled_vehicle_constraint_control_response;
 
 /**
  * GNSS antenna offset calibration response. See struct
- * mip_filter_gnss_antenna_calibration_response.
+ * mip_filter_gnss_antenna_calibration_control_response.
  */
-using gnss_antenna_calibration_control_response = ::mip_filter_gnss_antenna_calibration_response;
+using gnss_antenna_calibration_control_response =
+    ::mip_filter_gnss_antenna_calibration_control_response;
 
 } // namespace filter
 

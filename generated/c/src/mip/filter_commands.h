@@ -262,22 +262,22 @@ static inline struct mip_result mip_call_filter_vehicle_dynamics_mode_with(
 }
 
 /** What the client knows of the command. */
-extern MIP_API const struct mip_command mip_filter_sensor_to_vehicle_euler_command;
+extern MIP_API const struct mip_command mip_filter_sensor_to_vehicle_rotation_euler_command;
 /** How it is answered. */
-extern MIP_API const struct mip_exchange mip_filter_sensor_to_vehicle_euler_exchange;
+extern MIP_API const struct mip_exchange mip_filter_sensor_to_vehicle_rotation_euler_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Sensor to vehicle
  * frame transformation. If the command requests the response, it is stored in `response`, which may
  * be NULL.
  */
-static inline mip_error mip_send_filter_sensor_to_vehicle_euler(
+static inline mip_error mip_send_filter_sensor_to_vehicle_rotation_euler(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_filter_sensor_to_vehicle_euler *command,
-    struct mip_filter_sensor_to_vehicle_euler_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_filter_sensor_to_vehicle_euler_command,
-                           command, &mip_filter_sensor_to_vehicle_euler_response_codec, response,
-                           now);
+    const struct mip_filter_sensor_to_vehicle_rotation_euler *command,
+    struct mip_filter_sensor_to_vehicle_rotation_euler_response *response, uint32_t now) {
+    return mip_client_send(
+        client, request, packet, &mip_filter_sensor_to_vehicle_rotation_euler_command, command,
+        &mip_filter_sensor_to_vehicle_rotation_euler_response_codec, response, now);
 }
 
 /**
@@ -287,27 +287,28 @@ static inline mip_error mip_send_filter_sensor_to_vehicle_euler(
  * - pitch: Pitch angle. Unit: rad. Required for write.
  * - yaw: Yaw angle. Unit: rad. Required for write.
  */
-static inline struct mip_result mip_call_filter_sensor_to_vehicle_euler_write(
+static inline struct mip_result mip_call_filter_sensor_to_vehicle_rotation_euler_write(
     struct mip_device *device, float roll, float pitch, float yaw) {
     uint8_t data[13];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
     mip_put_float(data + 1, &roll);
     mip_put_float(data + 5, &pitch);
     mip_put_float(data + 9, &yaw);
-    return mip_device_send(device, &mip_filter_sensor_to_vehicle_euler_exchange, data, 13, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_sensor_to_vehicle_rotation_euler_exchange, data, 13,
+                           NULL, NULL);
 }
 
 /**
  * Sensor to vehicle frame transformation: read. Return the current setting in a response. See
  * mip_device_call.
  */
-static inline struct mip_result mip_call_filter_sensor_to_vehicle_euler_read(
-    struct mip_device *device, struct mip_filter_sensor_to_vehicle_euler_response *response) {
+static inline struct mip_result mip_call_filter_sensor_to_vehicle_rotation_euler_read(
+    struct mip_device *device,
+    struct mip_filter_sensor_to_vehicle_rotation_euler_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_filter_sensor_to_vehicle_euler_exchange, data, 1,
-                           &mip_filter_sensor_to_vehicle_euler_response_codec, response);
+    return mip_device_send(device, &mip_filter_sensor_to_vehicle_rotation_euler_exchange, data, 1,
+                           &mip_filter_sensor_to_vehicle_rotation_euler_response_codec, response);
 }
 
 /**
@@ -315,20 +316,20 @@ static inline struct mip_result mip_call_filter_sensor_to_vehicle_euler_read(
  * See mip_device_call.
  */
 static inline struct mip_result
-mip_call_filter_sensor_to_vehicle_euler_save(struct mip_device *device) {
+mip_call_filter_sensor_to_vehicle_rotation_euler_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_sensor_to_vehicle_euler_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_sensor_to_vehicle_rotation_euler_exchange, data, 1,
+                           NULL, NULL);
 }
 
 /** Sensor to vehicle frame transformation: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result
-mip_call_filter_sensor_to_vehicle_euler_load(struct mip_device *device) {
+mip_call_filter_sensor_to_vehicle_rotation_euler_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_sensor_to_vehicle_euler_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_sensor_to_vehicle_rotation_euler_exchange, data, 1,
+                           NULL, NULL);
 }
 
 /**
@@ -336,22 +337,22 @@ mip_call_filter_sensor_to_vehicle_euler_load(struct mip_device *device) {
  * mip_device_call.
  */
 static inline struct mip_result
-mip_call_filter_sensor_to_vehicle_euler_default(struct mip_device *device) {
+mip_call_filter_sensor_to_vehicle_rotation_euler_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_sensor_to_vehicle_euler_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_sensor_to_vehicle_rotation_euler_exchange, data, 1,
+                           NULL, NULL);
 }
 
 /**
  * Sensor to vehicle frame transformation: calls the command with these values, including optional
  * parameters. See mip_device_call.
  */
-static inline struct mip_result mip_call_filter_sensor_to_vehicle_euler_with(
-    struct mip_device *device, const struct mip_filter_sensor_to_vehicle_euler *command,
-    struct mip_filter_sensor_to_vehicle_euler_response *response) {
-    return mip_device_call(device, &mip_filter_sensor_to_vehicle_euler_command, command,
-                           &mip_filter_sensor_to_vehicle_euler_response_codec, response);
+static inline struct mip_result mip_call_filter_sensor_to_vehicle_rotation_euler_with(
+    struct mip_device *device, const struct mip_filter_sensor_to_vehicle_rotation_euler *command,
+    struct mip_filter_sensor_to_vehicle_rotation_euler_response *response) {
+    return mip_device_call(device, &mip_filter_sensor_to_vehicle_rotation_euler_command, command,
+                           &mip_filter_sensor_to_vehicle_rotation_euler_response_codec, response);
 }
 
 /** What the client knows of the command. */
@@ -2986,22 +2987,22 @@ static inline struct mip_result mip_call_filter_magnetic_magnitude_source_with(
 }
 
 /** What the client knows of the command. */
-extern MIP_API const struct mip_command mip_filter_sensor_to_vehicle_dcm_command;
+extern MIP_API const struct mip_command mip_filter_sensor_to_vehicle_rotation_dcm_command;
 /** How it is answered. */
-extern MIP_API const struct mip_exchange mip_filter_sensor_to_vehicle_dcm_exchange;
+extern MIP_API const struct mip_exchange mip_filter_sensor_to_vehicle_rotation_dcm_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Sensor to vehicle
  * rotation, matrix. If the command requests the response, it is stored in `response`, which may be
  * NULL.
  */
-static inline mip_error mip_send_filter_sensor_to_vehicle_dcm(
+static inline mip_error mip_send_filter_sensor_to_vehicle_rotation_dcm(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_filter_sensor_to_vehicle_dcm *command,
-    struct mip_filter_sensor_to_vehicle_dcm_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_filter_sensor_to_vehicle_dcm_command,
-                           command, &mip_filter_sensor_to_vehicle_dcm_response_codec, response,
-                           now);
+    const struct mip_filter_sensor_to_vehicle_rotation_dcm *command,
+    struct mip_filter_sensor_to_vehicle_rotation_dcm_response *response, uint32_t now) {
+    return mip_client_send(
+        client, request, packet, &mip_filter_sensor_to_vehicle_rotation_dcm_command, command,
+        &mip_filter_sensor_to_vehicle_rotation_dcm_response_codec, response, now);
 }
 
 /**
@@ -3010,27 +3011,28 @@ static inline mip_error mip_send_filter_sensor_to_vehicle_dcm(
  * - dcm: Rotation matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
  *   Unit: 1. Required for write.
  */
-static inline struct mip_result
-mip_call_filter_sensor_to_vehicle_dcm_write(struct mip_device *device, const float dcm[9]) {
+static inline struct mip_result mip_call_filter_sensor_to_vehicle_rotation_dcm_write(
+    struct mip_device *device, const float dcm[9]) {
     uint8_t data[37];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
     for (size_t i = 0; i < 9; i++) {
         mip_put_float(data + 1 + 4 * i, &dcm[i]);
     }
-    return mip_device_send(device, &mip_filter_sensor_to_vehicle_dcm_exchange, data, 37, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_sensor_to_vehicle_rotation_dcm_exchange, data, 37,
+                           NULL, NULL);
 }
 
 /**
  * Sensor to vehicle rotation, matrix: read. Return the current setting in a response. See
  * mip_device_call.
  */
-static inline struct mip_result mip_call_filter_sensor_to_vehicle_dcm_read(
-    struct mip_device *device, struct mip_filter_sensor_to_vehicle_dcm_response *response) {
+static inline struct mip_result mip_call_filter_sensor_to_vehicle_rotation_dcm_read(
+    struct mip_device *device,
+    struct mip_filter_sensor_to_vehicle_rotation_dcm_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_filter_sensor_to_vehicle_dcm_exchange, data, 1,
-                           &mip_filter_sensor_to_vehicle_dcm_response_codec, response);
+    return mip_device_send(device, &mip_filter_sensor_to_vehicle_rotation_dcm_exchange, data, 1,
+                           &mip_filter_sensor_to_vehicle_rotation_dcm_response_codec, response);
 }
 
 /**
@@ -3038,18 +3040,20 @@ static inline struct mip_result mip_call_filter_sensor_to_vehicle_dcm_read(
  * mip_device_call.
  */
 static inline struct mip_result
-mip_call_filter_sensor_to_vehicle_dcm_save(struct mip_device *device) {
+mip_call_filter_sensor_to_vehicle_rotation_dcm_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_sensor_to_vehicle_dcm_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_sensor_to_vehicle_rotation_dcm_exchange, data, 1,
+                           NULL, NULL);
 }
 
 /** Sensor to vehicle rotation, matrix: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result
-mip_call_filter_sensor_to_vehicle_dcm_load(struct mip_device *device) {
+mip_call_filter_sensor_to_vehicle_rotation_dcm_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_sensor_to_vehicle_dcm_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_sensor_to_vehicle_rotation_dcm_exchange, data, 1,
+                           NULL, NULL);
 }
 
 /**
@@ -3057,21 +3061,22 @@ mip_call_filter_sensor_to_vehicle_dcm_load(struct mip_device *device) {
  * mip_device_call.
  */
 static inline struct mip_result
-mip_call_filter_sensor_to_vehicle_dcm_default(struct mip_device *device) {
+mip_call_filter_sensor_to_vehicle_rotation_dcm_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_sensor_to_vehicle_dcm_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_sensor_to_vehicle_rotation_dcm_exchange, data, 1,
+                           NULL, NULL);
 }
 
 /**
  * Sensor to vehicle rotation, matrix: calls the command with these values, including optional
  * parameters. See mip_device_call.
  */
-static inline struct mip_result mip_call_filter_sensor_to_vehicle_dcm_with(
-    struct mip_device *device, const struct mip_filter_sensor_to_vehicle_dcm *command,
-    struct mip_filter_sensor_to_vehicle_dcm_response *response) {
-    return mip_device_call(device, &mip_filter_sensor_to_vehicle_dcm_command, command,
-                           &mip_filter_sensor_to_vehicle_dcm_response_codec, response);
+static inline struct mip_result mip_call_filter_sensor_to_vehicle_rotation_dcm_with(
+    struct mip_device *device, const struct mip_filter_sensor_to_vehicle_rotation_dcm *command,
+    struct mip_filter_sensor_to_vehicle_rotation_dcm_response *response) {
+    return mip_device_call(device, &mip_filter_sensor_to_vehicle_rotation_dcm_command, command,
+                           &mip_filter_sensor_to_vehicle_rotation_dcm_response_codec, response);
 }
 
 /** What the client knows of the command. */
@@ -4051,21 +4056,21 @@ static inline struct mip_result mip_call_filter_speed_lever_arm_with(
 }
 
 /** What the client knows of the command. */
-extern MIP_API const struct mip_command mip_filter_vertical_gyro_constraint_command;
+extern MIP_API const struct mip_command mip_filter_vertical_gyro_constraint_control_command;
 /** How it is answered. */
-extern MIP_API const struct mip_exchange mip_filter_vertical_gyro_constraint_exchange;
+extern MIP_API const struct mip_exchange mip_filter_vertical_gyro_constraint_control_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Vertical gyro
  * constraint. If the command requests the response, it is stored in `response`, which may be NULL.
  */
-static inline mip_error mip_send_filter_vertical_gyro_constraint(
+static inline mip_error mip_send_filter_vertical_gyro_constraint_control(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_filter_vertical_gyro_constraint *command,
-    struct mip_filter_vertical_gyro_constraint_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_filter_vertical_gyro_constraint_command,
-                           command, &mip_filter_vertical_gyro_constraint_response_codec, response,
-                           now);
+    const struct mip_filter_vertical_gyro_constraint_control *command,
+    struct mip_filter_vertical_gyro_constraint_control_response *response, uint32_t now) {
+    return mip_client_send(
+        client, request, packet, &mip_filter_vertical_gyro_constraint_control_command, command,
+        &mip_filter_vertical_gyro_constraint_control_response_codec, response, now);
 }
 
 /**
@@ -4074,23 +4079,24 @@ static inline mip_error mip_send_filter_vertical_gyro_constraint(
  * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
  */
 static inline struct mip_result
-mip_call_filter_vertical_gyro_constraint_write(struct mip_device *device, uint8_t enable) {
+mip_call_filter_vertical_gyro_constraint_control_write(struct mip_device *device, uint8_t enable) {
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
     mip_put_8(data + 1, (uint8_t)enable);
-    return mip_device_send(device, &mip_filter_vertical_gyro_constraint_exchange, data, 2, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_vertical_gyro_constraint_control_exchange, data, 2,
+                           NULL, NULL);
 }
 
 /**
  * Vertical gyro constraint: read. Return the current setting in a response. See mip_device_call.
  */
-static inline struct mip_result mip_call_filter_vertical_gyro_constraint_read(
-    struct mip_device *device, struct mip_filter_vertical_gyro_constraint_response *response) {
+static inline struct mip_result mip_call_filter_vertical_gyro_constraint_control_read(
+    struct mip_device *device,
+    struct mip_filter_vertical_gyro_constraint_control_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_filter_vertical_gyro_constraint_exchange, data, 1,
-                           &mip_filter_vertical_gyro_constraint_response_codec, response);
+    return mip_device_send(device, &mip_filter_vertical_gyro_constraint_control_exchange, data, 1,
+                           &mip_filter_vertical_gyro_constraint_control_response_codec, response);
 }
 
 /**
@@ -4098,58 +4104,58 @@ static inline struct mip_result mip_call_filter_vertical_gyro_constraint_read(
  * mip_device_call.
  */
 static inline struct mip_result
-mip_call_filter_vertical_gyro_constraint_save(struct mip_device *device) {
+mip_call_filter_vertical_gyro_constraint_control_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_vertical_gyro_constraint_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_vertical_gyro_constraint_control_exchange, data, 1,
+                           NULL, NULL);
 }
 
 /** Vertical gyro constraint: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result
-mip_call_filter_vertical_gyro_constraint_load(struct mip_device *device) {
+mip_call_filter_vertical_gyro_constraint_control_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_vertical_gyro_constraint_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_vertical_gyro_constraint_control_exchange, data, 1,
+                           NULL, NULL);
 }
 
 /** Vertical gyro constraint: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result
-mip_call_filter_vertical_gyro_constraint_default(struct mip_device *device) {
+mip_call_filter_vertical_gyro_constraint_control_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_vertical_gyro_constraint_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_vertical_gyro_constraint_control_exchange, data, 1,
+                           NULL, NULL);
 }
 
 /**
  * Vertical gyro constraint: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
-static inline struct mip_result mip_call_filter_vertical_gyro_constraint_with(
-    struct mip_device *device, const struct mip_filter_vertical_gyro_constraint *command,
-    struct mip_filter_vertical_gyro_constraint_response *response) {
-    return mip_device_call(device, &mip_filter_vertical_gyro_constraint_command, command,
-                           &mip_filter_vertical_gyro_constraint_response_codec, response);
+static inline struct mip_result mip_call_filter_vertical_gyro_constraint_control_with(
+    struct mip_device *device, const struct mip_filter_vertical_gyro_constraint_control *command,
+    struct mip_filter_vertical_gyro_constraint_control_response *response) {
+    return mip_device_call(device, &mip_filter_vertical_gyro_constraint_control_command, command,
+                           &mip_filter_vertical_gyro_constraint_control_response_codec, response);
 }
 
 /** What the client knows of the command. */
-extern MIP_API const struct mip_command mip_filter_wheeled_vehicle_constraint_command;
+extern MIP_API const struct mip_command mip_filter_wheeled_vehicle_constraint_control_command;
 /** How it is answered. */
-extern MIP_API const struct mip_exchange mip_filter_wheeled_vehicle_constraint_exchange;
+extern MIP_API const struct mip_exchange mip_filter_wheeled_vehicle_constraint_control_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Wheeled vehicle
  * constraint. If the command requests the response, it is stored in `response`, which may be NULL.
  */
-static inline mip_error mip_send_filter_wheeled_vehicle_constraint(
+static inline mip_error mip_send_filter_wheeled_vehicle_constraint_control(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_filter_wheeled_vehicle_constraint *command,
-    struct mip_filter_wheeled_vehicle_constraint_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_filter_wheeled_vehicle_constraint_command,
-                           command, &mip_filter_wheeled_vehicle_constraint_response_codec, response,
-                           now);
+    const struct mip_filter_wheeled_vehicle_constraint_control *command,
+    struct mip_filter_wheeled_vehicle_constraint_control_response *response, uint32_t now) {
+    return mip_client_send(
+        client, request, packet, &mip_filter_wheeled_vehicle_constraint_control_command, command,
+        &mip_filter_wheeled_vehicle_constraint_control_response_codec, response, now);
 }
 
 /**
@@ -4157,24 +4163,25 @@ static inline mip_error mip_send_filter_wheeled_vehicle_constraint(
  *
  * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
  */
-static inline struct mip_result
-mip_call_filter_wheeled_vehicle_constraint_write(struct mip_device *device, uint8_t enable) {
+static inline struct mip_result mip_call_filter_wheeled_vehicle_constraint_control_write(
+    struct mip_device *device, uint8_t enable) {
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
     mip_put_8(data + 1, (uint8_t)enable);
-    return mip_device_send(device, &mip_filter_wheeled_vehicle_constraint_exchange, data, 2, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_wheeled_vehicle_constraint_control_exchange, data, 2,
+                           NULL, NULL);
 }
 
 /**
  * Wheeled vehicle constraint: read. Return the current setting in a response. See mip_device_call.
  */
-static inline struct mip_result mip_call_filter_wheeled_vehicle_constraint_read(
-    struct mip_device *device, struct mip_filter_wheeled_vehicle_constraint_response *response) {
+static inline struct mip_result mip_call_filter_wheeled_vehicle_constraint_control_read(
+    struct mip_device *device,
+    struct mip_filter_wheeled_vehicle_constraint_control_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_filter_wheeled_vehicle_constraint_exchange, data, 1,
-                           &mip_filter_wheeled_vehicle_constraint_response_codec, response);
+    return mip_device_send(device, &mip_filter_wheeled_vehicle_constraint_control_exchange, data, 1,
+                           &mip_filter_wheeled_vehicle_constraint_control_response_codec, response);
 }
 
 /**
@@ -4182,58 +4189,58 @@ static inline struct mip_result mip_call_filter_wheeled_vehicle_constraint_read(
  * mip_device_call.
  */
 static inline struct mip_result
-mip_call_filter_wheeled_vehicle_constraint_save(struct mip_device *device) {
+mip_call_filter_wheeled_vehicle_constraint_control_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_wheeled_vehicle_constraint_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_wheeled_vehicle_constraint_control_exchange, data, 1,
+                           NULL, NULL);
 }
 
 /** Wheeled vehicle constraint: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result
-mip_call_filter_wheeled_vehicle_constraint_load(struct mip_device *device) {
+mip_call_filter_wheeled_vehicle_constraint_control_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_wheeled_vehicle_constraint_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_wheeled_vehicle_constraint_control_exchange, data, 1,
+                           NULL, NULL);
 }
 
 /** Wheeled vehicle constraint: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result
-mip_call_filter_wheeled_vehicle_constraint_default(struct mip_device *device) {
+mip_call_filter_wheeled_vehicle_constraint_control_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_wheeled_vehicle_constraint_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_wheeled_vehicle_constraint_control_exchange, data, 1,
+                           NULL, NULL);
 }
 
 /**
  * Wheeled vehicle constraint: calls the command with these values, including optional parameters.
  * See mip_device_call.
  */
-static inline struct mip_result mip_call_filter_wheeled_vehicle_constraint_with(
-    struct mip_device *device, const struct mip_filter_wheeled_vehicle_constraint *command,
-    struct mip_filter_wheeled_vehicle_constraint_response *response) {
-    return mip_device_call(device, &mip_filter_wheeled_vehicle_constraint_command, command,
-                           &mip_filter_wheeled_vehicle_constraint_response_codec, response);
+static inline struct mip_result mip_call_filter_wheeled_vehicle_constraint_control_with(
+    struct mip_device *device, const struct mip_filter_wheeled_vehicle_constraint_control *command,
+    struct mip_filter_wheeled_vehicle_constraint_control_response *response) {
+    return mip_device_call(device, &mip_filter_wheeled_vehicle_constraint_control_command, command,
+                           &mip_filter_wheeled_vehicle_constraint_control_response_codec, response);
 }
 
 /** What the client knows of the command. */
-extern MIP_API const struct mip_command mip_filter_gnss_antenna_calibration_command;
+extern MIP_API const struct mip_command mip_filter_gnss_antenna_calibration_control_command;
 /** How it is answered. */
-extern MIP_API const struct mip_exchange mip_filter_gnss_antenna_calibration_exchange;
+extern MIP_API const struct mip_exchange mip_filter_gnss_antenna_calibration_control_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. GNSS antenna offset
  * calibration. If the command requests the response, it is stored in `response`, which may be NULL.
  */
-static inline mip_error mip_send_filter_gnss_antenna_calibration(
+static inline mip_error mip_send_filter_gnss_antenna_calibration_control(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_filter_gnss_antenna_calibration *command,
-    struct mip_filter_gnss_antenna_calibration_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_filter_gnss_antenna_calibration_command,
-                           command, &mip_filter_gnss_antenna_calibration_response_codec, response,
-                           now);
+    const struct mip_filter_gnss_antenna_calibration_control *command,
+    struct mip_filter_gnss_antenna_calibration_control_response *response, uint32_t now) {
+    return mip_client_send(
+        client, request, packet, &mip_filter_gnss_antenna_calibration_control_command, command,
+        &mip_filter_gnss_antenna_calibration_control_response_codec, response, now);
 }
 
 /**
@@ -4243,26 +4250,27 @@ static inline mip_error mip_send_filter_gnss_antenna_calibration(
  * - max_offset: Largest absolute error that is tracked. Unit: m. Frame: vehicle. Range: at least 0.
  *   Required for write. On the 3DM-CV7-GNSS/INS: range 0 to 0.5; default 0.1.
  */
-static inline struct mip_result mip_call_filter_gnss_antenna_calibration_write(
+static inline struct mip_result mip_call_filter_gnss_antenna_calibration_control_write(
     struct mip_device *device, uint8_t enable, float max_offset) {
     uint8_t data[6];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
     mip_put_8(data + 1, (uint8_t)enable);
     mip_put_float(data + 2, &max_offset);
-    return mip_device_send(device, &mip_filter_gnss_antenna_calibration_exchange, data, 6, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_gnss_antenna_calibration_control_exchange, data, 6,
+                           NULL, NULL);
 }
 
 /**
  * GNSS antenna offset calibration: read. Return the current setting in a response. See
  * mip_device_call.
  */
-static inline struct mip_result mip_call_filter_gnss_antenna_calibration_read(
-    struct mip_device *device, struct mip_filter_gnss_antenna_calibration_response *response) {
+static inline struct mip_result mip_call_filter_gnss_antenna_calibration_control_read(
+    struct mip_device *device,
+    struct mip_filter_gnss_antenna_calibration_control_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_filter_gnss_antenna_calibration_exchange, data, 1,
-                           &mip_filter_gnss_antenna_calibration_response_codec, response);
+    return mip_device_send(device, &mip_filter_gnss_antenna_calibration_control_exchange, data, 1,
+                           &mip_filter_gnss_antenna_calibration_control_response_codec, response);
 }
 
 /**
@@ -4270,42 +4278,42 @@ static inline struct mip_result mip_call_filter_gnss_antenna_calibration_read(
  * mip_device_call.
  */
 static inline struct mip_result
-mip_call_filter_gnss_antenna_calibration_save(struct mip_device *device) {
+mip_call_filter_gnss_antenna_calibration_control_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_gnss_antenna_calibration_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_gnss_antenna_calibration_control_exchange, data, 1,
+                           NULL, NULL);
 }
 
 /** GNSS antenna offset calibration: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result
-mip_call_filter_gnss_antenna_calibration_load(struct mip_device *device) {
+mip_call_filter_gnss_antenna_calibration_control_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_gnss_antenna_calibration_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_gnss_antenna_calibration_control_exchange, data, 1,
+                           NULL, NULL);
 }
 
 /**
  * GNSS antenna offset calibration: default. Load the factory default setting. See mip_device_call.
  */
 static inline struct mip_result
-mip_call_filter_gnss_antenna_calibration_default(struct mip_device *device) {
+mip_call_filter_gnss_antenna_calibration_control_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_gnss_antenna_calibration_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_gnss_antenna_calibration_control_exchange, data, 1,
+                           NULL, NULL);
 }
 
 /**
  * GNSS antenna offset calibration: calls the command with these values, including optional
  * parameters. See mip_device_call.
  */
-static inline struct mip_result mip_call_filter_gnss_antenna_calibration_with(
-    struct mip_device *device, const struct mip_filter_gnss_antenna_calibration *command,
-    struct mip_filter_gnss_antenna_calibration_response *response) {
-    return mip_device_call(device, &mip_filter_gnss_antenna_calibration_command, command,
-                           &mip_filter_gnss_antenna_calibration_response_codec, response);
+static inline struct mip_result mip_call_filter_gnss_antenna_calibration_control_with(
+    struct mip_device *device, const struct mip_filter_gnss_antenna_calibration_control *command,
+    struct mip_filter_gnss_antenna_calibration_control_response *response) {
+    return mip_device_call(device, &mip_filter_gnss_antenna_calibration_control_command, command,
+                           &mip_filter_gnss_antenna_calibration_control_response_codec, response);
 }
 
 /** @} */

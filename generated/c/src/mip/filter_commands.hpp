@@ -17,7 +17,7 @@ MIP_COMMAND_OF(mip_filter_set_initial_heading, void)
 MIP_COMMAND_OF(mip_filter_set_initial_attitude_from_imu, void)
 MIP_COMMAND_OF(mip_filter_run, void)
 MIP_COMMAND_OF(mip_filter_vehicle_dynamics_mode, ::mip::filter::vehicle_dynamics_mode_response)
-MIP_COMMAND_OF(mip_filter_sensor_to_vehicle_euler,
+MIP_COMMAND_OF(mip_filter_sensor_to_vehicle_rotation_euler,
                ::mip::filter::sensor_to_vehicle_rotation_euler_response)
 MIP_COMMAND_OF(mip_filter_sensor_to_vehicle_offset,
                ::mip::filter::sensor_to_vehicle_offset_response)
@@ -61,7 +61,7 @@ MIP_COMMAND_OF(mip_filter_magnetic_inclination_source,
                ::mip::filter::magnetic_inclination_source_response)
 MIP_COMMAND_OF(mip_filter_magnetic_magnitude_source,
                ::mip::filter::magnetic_magnitude_source_response)
-MIP_COMMAND_OF(mip_filter_sensor_to_vehicle_dcm,
+MIP_COMMAND_OF(mip_filter_sensor_to_vehicle_rotation_dcm,
                ::mip::filter::sensor_to_vehicle_rotation_dcm_response)
 MIP_COMMAND_OF(mip_filter_sensor_to_vehicle_quaternion,
                ::mip::filter::sensor_to_vehicle_rotation_quaternion_response)
@@ -77,11 +77,11 @@ MIP_COMMAND_OF(mip_filter_reference_point_lever_arm,
                ::mip::filter::reference_point_lever_arm_response)
 MIP_COMMAND_OF(mip_filter_speed_measurement, void)
 MIP_COMMAND_OF(mip_filter_speed_lever_arm, ::mip::filter::speed_lever_arm_response)
-MIP_COMMAND_OF(mip_filter_vertical_gyro_constraint,
+MIP_COMMAND_OF(mip_filter_vertical_gyro_constraint_control,
                ::mip::filter::vertical_gyro_constraint_control_response)
-MIP_COMMAND_OF(mip_filter_wheeled_vehicle_constraint,
+MIP_COMMAND_OF(mip_filter_wheeled_vehicle_constraint_control,
                ::mip::filter::wheeled_vehicle_constraint_control_response)
-MIP_COMMAND_OF(mip_filter_gnss_antenna_calibration,
+MIP_COMMAND_OF(mip_filter_gnss_antenna_calibration_control,
                ::mip::filter::gnss_antenna_calibration_control_response)
 
 namespace filter {
@@ -170,49 +170,56 @@ struct default_vehicle_dynamics_mode
     : fixed_command<::mip_filter_vehicle_dynamics_mode, void, MIP_FUNCTION_SELECTOR_DEFAULT> {};
 
 /**
- * Sensor to vehicle frame transformation: write. See mip_call_filter_sensor_to_vehicle_euler_write.
+ * Sensor to vehicle frame transformation: write. See
+ * mip_call_filter_sensor_to_vehicle_rotation_euler_write.
  */
 struct write_sensor_to_vehicle_rotation_euler {
     float roll;
     float pitch;
     float yaw;
 
-    using command = ::mip_filter_sensor_to_vehicle_euler;
+    using command = ::mip_filter_sensor_to_vehicle_rotation_euler;
     using response = void;
     mip_result call(mip_device *device_) const {
-        return ::mip_call_filter_sensor_to_vehicle_euler_write(device_, roll, pitch, yaw);
+        return ::mip_call_filter_sensor_to_vehicle_rotation_euler_write(device_, roll, pitch, yaw);
     }
     const command *fill(command *to_) const {
-        return ::mip_filter_sensor_to_vehicle_euler_write(to_, roll, pitch, yaw);
+        return ::mip_filter_sensor_to_vehicle_rotation_euler_write(to_, roll, pitch, yaw);
     }
 };
 
 /**
- * Sensor to vehicle frame transformation: read. See mip_call_filter_sensor_to_vehicle_euler_read.
+ * Sensor to vehicle frame transformation: read. See
+ * mip_call_filter_sensor_to_vehicle_rotation_euler_read.
  */
 struct read_sensor_to_vehicle_rotation_euler
-    : fixed_command<::mip_filter_sensor_to_vehicle_euler,
+    : fixed_command<::mip_filter_sensor_to_vehicle_rotation_euler,
                     ::mip::filter::sensor_to_vehicle_rotation_euler_response,
                     MIP_FUNCTION_SELECTOR_READ> {};
 
 /**
- * Sensor to vehicle frame transformation: save. See mip_call_filter_sensor_to_vehicle_euler_save.
+ * Sensor to vehicle frame transformation: save. See
+ * mip_call_filter_sensor_to_vehicle_rotation_euler_save.
  */
 struct save_sensor_to_vehicle_rotation_euler
-    : fixed_command<::mip_filter_sensor_to_vehicle_euler, void, MIP_FUNCTION_SELECTOR_SAVE> {};
+    : fixed_command<::mip_filter_sensor_to_vehicle_rotation_euler, void,
+                    MIP_FUNCTION_SELECTOR_SAVE> {};
 
 /**
- * Sensor to vehicle frame transformation: load. See mip_call_filter_sensor_to_vehicle_euler_load.
+ * Sensor to vehicle frame transformation: load. See
+ * mip_call_filter_sensor_to_vehicle_rotation_euler_load.
  */
 struct load_sensor_to_vehicle_rotation_euler
-    : fixed_command<::mip_filter_sensor_to_vehicle_euler, void, MIP_FUNCTION_SELECTOR_LOAD> {};
+    : fixed_command<::mip_filter_sensor_to_vehicle_rotation_euler, void,
+                    MIP_FUNCTION_SELECTOR_LOAD> {};
 
 /**
  * Sensor to vehicle frame transformation: default. See
- * mip_call_filter_sensor_to_vehicle_euler_default.
+ * mip_call_filter_sensor_to_vehicle_rotation_euler_default.
  */
 struct default_sensor_to_vehicle_rotation_euler
-    : fixed_command<::mip_filter_sensor_to_vehicle_euler, void, MIP_FUNCTION_SELECTOR_DEFAULT> {};
+    : fixed_command<::mip_filter_sensor_to_vehicle_rotation_euler, void,
+                    MIP_FUNCTION_SELECTOR_DEFAULT> {};
 
 /** Sensor to vehicle offset: write. See mip_call_filter_sensor_to_vehicle_offset_write. */
 struct write_sensor_to_vehicle_offset {
@@ -1270,39 +1277,55 @@ struct load_magnetic_magnitude_source
 struct default_magnetic_magnitude_source
     : fixed_command<::mip_filter_magnetic_magnitude_source, void, MIP_FUNCTION_SELECTOR_DEFAULT> {};
 
-/** Sensor to vehicle rotation, matrix: write. See mip_call_filter_sensor_to_vehicle_dcm_write. */
+/**
+ * Sensor to vehicle rotation, matrix: write. See
+ * mip_call_filter_sensor_to_vehicle_rotation_dcm_write.
+ */
 struct write_sensor_to_vehicle_rotation_dcm {
     float dcm[9];
 
-    using command = ::mip_filter_sensor_to_vehicle_dcm;
+    using command = ::mip_filter_sensor_to_vehicle_rotation_dcm;
     using response = void;
     mip_result call(mip_device *device_) const {
-        return ::mip_call_filter_sensor_to_vehicle_dcm_write(device_, dcm);
+        return ::mip_call_filter_sensor_to_vehicle_rotation_dcm_write(device_, dcm);
     }
     const command *fill(command *to_) const {
-        return ::mip_filter_sensor_to_vehicle_dcm_write(to_, dcm);
+        return ::mip_filter_sensor_to_vehicle_rotation_dcm_write(to_, dcm);
     }
 };
 
-/** Sensor to vehicle rotation, matrix: read. See mip_call_filter_sensor_to_vehicle_dcm_read. */
+/**
+ * Sensor to vehicle rotation, matrix: read. See
+ * mip_call_filter_sensor_to_vehicle_rotation_dcm_read.
+ */
 struct read_sensor_to_vehicle_rotation_dcm
-    : fixed_command<::mip_filter_sensor_to_vehicle_dcm,
+    : fixed_command<::mip_filter_sensor_to_vehicle_rotation_dcm,
                     ::mip::filter::sensor_to_vehicle_rotation_dcm_response,
                     MIP_FUNCTION_SELECTOR_READ> {};
 
-/** Sensor to vehicle rotation, matrix: save. See mip_call_filter_sensor_to_vehicle_dcm_save. */
+/**
+ * Sensor to vehicle rotation, matrix: save. See
+ * mip_call_filter_sensor_to_vehicle_rotation_dcm_save.
+ */
 struct save_sensor_to_vehicle_rotation_dcm
-    : fixed_command<::mip_filter_sensor_to_vehicle_dcm, void, MIP_FUNCTION_SELECTOR_SAVE> {};
-
-/** Sensor to vehicle rotation, matrix: load. See mip_call_filter_sensor_to_vehicle_dcm_load. */
-struct load_sensor_to_vehicle_rotation_dcm
-    : fixed_command<::mip_filter_sensor_to_vehicle_dcm, void, MIP_FUNCTION_SELECTOR_LOAD> {};
+    : fixed_command<::mip_filter_sensor_to_vehicle_rotation_dcm, void, MIP_FUNCTION_SELECTOR_SAVE> {
+};
 
 /**
- * Sensor to vehicle rotation, matrix: default. See mip_call_filter_sensor_to_vehicle_dcm_default.
+ * Sensor to vehicle rotation, matrix: load. See
+ * mip_call_filter_sensor_to_vehicle_rotation_dcm_load.
+ */
+struct load_sensor_to_vehicle_rotation_dcm
+    : fixed_command<::mip_filter_sensor_to_vehicle_rotation_dcm, void, MIP_FUNCTION_SELECTOR_LOAD> {
+};
+
+/**
+ * Sensor to vehicle rotation, matrix: default. See
+ * mip_call_filter_sensor_to_vehicle_rotation_dcm_default.
  */
 struct default_sensor_to_vehicle_rotation_dcm
-    : fixed_command<::mip_filter_sensor_to_vehicle_dcm, void, MIP_FUNCTION_SELECTOR_DEFAULT> {};
+    : fixed_command<::mip_filter_sensor_to_vehicle_rotation_dcm, void,
+                    MIP_FUNCTION_SELECTOR_DEFAULT> {};
 
 /**
  * Sensor to vehicle rotation, quaternion: write. See
@@ -1778,105 +1801,137 @@ struct default_speed_lever_arm {
     }
 };
 
-/** Vertical gyro constraint: write. See mip_call_filter_vertical_gyro_constraint_write. */
+/** Vertical gyro constraint: write. See mip_call_filter_vertical_gyro_constraint_control_write. */
 struct write_vertical_gyro_constraint_control {
     uint8_t enable;
 
-    using command = ::mip_filter_vertical_gyro_constraint;
+    using command = ::mip_filter_vertical_gyro_constraint_control;
     using response = void;
     mip_result call(mip_device *device_) const {
-        return ::mip_call_filter_vertical_gyro_constraint_write(device_, enable);
+        return ::mip_call_filter_vertical_gyro_constraint_control_write(device_, enable);
     }
     const command *fill(command *to_) const {
-        return ::mip_filter_vertical_gyro_constraint_write(to_, enable);
+        return ::mip_filter_vertical_gyro_constraint_control_write(to_, enable);
     }
 };
 
-/** Vertical gyro constraint: read. See mip_call_filter_vertical_gyro_constraint_read. */
+/** Vertical gyro constraint: read. See mip_call_filter_vertical_gyro_constraint_control_read. */
 struct read_vertical_gyro_constraint_control
-    : fixed_command<::mip_filter_vertical_gyro_constraint,
+    : fixed_command<::mip_filter_vertical_gyro_constraint_control,
                     ::mip::filter::vertical_gyro_constraint_control_response,
                     MIP_FUNCTION_SELECTOR_READ> {};
 
-/** Vertical gyro constraint: save. See mip_call_filter_vertical_gyro_constraint_save. */
+/** Vertical gyro constraint: save. See mip_call_filter_vertical_gyro_constraint_control_save. */
 struct save_vertical_gyro_constraint_control
-    : fixed_command<::mip_filter_vertical_gyro_constraint, void, MIP_FUNCTION_SELECTOR_SAVE> {};
+    : fixed_command<::mip_filter_vertical_gyro_constraint_control, void,
+                    MIP_FUNCTION_SELECTOR_SAVE> {};
 
-/** Vertical gyro constraint: load. See mip_call_filter_vertical_gyro_constraint_load. */
+/** Vertical gyro constraint: load. See mip_call_filter_vertical_gyro_constraint_control_load. */
 struct load_vertical_gyro_constraint_control
-    : fixed_command<::mip_filter_vertical_gyro_constraint, void, MIP_FUNCTION_SELECTOR_LOAD> {};
+    : fixed_command<::mip_filter_vertical_gyro_constraint_control, void,
+                    MIP_FUNCTION_SELECTOR_LOAD> {};
 
-/** Vertical gyro constraint: default. See mip_call_filter_vertical_gyro_constraint_default. */
+/**
+ * Vertical gyro constraint: default. See mip_call_filter_vertical_gyro_constraint_control_default.
+ */
 struct default_vertical_gyro_constraint_control
-    : fixed_command<::mip_filter_vertical_gyro_constraint, void, MIP_FUNCTION_SELECTOR_DEFAULT> {};
+    : fixed_command<::mip_filter_vertical_gyro_constraint_control, void,
+                    MIP_FUNCTION_SELECTOR_DEFAULT> {};
 
-/** Wheeled vehicle constraint: write. See mip_call_filter_wheeled_vehicle_constraint_write. */
+/**
+ * Wheeled vehicle constraint: write. See mip_call_filter_wheeled_vehicle_constraint_control_write.
+ */
 struct write_wheeled_vehicle_constraint_control {
     uint8_t enable;
 
-    using command = ::mip_filter_wheeled_vehicle_constraint;
+    using command = ::mip_filter_wheeled_vehicle_constraint_control;
     using response = void;
     mip_result call(mip_device *device_) const {
-        return ::mip_call_filter_wheeled_vehicle_constraint_write(device_, enable);
+        return ::mip_call_filter_wheeled_vehicle_constraint_control_write(device_, enable);
     }
     const command *fill(command *to_) const {
-        return ::mip_filter_wheeled_vehicle_constraint_write(to_, enable);
+        return ::mip_filter_wheeled_vehicle_constraint_control_write(to_, enable);
     }
 };
 
-/** Wheeled vehicle constraint: read. See mip_call_filter_wheeled_vehicle_constraint_read. */
+/**
+ * Wheeled vehicle constraint: read. See mip_call_filter_wheeled_vehicle_constraint_control_read.
+ */
 struct read_wheeled_vehicle_constraint_control
-    : fixed_command<::mip_filter_wheeled_vehicle_constraint,
+    : fixed_command<::mip_filter_wheeled_vehicle_constraint_control,
                     ::mip::filter::wheeled_vehicle_constraint_control_response,
                     MIP_FUNCTION_SELECTOR_READ> {};
 
-/** Wheeled vehicle constraint: save. See mip_call_filter_wheeled_vehicle_constraint_save. */
+/**
+ * Wheeled vehicle constraint: save. See mip_call_filter_wheeled_vehicle_constraint_control_save.
+ */
 struct save_wheeled_vehicle_constraint_control
-    : fixed_command<::mip_filter_wheeled_vehicle_constraint, void, MIP_FUNCTION_SELECTOR_SAVE> {};
+    : fixed_command<::mip_filter_wheeled_vehicle_constraint_control, void,
+                    MIP_FUNCTION_SELECTOR_SAVE> {};
 
-/** Wheeled vehicle constraint: load. See mip_call_filter_wheeled_vehicle_constraint_load. */
+/**
+ * Wheeled vehicle constraint: load. See mip_call_filter_wheeled_vehicle_constraint_control_load.
+ */
 struct load_wheeled_vehicle_constraint_control
-    : fixed_command<::mip_filter_wheeled_vehicle_constraint, void, MIP_FUNCTION_SELECTOR_LOAD> {};
+    : fixed_command<::mip_filter_wheeled_vehicle_constraint_control, void,
+                    MIP_FUNCTION_SELECTOR_LOAD> {};
 
-/** Wheeled vehicle constraint: default. See mip_call_filter_wheeled_vehicle_constraint_default. */
+/**
+ * Wheeled vehicle constraint: default. See
+ * mip_call_filter_wheeled_vehicle_constraint_control_default.
+ */
 struct default_wheeled_vehicle_constraint_control
-    : fixed_command<::mip_filter_wheeled_vehicle_constraint, void, MIP_FUNCTION_SELECTOR_DEFAULT> {
-};
+    : fixed_command<::mip_filter_wheeled_vehicle_constraint_control, void,
+                    MIP_FUNCTION_SELECTOR_DEFAULT> {};
 
-/** GNSS antenna offset calibration: write. See mip_call_filter_gnss_antenna_calibration_write. */
+/**
+ * GNSS antenna offset calibration: write. See
+ * mip_call_filter_gnss_antenna_calibration_control_write.
+ */
 struct write_gnss_antenna_calibration_control {
     uint8_t enable;
     float max_offset;
 
-    using command = ::mip_filter_gnss_antenna_calibration;
+    using command = ::mip_filter_gnss_antenna_calibration_control;
     using response = void;
     mip_result call(mip_device *device_) const {
-        return ::mip_call_filter_gnss_antenna_calibration_write(device_, enable, max_offset);
+        return ::mip_call_filter_gnss_antenna_calibration_control_write(device_, enable,
+                                                                        max_offset);
     }
     const command *fill(command *to_) const {
-        return ::mip_filter_gnss_antenna_calibration_write(to_, enable, max_offset);
+        return ::mip_filter_gnss_antenna_calibration_control_write(to_, enable, max_offset);
     }
 };
 
-/** GNSS antenna offset calibration: read. See mip_call_filter_gnss_antenna_calibration_read. */
+/**
+ * GNSS antenna offset calibration: read. See mip_call_filter_gnss_antenna_calibration_control_read.
+ */
 struct read_gnss_antenna_calibration_control
-    : fixed_command<::mip_filter_gnss_antenna_calibration,
+    : fixed_command<::mip_filter_gnss_antenna_calibration_control,
                     ::mip::filter::gnss_antenna_calibration_control_response,
                     MIP_FUNCTION_SELECTOR_READ> {};
 
-/** GNSS antenna offset calibration: save. See mip_call_filter_gnss_antenna_calibration_save. */
+/**
+ * GNSS antenna offset calibration: save. See mip_call_filter_gnss_antenna_calibration_control_save.
+ */
 struct save_gnss_antenna_calibration_control
-    : fixed_command<::mip_filter_gnss_antenna_calibration, void, MIP_FUNCTION_SELECTOR_SAVE> {};
-
-/** GNSS antenna offset calibration: load. See mip_call_filter_gnss_antenna_calibration_load. */
-struct load_gnss_antenna_calibration_control
-    : fixed_command<::mip_filter_gnss_antenna_calibration, void, MIP_FUNCTION_SELECTOR_LOAD> {};
+    : fixed_command<::mip_filter_gnss_antenna_calibration_control, void,
+                    MIP_FUNCTION_SELECTOR_SAVE> {};
 
 /**
- * GNSS antenna offset calibration: default. See mip_call_filter_gnss_antenna_calibration_default.
+ * GNSS antenna offset calibration: load. See mip_call_filter_gnss_antenna_calibration_control_load.
+ */
+struct load_gnss_antenna_calibration_control
+    : fixed_command<::mip_filter_gnss_antenna_calibration_control, void,
+                    MIP_FUNCTION_SELECTOR_LOAD> {};
+
+/**
+ * GNSS antenna offset calibration: default. See
+ * mip_call_filter_gnss_antenna_calibration_control_default.
  */
 struct default_gnss_antenna_calibration_control
-    : fixed_command<::mip_filter_gnss_antenna_calibration, void, MIP_FUNCTION_SELECTOR_DEFAULT> {};
+    : fixed_command<::mip_filter_gnss_antenna_calibration_control, void,
+                    MIP_FUNCTION_SELECTOR_DEFAULT> {};
 
 } // namespace filter
 

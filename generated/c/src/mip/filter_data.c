@@ -15,7 +15,7 @@ const struct mip_codec mip_filter_data_llh_position_codec = {
     26,
     sizeof(struct mip_filter_data_llh_position),
     0,
-    sizeof(struct mip_filter_data_llh_position) >= 8,
+    MIP_SHAPE(3, 0, 1),
     program_llh_position,
     NULL};
 
@@ -32,7 +32,7 @@ const struct mip_codec mip_filter_data_ned_velocity_codec = {
     14,
     sizeof(struct mip_filter_data_ned_velocity),
     0,
-    sizeof(struct mip_filter_data_ned_velocity) >= 8,
+    MIP_SHAPE(0, 3, 1),
     program_ned_velocity,
     NULL};
 
@@ -49,7 +49,7 @@ const struct mip_codec mip_filter_data_attitude_quaternion_codec = {
     18,
     sizeof(struct mip_filter_data_attitude_quaternion),
     0,
-    sizeof(struct mip_filter_data_attitude_quaternion) >= 8,
+    MIP_SHAPE(0, 4, 1),
     program_attitude_quaternion,
     NULL};
 
@@ -66,7 +66,7 @@ const struct mip_codec mip_filter_data_attitude_dcm_codec = {
     38,
     sizeof(struct mip_filter_data_attitude_dcm),
     0,
-    sizeof(struct mip_filter_data_attitude_dcm) >= 8,
+    MIP_SHAPE(0, 9, 1),
     program_attitude_dcm,
     NULL};
 
@@ -83,7 +83,7 @@ const struct mip_codec mip_filter_data_euler_angles_codec = {
     14,
     sizeof(struct mip_filter_data_euler_angles),
     0,
-    sizeof(struct mip_filter_data_euler_angles) >= 8,
+    MIP_SHAPE(0, 3, 1),
     program_euler_angles,
     NULL};
 
@@ -93,16 +93,15 @@ static const uint8_t program_gyro_bias[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_data_gyro_bias_codec = {
-    0x82,
-    0x06,
-    MIP_DATA,
-    14,
-    sizeof(struct mip_filter_data_gyro_bias),
-    0,
-    sizeof(struct mip_filter_data_gyro_bias) >= 8,
-    program_gyro_bias,
-    NULL};
+const struct mip_codec mip_filter_data_gyro_bias_codec = {0x82,
+                                                          0x06,
+                                                          MIP_DATA,
+                                                          14,
+                                                          sizeof(struct mip_filter_data_gyro_bias),
+                                                          0,
+                                                          MIP_SHAPE(0, 3, 1),
+                                                          program_gyro_bias,
+                                                          NULL};
 
 static const uint8_t program_accel_bias[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_data_accel_bias, bias)),
@@ -117,7 +116,7 @@ const struct mip_codec mip_filter_data_accel_bias_codec = {
     14,
     sizeof(struct mip_filter_data_accel_bias),
     0,
-    sizeof(struct mip_filter_data_accel_bias) >= 8,
+    MIP_SHAPE(0, 3, 1),
     program_accel_bias,
     NULL};
 
@@ -134,7 +133,7 @@ const struct mip_codec mip_filter_data_llh_position_uncertainty_codec = {
     14,
     sizeof(struct mip_filter_data_llh_position_uncertainty),
     0,
-    sizeof(struct mip_filter_data_llh_position_uncertainty) >= 8,
+    MIP_SHAPE(0, 3, 1),
     program_llh_position_uncertainty,
     NULL};
 
@@ -151,7 +150,7 @@ const struct mip_codec mip_filter_data_ned_velocity_uncertainty_codec = {
     14,
     sizeof(struct mip_filter_data_ned_velocity_uncertainty),
     0,
-    sizeof(struct mip_filter_data_ned_velocity_uncertainty) >= 8,
+    MIP_SHAPE(0, 3, 1),
     program_ned_velocity_uncertainty,
     NULL};
 
@@ -168,7 +167,7 @@ const struct mip_codec mip_filter_data_euler_angles_uncertainty_codec = {
     14,
     sizeof(struct mip_filter_data_euler_angles_uncertainty),
     0,
-    sizeof(struct mip_filter_data_euler_angles_uncertainty) >= 8,
+    MIP_SHAPE(0, 3, 1),
     program_euler_angles_uncertainty,
     NULL};
 
@@ -185,7 +184,7 @@ const struct mip_codec mip_filter_data_gyro_bias_uncertainty_codec = {
     14,
     sizeof(struct mip_filter_data_gyro_bias_uncertainty),
     0,
-    sizeof(struct mip_filter_data_gyro_bias_uncertainty) >= 8,
+    MIP_SHAPE(0, 3, 1),
     program_gyro_bias_uncertainty,
     NULL};
 
@@ -202,7 +201,7 @@ const struct mip_codec mip_filter_data_accel_bias_uncertainty_codec = {
     14,
     sizeof(struct mip_filter_data_accel_bias_uncertainty),
     0,
-    sizeof(struct mip_filter_data_accel_bias_uncertainty) >= 8,
+    MIP_SHAPE(0, 3, 1),
     program_accel_bias_uncertainty,
     NULL};
 
@@ -219,7 +218,7 @@ const struct mip_codec mip_filter_data_linear_accel_codec = {
     14,
     sizeof(struct mip_filter_data_linear_accel),
     0,
-    sizeof(struct mip_filter_data_linear_accel) >= 8,
+    MIP_SHAPE(0, 3, 1),
     program_linear_accel,
     NULL};
 
@@ -236,7 +235,7 @@ const struct mip_codec mip_filter_data_comp_angular_rate_codec = {
     14,
     sizeof(struct mip_filter_data_comp_angular_rate),
     0,
-    sizeof(struct mip_filter_data_comp_angular_rate) >= 8,
+    MIP_SHAPE(0, 3, 1),
     program_comp_angular_rate,
     NULL};
 
@@ -253,7 +252,7 @@ const struct mip_codec mip_filter_data_wgs84_gravity_magnitude_codec = {
     6,
     sizeof(struct mip_filter_data_wgs84_gravity_magnitude),
     0,
-    sizeof(struct mip_filter_data_wgs84_gravity_magnitude) >= 8,
+    MIP_SHAPE(0, 1, 1),
     program_wgs84_gravity_magnitude,
     NULL};
 
@@ -262,15 +261,9 @@ static const uint8_t program_status[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_data_status_codec = {0x82,
-                                                       0x10,
-                                                       MIP_DATA,
-                                                       6,
-                                                       sizeof(struct mip_filter_data_status),
-                                                       0,
-                                                       sizeof(struct mip_filter_data_status) >= 8,
-                                                       program_status,
-                                                       NULL};
+const struct mip_codec mip_filter_data_status_codec = {
+    0x82,           0x10, MIP_DATA, 6, sizeof(struct mip_filter_data_status), 0, MIP_SHAPE(0, 0, 3),
+    program_status, NULL};
 
 static const uint8_t program_timestamp[] = {
     MIP_DOUBLES(1, MIP_AT(struct mip_filter_data_timestamp, tow)),
@@ -278,16 +271,15 @@ static const uint8_t program_timestamp[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_data_timestamp_codec = {
-    0x82,
-    0x11,
-    MIP_DATA,
-    12,
-    sizeof(struct mip_filter_data_timestamp),
-    0,
-    sizeof(struct mip_filter_data_timestamp) >= 8,
-    program_timestamp,
-    NULL};
+const struct mip_codec mip_filter_data_timestamp_codec = {0x82,
+                                                          0x11,
+                                                          MIP_DATA,
+                                                          12,
+                                                          sizeof(struct mip_filter_data_timestamp),
+                                                          0,
+                                                          MIP_SHAPE(1, 0, 2),
+                                                          program_timestamp,
+                                                          NULL};
 
 static const uint8_t program_quaternion_attitude_uncertainty[] = {
     MIP_32_BITS(4, MIP_AT(struct mip_filter_data_quaternion_attitude_uncertainty, q)),
@@ -302,7 +294,7 @@ const struct mip_codec mip_filter_data_quaternion_attitude_uncertainty_codec = {
     18,
     sizeof(struct mip_filter_data_quaternion_attitude_uncertainty),
     0,
-    sizeof(struct mip_filter_data_quaternion_attitude_uncertainty) >= 8,
+    MIP_SHAPE(0, 4, 1),
     program_quaternion_attitude_uncertainty,
     NULL};
 
@@ -319,7 +311,7 @@ const struct mip_codec mip_filter_data_gravity_vector_codec = {
     14,
     sizeof(struct mip_filter_data_gravity_vector),
     0,
-    sizeof(struct mip_filter_data_gravity_vector) >= 8,
+    MIP_SHAPE(0, 3, 1),
     program_gravity_vector,
     NULL};
 
@@ -336,7 +328,7 @@ const struct mip_codec mip_filter_data_heading_update_state_codec = {
     12,
     sizeof(struct mip_filter_data_heading_update_state),
     0,
-    sizeof(struct mip_filter_data_heading_update_state) >= 8,
+    MIP_SHAPE(0, 2, 2),
     program_heading_update_state,
     NULL};
 
@@ -353,7 +345,7 @@ const struct mip_codec mip_filter_data_magnetic_model_codec = {
     22,
     sizeof(struct mip_filter_data_magnetic_model),
     0,
-    sizeof(struct mip_filter_data_magnetic_model) >= 8,
+    MIP_SHAPE(0, 5, 1),
     program_magnetic_model,
     NULL};
 
@@ -370,7 +362,7 @@ const struct mip_codec mip_filter_data_gyro_scale_factor_codec = {
     14,
     sizeof(struct mip_filter_data_gyro_scale_factor),
     0,
-    sizeof(struct mip_filter_data_gyro_scale_factor) >= 8,
+    MIP_SHAPE(0, 3, 1),
     program_gyro_scale_factor,
     NULL};
 
@@ -387,7 +379,7 @@ const struct mip_codec mip_filter_data_accel_scale_factor_codec = {
     14,
     sizeof(struct mip_filter_data_accel_scale_factor),
     0,
-    sizeof(struct mip_filter_data_accel_scale_factor) >= 8,
+    MIP_SHAPE(0, 3, 1),
     program_accel_scale_factor,
     NULL};
 
@@ -405,7 +397,7 @@ const struct mip_codec mip_filter_data_gyro_scale_factor_uncertainty_codec = {
     14,
     sizeof(struct mip_filter_data_gyro_scale_factor_uncertainty),
     0,
-    sizeof(struct mip_filter_data_gyro_scale_factor_uncertainty) >= 8,
+    MIP_SHAPE(0, 3, 1),
     program_gyro_scale_factor_uncertainty,
     NULL};
 
@@ -423,7 +415,7 @@ const struct mip_codec mip_filter_data_accel_scale_factor_uncertainty_codec = {
     14,
     sizeof(struct mip_filter_data_accel_scale_factor_uncertainty),
     0,
-    sizeof(struct mip_filter_data_accel_scale_factor_uncertainty) >= 8,
+    MIP_SHAPE(0, 3, 1),
     program_accel_scale_factor_uncertainty,
     NULL};
 
@@ -439,8 +431,7 @@ const struct mip_codec mip_filter_data_mag_bias_codec = {0x82,
                                                          14,
                                                          sizeof(struct mip_filter_data_mag_bias),
                                                          0,
-                                                         sizeof(struct mip_filter_data_mag_bias) >=
-                                                             8,
+                                                         MIP_SHAPE(0, 3, 1),
                                                          program_mag_bias,
                                                          NULL};
 
@@ -457,7 +448,7 @@ const struct mip_codec mip_filter_data_mag_bias_uncertainty_codec = {
     14,
     sizeof(struct mip_filter_data_mag_bias_uncertainty),
     0,
-    sizeof(struct mip_filter_data_mag_bias_uncertainty) >= 8,
+    MIP_SHAPE(0, 3, 1),
     program_mag_bias_uncertainty,
     NULL};
 
@@ -474,7 +465,7 @@ const struct mip_codec mip_filter_data_comp_accel_codec = {
     14,
     sizeof(struct mip_filter_data_comp_accel),
     0,
-    sizeof(struct mip_filter_data_comp_accel) >= 8,
+    MIP_SHAPE(0, 3, 1),
     program_comp_accel,
     NULL};
 
@@ -491,7 +482,7 @@ const struct mip_codec mip_filter_data_standard_atmosphere_codec = {
     22,
     sizeof(struct mip_filter_data_standard_atmosphere),
     0,
-    sizeof(struct mip_filter_data_standard_atmosphere) >= 8,
+    MIP_SHAPE(0, 5, 1),
     program_standard_atmosphere,
     NULL};
 
@@ -508,7 +499,7 @@ const struct mip_codec mip_filter_data_pressure_altitude_codec = {
     6,
     sizeof(struct mip_filter_data_pressure_altitude),
     0,
-    sizeof(struct mip_filter_data_pressure_altitude) >= 8,
+    MIP_SHAPE(0, 1, 1),
     program_pressure_altitude,
     NULL};
 
@@ -525,7 +516,7 @@ const struct mip_codec mip_filter_data_density_altitude_codec = {
     6,
     sizeof(struct mip_filter_data_density_altitude),
     0,
-    sizeof(struct mip_filter_data_density_altitude) >= 8,
+    MIP_SHAPE(0, 1, 1),
     program_density_altitude,
     NULL};
 
@@ -542,7 +533,7 @@ const struct mip_codec mip_filter_data_mag_offset_codec = {
     14,
     sizeof(struct mip_filter_data_mag_offset),
     0,
-    sizeof(struct mip_filter_data_mag_offset) >= 8,
+    MIP_SHAPE(0, 3, 1),
     program_mag_offset,
     NULL};
 
@@ -559,7 +550,7 @@ const struct mip_codec mip_filter_data_mag_matrix_codec = {
     38,
     sizeof(struct mip_filter_data_mag_matrix),
     0,
-    sizeof(struct mip_filter_data_mag_matrix) >= 8,
+    MIP_SHAPE(0, 9, 1),
     program_mag_matrix,
     NULL};
 
@@ -576,7 +567,7 @@ const struct mip_codec mip_filter_data_mag_offset_uncertainty_codec = {
     14,
     sizeof(struct mip_filter_data_mag_offset_uncertainty),
     0,
-    sizeof(struct mip_filter_data_mag_offset_uncertainty) >= 8,
+    MIP_SHAPE(0, 3, 1),
     program_mag_offset_uncertainty,
     NULL};
 
@@ -593,7 +584,7 @@ const struct mip_codec mip_filter_data_mag_matrix_uncertainty_codec = {
     38,
     sizeof(struct mip_filter_data_mag_matrix_uncertainty),
     0,
-    sizeof(struct mip_filter_data_mag_matrix_uncertainty) >= 8,
+    MIP_SHAPE(0, 9, 1),
     program_mag_matrix_uncertainty,
     NULL};
 
@@ -610,7 +601,7 @@ const struct mip_codec mip_filter_data_mag_covariance_matrix_codec = {
     38,
     sizeof(struct mip_filter_data_mag_covariance_matrix),
     0,
-    sizeof(struct mip_filter_data_mag_covariance_matrix) >= 8,
+    MIP_SHAPE(0, 9, 1),
     program_mag_covariance_matrix,
     NULL};
 
@@ -627,7 +618,7 @@ const struct mip_codec mip_filter_data_mag_residual_vector_codec = {
     14,
     sizeof(struct mip_filter_data_mag_residual_vector),
     0,
-    sizeof(struct mip_filter_data_mag_residual_vector) >= 8,
+    MIP_SHAPE(0, 3, 1),
     program_mag_residual_vector,
     NULL};
 
@@ -644,25 +635,27 @@ const struct mip_codec mip_filter_data_antenna_offset_correction_codec = {
     14,
     sizeof(struct mip_filter_data_antenna_offset_correction),
     0,
-    sizeof(struct mip_filter_data_antenna_offset_correction) >= 8,
+    MIP_SHAPE(0, 3, 1),
     program_antenna_offset_correction,
     NULL};
 
-static const uint8_t program_antenna_offset_uncertainty[] = {
-    MIP_32_BITS(3, MIP_AT(struct mip_filter_data_antenna_offset_uncertainty, offset_uncertainty)),
-    MIP_16_BITS(1, MIP_AT(struct mip_filter_data_antenna_offset_uncertainty, valid_flags)),
+static const uint8_t program_antenna_offset_correction_uncertainty[] = {
+    MIP_32_BITS(3, MIP_AT(struct mip_filter_data_antenna_offset_correction_uncertainty,
+                          offset_uncertainty)),
+    MIP_16_BITS(1,
+                MIP_AT(struct mip_filter_data_antenna_offset_correction_uncertainty, valid_flags)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_data_antenna_offset_uncertainty_codec = {
+const struct mip_codec mip_filter_data_antenna_offset_correction_uncertainty_codec = {
     0x82,
     0x31,
     MIP_DATA,
     14,
-    sizeof(struct mip_filter_data_antenna_offset_uncertainty),
+    sizeof(struct mip_filter_data_antenna_offset_correction_uncertainty),
     0,
-    sizeof(struct mip_filter_data_antenna_offset_uncertainty) >= 8,
-    program_antenna_offset_uncertainty,
+    MIP_SHAPE(0, 3, 1),
+    program_antenna_offset_correction_uncertainty,
     NULL};
 
 static const uint8_t program_clock_correction[] = {
@@ -679,7 +672,7 @@ const struct mip_codec mip_filter_data_clock_correction_codec = {
     11,
     sizeof(struct mip_filter_data_clock_correction),
     0,
-    false,
+    0,
     program_clock_correction,
     NULL};
 
@@ -697,7 +690,7 @@ const struct mip_codec mip_filter_data_clock_correction_uncertainty_codec = {
     11,
     sizeof(struct mip_filter_data_clock_correction_uncertainty),
     0,
-    false,
+    0,
     program_clock_correction_uncertainty,
     NULL};
 
@@ -715,7 +708,7 @@ const struct mip_codec mip_filter_data_multi_antenna_offset_correction_codec = {
     15,
     sizeof(struct mip_filter_data_multi_antenna_offset_correction),
     0,
-    false,
+    0,
     program_multi_antenna_offset_correction,
     NULL};
 
@@ -734,7 +727,7 @@ const struct mip_codec mip_filter_data_multi_antenna_offset_uncertainty_codec = 
     15,
     sizeof(struct mip_filter_data_multi_antenna_offset_uncertainty),
     0,
-    false,
+    0,
     program_multi_antenna_offset_uncertainty,
     NULL};
 
@@ -751,7 +744,7 @@ const struct mip_codec mip_filter_data_ecef_position_uncertainty_codec = {
     14,
     sizeof(struct mip_filter_data_ecef_position_uncertainty),
     0,
-    sizeof(struct mip_filter_data_ecef_position_uncertainty) >= 8,
+    MIP_SHAPE(0, 3, 1),
     program_ecef_position_uncertainty,
     NULL};
 
@@ -768,7 +761,7 @@ const struct mip_codec mip_filter_data_ecef_velocity_uncertainty_codec = {
     14,
     sizeof(struct mip_filter_data_ecef_velocity_uncertainty),
     0,
-    sizeof(struct mip_filter_data_ecef_velocity_uncertainty) >= 8,
+    MIP_SHAPE(0, 3, 1),
     program_ecef_velocity_uncertainty,
     NULL};
 
@@ -785,7 +778,7 @@ const struct mip_codec mip_filter_data_ecef_position_codec = {
     26,
     sizeof(struct mip_filter_data_ecef_position),
     0,
-    sizeof(struct mip_filter_data_ecef_position) >= 8,
+    MIP_SHAPE(3, 0, 1),
     program_ecef_position,
     NULL};
 
@@ -802,7 +795,7 @@ const struct mip_codec mip_filter_data_ecef_velocity_codec = {
     14,
     sizeof(struct mip_filter_data_ecef_velocity),
     0,
-    sizeof(struct mip_filter_data_ecef_velocity) >= 8,
+    MIP_SHAPE(0, 3, 1),
     program_ecef_velocity,
     NULL};
 
@@ -819,7 +812,7 @@ const struct mip_codec mip_filter_data_ned_relative_position_codec = {
     26,
     sizeof(struct mip_filter_data_ned_relative_position),
     0,
-    sizeof(struct mip_filter_data_ned_relative_position) >= 8,
+    MIP_SHAPE(3, 0, 1),
     program_ned_relative_position,
     NULL};
 
@@ -838,7 +831,7 @@ const struct mip_codec mip_filter_data_gnss_position_aiding_status_codec = {
     15,
     sizeof(struct mip_filter_data_gnss_position_aiding_status),
     0,
-    false,
+    0,
     program_gnss_position_aiding_status,
     NULL};
 
@@ -856,7 +849,7 @@ const struct mip_codec mip_filter_data_gnss_attitude_aiding_status_codec = {
     14,
     sizeof(struct mip_filter_data_gnss_attitude_aiding_status),
     0,
-    sizeof(struct mip_filter_data_gnss_attitude_aiding_status) >= 8,
+    0,
     program_gnss_attitude_aiding_status,
     NULL};
 
@@ -874,7 +867,7 @@ const struct mip_codec mip_filter_data_heading_aiding_status_codec = {
     13,
     sizeof(struct mip_filter_data_heading_aiding_status),
     0,
-    false,
+    0,
     program_heading_aiding_status,
     NULL};
 
@@ -891,7 +884,7 @@ const struct mip_codec mip_filter_data_aiding_measurement_summary_codec = {
     7,
     sizeof(struct mip_filter_data_aiding_measurement_summary),
     0,
-    sizeof(struct mip_filter_data_aiding_measurement_summary) >= 8,
+    0,
     program_aiding_measurement_summary,
     NULL};
 
@@ -908,26 +901,27 @@ const struct mip_codec mip_filter_data_odometer_scale_factor_error_codec = {
     6,
     sizeof(struct mip_filter_data_odometer_scale_factor_error),
     0,
-    sizeof(struct mip_filter_data_odometer_scale_factor_error) >= 8,
+    MIP_SHAPE(0, 1, 1),
     program_odometer_scale_factor_error,
     NULL};
 
-static const uint8_t program_odometer_scale_factor_uncertainty[] = {
-    MIP_32_BITS(1, MIP_AT(struct mip_filter_data_odometer_scale_factor_uncertainty,
+static const uint8_t program_odometer_scale_factor_error_uncertainty[] = {
+    MIP_32_BITS(1, MIP_AT(struct mip_filter_data_odometer_scale_factor_error_uncertainty,
                           scale_factor_error_uncertainty)),
-    MIP_16_BITS(1, MIP_AT(struct mip_filter_data_odometer_scale_factor_uncertainty, valid_flags)),
+    MIP_16_BITS(
+        1, MIP_AT(struct mip_filter_data_odometer_scale_factor_error_uncertainty, valid_flags)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_data_odometer_scale_factor_uncertainty_codec = {
+const struct mip_codec mip_filter_data_odometer_scale_factor_error_uncertainty_codec = {
     0x82,
     0x48,
     MIP_DATA,
     6,
-    sizeof(struct mip_filter_data_odometer_scale_factor_uncertainty),
+    sizeof(struct mip_filter_data_odometer_scale_factor_error_uncertainty),
     0,
-    sizeof(struct mip_filter_data_odometer_scale_factor_uncertainty) >= 8,
-    program_odometer_scale_factor_uncertainty,
+    MIP_SHAPE(0, 1, 1),
+    program_odometer_scale_factor_error_uncertainty,
     NULL};
 
 static const uint8_t program_gnss_dual_antenna_status[] = {
@@ -944,7 +938,7 @@ const struct mip_codec mip_filter_data_gnss_dual_antenna_status_codec = {
     17,
     sizeof(struct mip_filter_data_gnss_dual_antenna_status),
     0,
-    false,
+    0,
     program_gnss_dual_antenna_status,
     NULL};
 
@@ -961,24 +955,24 @@ const struct mip_codec mip_filter_data_aiding_frame_config_error_codec = {
     29,
     sizeof(struct mip_filter_data_aiding_frame_config_error),
     0,
-    false,
+    0,
     program_aiding_frame_config_error,
     NULL};
 
-static const uint8_t program_aiding_frame_error_uncertainty[] = {
-    MIP_8_BITS(1, MIP_AT(struct mip_filter_data_aiding_frame_error_uncertainty, frame_id)),
-    MIP_32_BITS(
-        6, MIP_AT(struct mip_filter_data_aiding_frame_error_uncertainty, translation_uncertainty)),
+static const uint8_t program_aiding_frame_config_error_uncertainty[] = {
+    MIP_8_BITS(1, MIP_AT(struct mip_filter_data_aiding_frame_config_error_uncertainty, frame_id)),
+    MIP_32_BITS(6, MIP_AT(struct mip_filter_data_aiding_frame_config_error_uncertainty,
+                          translation_uncertainty)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_data_aiding_frame_error_uncertainty_codec = {
+const struct mip_codec mip_filter_data_aiding_frame_config_error_uncertainty_codec = {
     0x82,
     0x51,
     MIP_DATA,
     25,
-    sizeof(struct mip_filter_data_aiding_frame_error_uncertainty),
+    sizeof(struct mip_filter_data_aiding_frame_config_error_uncertainty),
     0,
-    false,
-    program_aiding_frame_error_uncertainty,
+    0,
+    program_aiding_frame_config_error_uncertainty,
     NULL};

@@ -91,57 +91,57 @@ enum mip_filter_data_heading_aiding_type MIP_ENUM_8 {
 MIP_API const char *mip_filter_data_heading_aiding_type_name(uint8_t value);
 /**
  * Kind of an aiding measurement. Values from 0x20 are the descriptors of the commands of set
- * `aiding` that give the measurement. Full name: aiding_measurement_type.
+ * `aiding` that give the measurement.
  */
-enum mip_filter_data_aiding_type MIP_ENUM_8 {
+enum mip_filter_data_aiding_measurement_type MIP_ENUM_8 {
     /** GNSS position and velocity. */
-    MIP_FILTER_DATA_AIDING_TYPE_GNSS = 1,
+    MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_GNSS = 1,
     /** GNSS heading of two antennas. */
-    MIP_FILTER_DATA_AIDING_TYPE_DUAL_ANTENNA = 2,
-    /** Heading. */
-    MIP_FILTER_DATA_AIDING_TYPE_HEADING = 3,
+    MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_DUAL_ANTENNA = 2,
+    /** The value `heading`. */
+    MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_HEADING = 3,
     /** Pressure altitude. */
-    MIP_FILTER_DATA_AIDING_TYPE_PRESSURE = 4,
-    /** Magnetometer. */
-    MIP_FILTER_DATA_AIDING_TYPE_MAG = 5,
+    MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_PRESSURE = 4,
+    /** The value `mag`. */
+    MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_MAG = 5,
     /** Speed or odometer. */
-    MIP_FILTER_DATA_AIDING_TYPE_SPEED = 6,
+    MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_SPEED = 6,
     /** ECEF position by command. */
-    MIP_FILTER_DATA_AIDING_TYPE_AIDING_ECEF_POSITION = 33,
+    MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_ECEF_POSITION = 33,
     /** Latitude, longitude and height by command. */
-    MIP_FILTER_DATA_AIDING_TYPE_AIDING_LLH_POSITION = 34,
+    MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_LLH_POSITION = 34,
     /** Height above the ellipsoid by command. */
-    MIP_FILTER_DATA_AIDING_TYPE_AIDING_HEIGHT_ABOVE_ELLIPSOID = 35,
+    MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_HEIGHT_ABOVE_ELLIPSOID = 35,
     /** ECEF velocity by command. */
-    MIP_FILTER_DATA_AIDING_TYPE_AIDING_ECEF_VELOCITY = 40,
+    MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_ECEF_VELOCITY = 40,
     /** NED velocity by command. */
-    MIP_FILTER_DATA_AIDING_TYPE_AIDING_NED_VELOCITY = 41,
+    MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_NED_VELOCITY = 41,
     /** Body frame velocity by command. */
-    MIP_FILTER_DATA_AIDING_TYPE_AIDING_BODY_FRAME_VELOCITY = 42,
+    MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_BODY_FRAME_VELOCITY = 42,
     /** True heading by command. */
-    MIP_FILTER_DATA_AIDING_TYPE_AIDING_TRUE_HEADING = 49,
+    MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_TRUE_HEADING = 49,
     /** Magnetic field by command. */
-    MIP_FILTER_DATA_AIDING_TYPE_AIDING_MAGNETIC_FIELD = 50,
+    MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_MAGNETIC_FIELD = 50,
     /** Pressure by command. */
-    MIP_FILTER_DATA_AIDING_TYPE_AIDING_PRESSURE = 51
+    MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_PRESSURE = 51
 };
 
 /** The name of a value in the specification; NULL if it has none. */
-MIP_API const char *mip_filter_data_aiding_type_name(uint8_t value);
-/** What the filter did with an aiding measurement. Full name: aiding_measurement_indicator. */
-typedef uint8_t mip_filter_data_aiding_indicator;
+MIP_API const char *mip_filter_data_aiding_measurement_type_name(uint8_t value);
+/** What the filter did with an aiding measurement. */
+typedef uint8_t mip_filter_data_aiding_measurement_indicator;
 /** Bit 0. The measurement is enabled. */
-#define MIP_FILTER_DATA_AIDING_INDICATOR_ENABLED 0x01U
+#define MIP_FILTER_DATA_AIDING_MEASUREMENT_INDICATOR_ENABLED 0x01U
 /** Bit 1. The filter used it. */
-#define MIP_FILTER_DATA_AIDING_INDICATOR_USED 0x02U
+#define MIP_FILTER_DATA_AIDING_MEASUREMENT_INDICATOR_USED 0x02U
 /** Bit 2. It disagrees with the estimate. */
-#define MIP_FILTER_DATA_AIDING_INDICATOR_RESIDUAL_HIGH_WARNING 0x04U
+#define MIP_FILTER_DATA_AIDING_MEASUREMENT_INDICATOR_RESIDUAL_HIGH_WARNING 0x04U
 /** Bit 3. Its time is doubtful. */
-#define MIP_FILTER_DATA_AIDING_INDICATOR_SAMPLE_TIME_WARNING 0x08U
+#define MIP_FILTER_DATA_AIDING_MEASUREMENT_INDICATOR_SAMPLE_TIME_WARNING 0x08U
 /** Bit 4. Its configuration is wrong. */
-#define MIP_FILTER_DATA_AIDING_INDICATOR_CONFIG_ERROR 0x10U
+#define MIP_FILTER_DATA_AIDING_MEASUREMENT_INDICATOR_CONFIG_ERROR 0x10U
 /** Bit 5. There are more measurements than the filter can take. */
-#define MIP_FILTER_DATA_AIDING_INDICATOR_MAX_MEASUREMENTS_EXCEEDED 0x20U
+#define MIP_FILTER_DATA_AIDING_MEASUREMENT_INDICATOR_MAX_MEASUREMENTS_EXCEEDED 0x20U
 /** Kind of the heading solution of two antennas. */
 enum mip_filter_data_dual_antenna_fix_type MIP_ENUM_8 {
     /** No solution. */
@@ -235,69 +235,46 @@ typedef uint16_t mip_filter_data_gx5_status_flags;
 /** Bit 3. A matrix of the computation is singular. */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_MATRIX_SINGULARITY 0x0008U
 /**
- * Bit 4. A position covariance is above its normal limit. Full name:
- * run_position_covariance_warning. Concerns mip_filter_data_llh_position and
+ * Bit 4. A position covariance is above its normal limit. Concerns mip_filter_data_llh_position and
  * mip_filter_data_llh_position_uncertainty.
  */
-#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_POSITION_COVARIANCE 0x0010U
+#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_POSITION_COVARIANCE_WARNING 0x0010U
 /**
- * Bit 5. A velocity covariance is above its normal limit. Full name:
- * run_velocity_covariance_warning. Concerns mip_filter_data_ned_velocity and
+ * Bit 5. A velocity covariance is above its normal limit. Concerns mip_filter_data_ned_velocity and
  * mip_filter_data_ned_velocity_uncertainty.
  */
-#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_VELOCITY_COVARIANCE 0x0020U
+#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_VELOCITY_COVARIANCE_WARNING 0x0020U
 /**
- * Bit 6. An attitude covariance is above its normal limit. Full name:
- * run_attitude_covariance_warning. Concerns mip_filter_data_euler_angles and
- * mip_filter_data_euler_angles_uncertainty.
+ * Bit 6. An attitude covariance is above its normal limit. Concerns mip_filter_data_euler_angles
+ * and mip_filter_data_euler_angles_uncertainty.
  */
-#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ATTITUDE_COVARIANCE 0x0040U
+#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ATTITUDE_COVARIANCE_WARNING 0x0040U
+/** Bit 7. The solution contains values that are not numbers. Concerns mip_filter_reset. */
+#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_NAN_IN_SOLUTION_WARNING 0x0080U
+/** Bit 8. The estimated gyroscope bias is high. Concerns mip_filter_data_gyro_bias. */
+#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_GYRO_BIAS_EST_HIGH_WARNING 0x0100U
+/** Bit 9. The estimated accelerometer bias is high. Concerns mip_filter_data_accel_bias. */
+#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ACCEL_BIAS_EST_HIGH_WARNING 0x0200U
 /**
- * Bit 7. The solution contains values that are not numbers. Full name: run_nan_in_solution_warning.
- * Concerns mip_filter_reset.
+ * Bit 10. The estimated gyroscope scale factor is high. Concerns mip_filter_data_gyro_scale_factor.
  */
-#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_NAN_IN_SOLUTION 0x0080U
+#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_GYRO_SCALE_FACTOR_EST_HIGH_WARNING 0x0400U
 /**
- * Bit 8. The estimated gyroscope bias is high. Full name: run_gyro_bias_est_high_warning. Concerns
- * mip_filter_data_gyro_bias.
+ * Bit 11. The estimated accelerometer scale factor is high. Concerns
+ * mip_filter_data_accel_scale_factor.
  */
-#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_GYRO_BIAS_HIGH 0x0100U
+#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ACCEL_SCALE_FACTOR_EST_HIGH_WARNING 0x0800U
+/** Bit 12. The estimated magnetometer bias is high. Concerns mip_filter_data_mag_bias. */
+#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_MAG_BIAS_EST_HIGH_WARNING 0x1000U
 /**
- * Bit 9. The estimated accelerometer bias is high. Full name: run_accel_bias_est_high_warning.
- * Concerns mip_filter_data_accel_bias.
- */
-#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ACCEL_BIAS_HIGH 0x0200U
-/**
- * Bit 10. The estimated gyroscope scale factor is high. Full name:
- * run_gyro_scale_factor_est_high_warning. Concerns mip_filter_data_gyro_scale_factor.
- */
-#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_GYRO_SCALE_FACTOR_HIGH 0x0400U
-/**
- * Bit 11. The estimated accelerometer scale factor is high. Full name:
- * run_accel_scale_factor_est_high_warning. Concerns mip_filter_data_accel_scale_factor.
- */
-#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ACCEL_SCALE_FACTOR_HIGH 0x0800U
-/**
- * Bit 12. The estimated magnetometer bias is high. Full name: run_mag_bias_est_high_warning.
- * Concerns mip_filter_data_mag_bias.
- */
-#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_MAG_BIAS_HIGH 0x1000U
-/**
- * Bit 13. The estimated correction of the antenna offset is high; on models with GNSS. Full name:
- * run_antenna_offset_correction_est_high_warning. Concerns
+ * Bit 13. The estimated correction of the antenna offset is high; on models with GNSS. Concerns
  * mip_filter_data_antenna_offset_correction and mip_filter_antenna_offset.
  */
-#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ANTENNA_OFFSET_HIGH 0x2000U
-/**
- * Bit 14. The estimated hard-iron offset is high. Full name: run_mag_hard_iron_est_high_warning.
- * Concerns mip_filter_data_mag_offset.
- */
-#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_MAG_HARD_IRON_HIGH 0x4000U
-/**
- * Bit 15. The estimated soft-iron correction is high. Full name:
- * run_mag_soft_iron_est_high_warning. Concerns mip_filter_data_mag_matrix.
- */
-#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_MAG_SOFT_IRON_HIGH 0x8000U
+#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ANTENNA_OFFSET_CORRECTION_EST_HIGH_WARNING 0x2000U
+/** Bit 14. The estimated hard-iron offset is high. Concerns mip_filter_data_mag_offset. */
+#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_MAG_HARD_IRON_EST_HIGH_WARNING 0x4000U
+/** Bit 15. The estimated soft-iron correction is high. Concerns mip_filter_data_mag_matrix. */
+#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_MAG_SOFT_IRON_EST_HIGH_WARNING 0x8000U
 /**
  * Bit 12. The attitude is not initialized. Overlaps other bits. Concerns
  * mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm and
@@ -375,8 +352,8 @@ typedef uint16_t mip_filter_data_cv7_status_flags;
  */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_ANTENNA_LEVER_ARM_WARNING 0x0100U
 /**
- * Bit 9. The mounting transformation is probably wrong. Concerns mip_3dm_sensor_to_vehicle_euler
- * and mip_3dm_sensor_to_vehicle_dcm.
+ * Bit 9. The mounting transformation is probably wrong. Concerns
+ * mip_3dm_sensor_to_vehicle_transform_euler and mip_3dm_sensor_to_vehicle_transform_dcm.
  */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_MOUNTING_TRANSFORM_WARNING 0x0200U
 /**
@@ -1134,16 +1111,16 @@ MIP_CHECKED static inline mip_error mip_filter_data_wgs84_gravity_magnitude_enco
  */
 struct mip_filter_data_status {
     /**
-     * State of the filter. On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
-     * 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and
-     * 3DM-GX5-45: values of enum mip_filter_data_gx5_filter_state. Inferred: The 3DM-GX5-15 has
-     * them, and the SDK gives the same states for all generations up to the fifth. On the
-     * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
-     * 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of enum
-     * mip_filter_data_cv7_filter_state. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK gives
-     * the same states for its generation. On the 3DM-CV7-GNSS/INS: values of enum
-     * mip_filter_data_cv7_filter_state. On the 3DM-GX5-15: values of enum
-     * mip_filter_data_gx5_filter_state.
+     * How far the filter has come, from start-up to its full solution. On the 3DM-CL5-15,
+     * 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
+     * 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45: values of enum
+     * mip_filter_data_gx5_filter_state. Inferred: The 3DM-GX5-15 has them, and the SDK gives the
+     * same states for all generations up to the fifth. On the 3DM-CV7-AHRS, 3DM-CV7-AR,
+     * 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS,
+     * 3DM-GV7-AR and 3DM-GV7-INS: values of enum mip_filter_data_cv7_filter_state. Inferred: The
+     * 3DM-CV7-GNSS/INS has them, and the SDK gives the same states for its generation. On the
+     * 3DM-CV7-GNSS/INS: values of enum mip_filter_data_cv7_filter_state. On the 3DM-GX5-15: values
+     * of enum mip_filter_data_gx5_filter_state.
      */
     uint16_t filter_state;
     /**
@@ -1903,8 +1880,8 @@ MIP_CHECKED static inline mip_error mip_filter_data_density_altitude_encode(
  */
 struct mip_filter_data_mag_offset {
     /**
-     * Hard iron offset. Elements: x, y, z. Unit: gauss. Frame: sensor. Valid if
-     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Estimated constant field of magnetized parts near the magnetometer. Elements: x, y, z. Unit:
+     * gauss. Frame: sensor. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float hard_iron[3];
     /** Whether the values of a field may be used. */
@@ -2115,8 +2092,9 @@ MIP_CHECKED static inline mip_error mip_filter_data_mag_covariance_matrix_encode
  */
 struct mip_filter_data_mag_residual_vector {
     /**
-     * Residual. Elements: x, y, z. Unit: gauss. Frame: vehicle. Valid if
-     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Difference between the measured magnetic field and the one that the filter expects. Elements:
+     * x, y, z. Unit: gauss. Frame: vehicle. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
+     * valid_flags is set.
      */
     float residual[3];
     /** Whether the values of a field may be used. */
@@ -2158,8 +2136,8 @@ MIP_CHECKED static inline mip_error mip_filter_data_mag_residual_vector_encode(
  */
 struct mip_filter_data_antenna_offset_correction {
     /**
-     * Correction of the offset. Elements: x, y, z. Unit: m. Frame: vehicle. Valid if
-     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Estimated correction of the antenna offset that was set. Elements: x, y, z. Unit: m. Frame:
+     * vehicle. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float offset[3];
     /** Whether the values of a field may be used. */
@@ -2193,13 +2171,11 @@ MIP_CHECKED static inline mip_error mip_filter_data_antenna_offset_correction_en
  *
  * Standard deviation of the estimated error of the offset of the GNSS antenna.
  *
- * Full name: filter_data.antenna_offset_correction_uncertainty.
- *
  * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Antenna offset correction uncertainty (0x82,0x31)
  */
-struct mip_filter_data_antenna_offset_uncertainty {
+struct mip_filter_data_antenna_offset_correction_uncertainty {
     /**
      * Standard deviation per axis. Elements: x, y, z. Unit: m. Frame: vehicle. Range: at least 0.
      * Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
@@ -2210,27 +2186,29 @@ struct mip_filter_data_antenna_offset_uncertainty {
 };
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_FILTER_DATA_ANTENNA_OFFSET_UNCERTAINTY 0x8231
+#define MIP_FILTER_DATA_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY 0x8231
 /** Its descriptor. */
-#define MIP_FILTER_DATA_ANTENNA_OFFSET_UNCERTAINTY_DESCRIPTOR 0x31
+#define MIP_FILTER_DATA_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_DESCRIPTOR 0x31
 /** Its name in the specification. */
-#define MIP_FILTER_DATA_ANTENNA_OFFSET_UNCERTAINTY_NAME \
+#define MIP_FILTER_DATA_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_NAME \
     "filter_data.antenna_offset_correction_uncertainty"
 
 /** Its wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_antenna_offset_uncertainty_codec;
+extern MIP_API const struct mip_codec mip_filter_data_antenna_offset_correction_uncertainty_codec;
 
 /** Decodes it. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_antenna_offset_uncertainty_decode(
-    struct mip_filter_data_antenna_offset_uncertainty *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_data_antenna_offset_uncertainty_codec, 0x31, value,
-                           sizeof(*value), field);
+static inline mip_error mip_filter_data_antenna_offset_correction_uncertainty_decode(
+    struct mip_filter_data_antenna_offset_correction_uncertainty *value,
+    const struct mip_field *field) {
+    return mip_decode_only(&mip_filter_data_antenna_offset_correction_uncertainty_codec, 0x31,
+                           value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_antenna_offset_uncertainty_encode(
-    const struct mip_filter_data_antenna_offset_uncertainty *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_antenna_offset_uncertainty_codec, value, builder);
+MIP_CHECKED static inline mip_error mip_filter_data_antenna_offset_correction_uncertainty_encode(
+    const struct mip_filter_data_antenna_offset_correction_uncertainty *value,
+    struct mip_builder *builder) {
+    return mip_encode(&mip_filter_data_antenna_offset_correction_uncertainty_codec, value, builder);
 }
 /**
  * Clock correction: data (0x82,0x32).
@@ -2342,8 +2320,8 @@ struct mip_filter_data_multi_antenna_offset_correction {
     /** Receiver that the antenna belongs to. */
     uint8_t receiver_id;
     /**
-     * Correction of the offset. Elements: x, y, z. Unit: m. Frame: vehicle. Valid if
-     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Estimated correction of the antenna offset that was set. Elements: x, y, z. Unit: m. Frame:
+     * vehicle. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float offset[3];
     /** Whether the values of a field may be used. */
@@ -2778,10 +2756,10 @@ struct mip_filter_data_aiding_measurement_summary {
     float tow;
     /** Number of the source of the measurement. */
     uint8_t source;
-    /** Kind of measurement. A value of enum mip_filter_data_aiding_type. */
+    /** Kind of measurement. A value of enum mip_filter_data_aiding_measurement_type. */
     uint8_t type;
     /** What the filter did with it. */
-    mip_filter_data_aiding_indicator indicator;
+    mip_filter_data_aiding_measurement_indicator indicator;
 };
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
@@ -2853,13 +2831,11 @@ MIP_CHECKED static inline mip_error mip_filter_data_odometer_scale_factor_error_
  *
  * Uncertainty of the estimated error of the odometer scale factor.
  *
- * Full name: filter_data.odometer_scale_factor_error_uncertainty.
- *
  * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Odometer Scale Factor Error Uncertainty (0x82,0x48)
  */
-struct mip_filter_data_odometer_scale_factor_uncertainty {
+struct mip_filter_data_odometer_scale_factor_error_uncertainty {
     /**
      * Uncertainty of the relative error. Unit: 1. Range: at least 0. Valid if
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
@@ -2870,29 +2846,30 @@ struct mip_filter_data_odometer_scale_factor_uncertainty {
 };
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_UNCERTAINTY 0x8248
+#define MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_ERROR_UNCERTAINTY 0x8248
 /** Its descriptor. */
-#define MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_UNCERTAINTY_DESCRIPTOR 0x48
+#define MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_ERROR_UNCERTAINTY_DESCRIPTOR 0x48
 /** Its name in the specification. */
-#define MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_UNCERTAINTY_NAME \
+#define MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_ERROR_UNCERTAINTY_NAME \
     "filter_data.odometer_scale_factor_error_uncertainty"
 
 /** Its wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_odometer_scale_factor_uncertainty_codec;
+extern MIP_API const struct mip_codec mip_filter_data_odometer_scale_factor_error_uncertainty_codec;
 
 /** Decodes it. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_odometer_scale_factor_uncertainty_decode(
-    struct mip_filter_data_odometer_scale_factor_uncertainty *value,
+static inline mip_error mip_filter_data_odometer_scale_factor_error_uncertainty_decode(
+    struct mip_filter_data_odometer_scale_factor_error_uncertainty *value,
     const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_data_odometer_scale_factor_uncertainty_codec, 0x48, value,
-                           sizeof(*value), field);
+    return mip_decode_only(&mip_filter_data_odometer_scale_factor_error_uncertainty_codec, 0x48,
+                           value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_odometer_scale_factor_uncertainty_encode(
-    const struct mip_filter_data_odometer_scale_factor_uncertainty *value,
+MIP_CHECKED static inline mip_error mip_filter_data_odometer_scale_factor_error_uncertainty_encode(
+    const struct mip_filter_data_odometer_scale_factor_error_uncertainty *value,
     struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_odometer_scale_factor_uncertainty_codec, value, builder);
+    return mip_encode(&mip_filter_data_odometer_scale_factor_error_uncertainty_codec, value,
+                      builder);
 }
 /**
  * GNSS dual antenna status: data (0x82,0x49).
@@ -2996,13 +2973,11 @@ MIP_CHECKED static inline mip_error mip_filter_data_aiding_frame_config_error_en
  *
  * Uncertainty of the estimated error of a frame that mip_aiding_frame_config defines.
  *
- * Full name: filter_data.aiding_frame_config_error_uncertainty.
- *
  * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Aiding Frame Configuration Error Uncertainty (0x82,0x51)
  */
-struct mip_filter_data_aiding_frame_error_uncertainty {
+struct mip_filter_data_aiding_frame_config_error_uncertainty {
     /** Number of the frame. */
     uint8_t frame_id;
     /**
@@ -3017,28 +2992,29 @@ struct mip_filter_data_aiding_frame_error_uncertainty {
 };
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_FILTER_DATA_AIDING_FRAME_ERROR_UNCERTAINTY 0x8251
+#define MIP_FILTER_DATA_AIDING_FRAME_CONFIG_ERROR_UNCERTAINTY 0x8251
 /** Its descriptor. */
-#define MIP_FILTER_DATA_AIDING_FRAME_ERROR_UNCERTAINTY_DESCRIPTOR 0x51
+#define MIP_FILTER_DATA_AIDING_FRAME_CONFIG_ERROR_UNCERTAINTY_DESCRIPTOR 0x51
 /** Its name in the specification. */
-#define MIP_FILTER_DATA_AIDING_FRAME_ERROR_UNCERTAINTY_NAME \
+#define MIP_FILTER_DATA_AIDING_FRAME_CONFIG_ERROR_UNCERTAINTY_NAME \
     "filter_data.aiding_frame_config_error_uncertainty"
 
 /** Its wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_aiding_frame_error_uncertainty_codec;
+extern MIP_API const struct mip_codec mip_filter_data_aiding_frame_config_error_uncertainty_codec;
 
 /** Decodes it. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_aiding_frame_error_uncertainty_decode(
-    struct mip_filter_data_aiding_frame_error_uncertainty *value, const struct mip_field *field) {
-    return mip_decode_only(&mip_filter_data_aiding_frame_error_uncertainty_codec, 0x51, value,
-                           sizeof(*value), field);
+static inline mip_error mip_filter_data_aiding_frame_config_error_uncertainty_decode(
+    struct mip_filter_data_aiding_frame_config_error_uncertainty *value,
+    const struct mip_field *field) {
+    return mip_decode_only(&mip_filter_data_aiding_frame_config_error_uncertainty_codec, 0x51,
+                           value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_aiding_frame_error_uncertainty_encode(
-    const struct mip_filter_data_aiding_frame_error_uncertainty *value,
+MIP_CHECKED static inline mip_error mip_filter_data_aiding_frame_config_error_uncertainty_encode(
+    const struct mip_filter_data_aiding_frame_config_error_uncertainty *value,
     struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_aiding_frame_error_uncertainty_codec, value, builder);
+    return mip_encode(&mip_filter_data_aiding_frame_config_error_uncertainty_codec, value, builder);
 }
 /** @} */
 

@@ -76,8 +76,9 @@ MIP_LAYOUT(mip_filter_data_mag_residual_vector, MIP_FILTER_DATA_MAG_RESIDUAL_VEC
            MIP_FILTER_DATA_MAG_RESIDUAL_VECTOR)
 MIP_LAYOUT(mip_filter_data_antenna_offset_correction, MIP_FILTER_DATA_ANTENNA_OFFSET_CORRECTION,
            MIP_FILTER_DATA_ANTENNA_OFFSET_CORRECTION)
-MIP_LAYOUT(mip_filter_data_antenna_offset_uncertainty, MIP_FILTER_DATA_ANTENNA_OFFSET_UNCERTAINTY,
-           MIP_FILTER_DATA_ANTENNA_OFFSET_UNCERTAINTY)
+MIP_LAYOUT(mip_filter_data_antenna_offset_correction_uncertainty,
+           MIP_FILTER_DATA_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY,
+           MIP_FILTER_DATA_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY)
 MIP_LAYOUT(mip_filter_data_clock_correction, MIP_FILTER_DATA_CLOCK_CORRECTION,
            MIP_FILTER_DATA_CLOCK_CORRECTION)
 MIP_LAYOUT(mip_filter_data_clock_correction_uncertainty,
@@ -109,16 +110,16 @@ MIP_LAYOUT(mip_filter_data_aiding_measurement_summary, MIP_FILTER_DATA_AIDING_ME
            MIP_FILTER_DATA_AIDING_MEASUREMENT_SUMMARY)
 MIP_LAYOUT(mip_filter_data_odometer_scale_factor_error, MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_ERROR,
            MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_ERROR)
-MIP_LAYOUT(mip_filter_data_odometer_scale_factor_uncertainty,
-           MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_UNCERTAINTY,
-           MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_UNCERTAINTY)
+MIP_LAYOUT(mip_filter_data_odometer_scale_factor_error_uncertainty,
+           MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_ERROR_UNCERTAINTY,
+           MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_ERROR_UNCERTAINTY)
 MIP_LAYOUT(mip_filter_data_gnss_dual_antenna_status, MIP_FILTER_DATA_GNSS_DUAL_ANTENNA_STATUS,
            MIP_FILTER_DATA_GNSS_DUAL_ANTENNA_STATUS)
 MIP_LAYOUT(mip_filter_data_aiding_frame_config_error, MIP_FILTER_DATA_AIDING_FRAME_CONFIG_ERROR,
            MIP_FILTER_DATA_AIDING_FRAME_CONFIG_ERROR)
-MIP_LAYOUT(mip_filter_data_aiding_frame_error_uncertainty,
-           MIP_FILTER_DATA_AIDING_FRAME_ERROR_UNCERTAINTY,
-           MIP_FILTER_DATA_AIDING_FRAME_ERROR_UNCERTAINTY)
+MIP_LAYOUT(mip_filter_data_aiding_frame_config_error_uncertainty,
+           MIP_FILTER_DATA_AIDING_FRAME_CONFIG_ERROR_UNCERTAINTY,
+           MIP_FILTER_DATA_AIDING_FRAME_CONFIG_ERROR_UNCERTAINTY)
 
 /** Filter data */
 inline constexpr std::uint8_t filter_data_set = MIP_FILTER_DATA_SET;
@@ -187,39 +188,41 @@ inline value_names names_of(heading_aiding_type) {
     return {::mip_names_filter_data_heading_aiding_type};
 }
 
-/** mip_filter_data_aiding_type: filter_data.aiding_measurement_type */
+/** mip_filter_data_aiding_measurement_type: filter_data.aiding_measurement_type */
 enum class aiding_measurement_type : uint8_t {
-    gnss = MIP_FILTER_DATA_AIDING_TYPE_GNSS,
-    dual_antenna = MIP_FILTER_DATA_AIDING_TYPE_DUAL_ANTENNA,
-    heading = MIP_FILTER_DATA_AIDING_TYPE_HEADING,
-    pressure = MIP_FILTER_DATA_AIDING_TYPE_PRESSURE,
-    mag = MIP_FILTER_DATA_AIDING_TYPE_MAG,
-    speed = MIP_FILTER_DATA_AIDING_TYPE_SPEED,
-    aiding_ecef_position = MIP_FILTER_DATA_AIDING_TYPE_AIDING_ECEF_POSITION,
-    aiding_llh_position = MIP_FILTER_DATA_AIDING_TYPE_AIDING_LLH_POSITION,
-    aiding_height_above_ellipsoid = MIP_FILTER_DATA_AIDING_TYPE_AIDING_HEIGHT_ABOVE_ELLIPSOID,
-    aiding_ecef_velocity = MIP_FILTER_DATA_AIDING_TYPE_AIDING_ECEF_VELOCITY,
-    aiding_ned_velocity = MIP_FILTER_DATA_AIDING_TYPE_AIDING_NED_VELOCITY,
-    aiding_body_frame_velocity = MIP_FILTER_DATA_AIDING_TYPE_AIDING_BODY_FRAME_VELOCITY,
-    aiding_true_heading = MIP_FILTER_DATA_AIDING_TYPE_AIDING_TRUE_HEADING,
-    aiding_magnetic_field = MIP_FILTER_DATA_AIDING_TYPE_AIDING_MAGNETIC_FIELD,
-    aiding_pressure = MIP_FILTER_DATA_AIDING_TYPE_AIDING_PRESSURE,
+    gnss = MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_GNSS,
+    dual_antenna = MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_DUAL_ANTENNA,
+    heading = MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_HEADING,
+    pressure = MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_PRESSURE,
+    mag = MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_MAG,
+    speed = MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_SPEED,
+    aiding_ecef_position = MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_ECEF_POSITION,
+    aiding_llh_position = MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_LLH_POSITION,
+    aiding_height_above_ellipsoid =
+        MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_HEIGHT_ABOVE_ELLIPSOID,
+    aiding_ecef_velocity = MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_ECEF_VELOCITY,
+    aiding_ned_velocity = MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_NED_VELOCITY,
+    aiding_body_frame_velocity = MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_BODY_FRAME_VELOCITY,
+    aiding_true_heading = MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_TRUE_HEADING,
+    aiding_magnetic_field = MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_MAGNETIC_FIELD,
+    aiding_pressure = MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_PRESSURE,
 };
 inline value_names names_of(aiding_measurement_type) {
-    return {::mip_names_filter_data_aiding_type};
+    return {::mip_names_filter_data_aiding_measurement_type};
 }
 
-/** mip_filter_data_aiding_indicator: filter_data.aiding_measurement_indicator */
+/** mip_filter_data_aiding_measurement_indicator: filter_data.aiding_measurement_indicator */
 enum class aiding_measurement_indicator : uint8_t {
-    enabled = MIP_FILTER_DATA_AIDING_INDICATOR_ENABLED,
-    used = MIP_FILTER_DATA_AIDING_INDICATOR_USED,
-    residual_high_warning = MIP_FILTER_DATA_AIDING_INDICATOR_RESIDUAL_HIGH_WARNING,
-    sample_time_warning = MIP_FILTER_DATA_AIDING_INDICATOR_SAMPLE_TIME_WARNING,
-    config_error = MIP_FILTER_DATA_AIDING_INDICATOR_CONFIG_ERROR,
-    max_measurements_exceeded = MIP_FILTER_DATA_AIDING_INDICATOR_MAX_MEASUREMENTS_EXCEEDED,
+    enabled = MIP_FILTER_DATA_AIDING_MEASUREMENT_INDICATOR_ENABLED,
+    used = MIP_FILTER_DATA_AIDING_MEASUREMENT_INDICATOR_USED,
+    residual_high_warning = MIP_FILTER_DATA_AIDING_MEASUREMENT_INDICATOR_RESIDUAL_HIGH_WARNING,
+    sample_time_warning = MIP_FILTER_DATA_AIDING_MEASUREMENT_INDICATOR_SAMPLE_TIME_WARNING,
+    config_error = MIP_FILTER_DATA_AIDING_MEASUREMENT_INDICATOR_CONFIG_ERROR,
+    max_measurements_exceeded =
+        MIP_FILTER_DATA_AIDING_MEASUREMENT_INDICATOR_MAX_MEASUREMENTS_EXCEEDED,
 };
 inline flag_names names_of(aiding_measurement_indicator) {
-    return {::mip_names_filter_data_aiding_indicator};
+    return {::mip_names_filter_data_aiding_measurement_indicator};
 }
 
 /** mip_filter_data_dual_antenna_fix_type: filter_data.dual_antenna_fix_type */
@@ -287,21 +290,28 @@ enum class gx5_status_flags : uint16_t {
     run_imu_unavailable = MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_IMU_UNAVAILABLE,
     run_gps_unavailable = MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_GPS_UNAVAILABLE,
     run_matrix_singularity = MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_MATRIX_SINGULARITY,
-    run_position_covariance_warning = MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_POSITION_COVARIANCE,
-    run_velocity_covariance_warning = MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_VELOCITY_COVARIANCE,
-    run_attitude_covariance_warning = MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ATTITUDE_COVARIANCE,
-    run_nan_in_solution_warning = MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_NAN_IN_SOLUTION,
-    run_gyro_bias_est_high_warning = MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_GYRO_BIAS_HIGH,
-    run_accel_bias_est_high_warning = MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ACCEL_BIAS_HIGH,
+    run_position_covariance_warning =
+        MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_POSITION_COVARIANCE_WARNING,
+    run_velocity_covariance_warning =
+        MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_VELOCITY_COVARIANCE_WARNING,
+    run_attitude_covariance_warning =
+        MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ATTITUDE_COVARIANCE_WARNING,
+    run_nan_in_solution_warning = MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_NAN_IN_SOLUTION_WARNING,
+    run_gyro_bias_est_high_warning =
+        MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_GYRO_BIAS_EST_HIGH_WARNING,
+    run_accel_bias_est_high_warning =
+        MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ACCEL_BIAS_EST_HIGH_WARNING,
     run_gyro_scale_factor_est_high_warning =
-        MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_GYRO_SCALE_FACTOR_HIGH,
+        MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_GYRO_SCALE_FACTOR_EST_HIGH_WARNING,
     run_accel_scale_factor_est_high_warning =
-        MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ACCEL_SCALE_FACTOR_HIGH,
-    run_mag_bias_est_high_warning = MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_MAG_BIAS_HIGH,
+        MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ACCEL_SCALE_FACTOR_EST_HIGH_WARNING,
+    run_mag_bias_est_high_warning = MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_MAG_BIAS_EST_HIGH_WARNING,
     run_antenna_offset_correction_est_high_warning =
-        MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ANTENNA_OFFSET_HIGH,
-    run_mag_hard_iron_est_high_warning = MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_MAG_HARD_IRON_HIGH,
-    run_mag_soft_iron_est_high_warning = MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_MAG_SOFT_IRON_HIGH,
+        MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ANTENNA_OFFSET_CORRECTION_EST_HIGH_WARNING,
+    run_mag_hard_iron_est_high_warning =
+        MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_MAG_HARD_IRON_EST_HIGH_WARNING,
+    run_mag_soft_iron_est_high_warning =
+        MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_MAG_SOFT_IRON_EST_HIGH_WARNING,
     init_no_attitude = MIP_FILTER_DATA_GX5_STATUS_FLAGS_INIT_NO_ATTITUDE,
     init_no_position_velocity = MIP_FILTER_DATA_GX5_STATUS_FLAGS_INIT_NO_POSITION_VELOCITY,
 };
@@ -679,13 +689,17 @@ struct antenna_offset_correction_ : ::mip_filter_data_antenna_offset_correction 
 /** Antenna offset correction. See struct mip_filter_data_antenna_offset_correction. */
 using antenna_offset_correction = antenna_offset_correction_;
 
-struct antenna_offset_correction_uncertainty_ : ::mip_filter_data_antenna_offset_uncertainty {
-    using c_type = ::mip_filter_data_antenna_offset_uncertainty;
+struct antenna_offset_correction_uncertainty_
+    : ::mip_filter_data_antenna_offset_correction_uncertainty {
+    using c_type = ::mip_filter_data_antenna_offset_correction_uncertainty;
     ::mip::filter_data::valid_flags valid_flags() const {
         return static_cast<::mip::filter_data::valid_flags>(c_type::valid_flags);
     }
 };
-/** Antenna offset correction uncertainty. See struct mip_filter_data_antenna_offset_uncertainty. */
+/**
+ * Antenna offset correction uncertainty. See struct
+ * mip_filter_data_antenna_offset_correction_uncertainty.
+ */
 using antenna_offset_correction_uncertainty = antenna_offset_correction_uncertainty_;
 
 struct clock_correction_ : ::mip_filter_data_clock_correction {
@@ -822,15 +836,15 @@ struct odometer_scale_factor_error_ : ::mip_filter_data_odometer_scale_factor_er
 using odometer_scale_factor_error = odometer_scale_factor_error_;
 
 struct odometer_scale_factor_error_uncertainty_
-    : ::mip_filter_data_odometer_scale_factor_uncertainty {
-    using c_type = ::mip_filter_data_odometer_scale_factor_uncertainty;
+    : ::mip_filter_data_odometer_scale_factor_error_uncertainty {
+    using c_type = ::mip_filter_data_odometer_scale_factor_error_uncertainty;
     ::mip::filter_data::valid_flags valid_flags() const {
         return static_cast<::mip::filter_data::valid_flags>(c_type::valid_flags);
     }
 };
 /**
  * Odometer scale factor error uncertainty. See struct
- * mip_filter_data_odometer_scale_factor_uncertainty.
+ * mip_filter_data_odometer_scale_factor_error_uncertainty.
  */
 using odometer_scale_factor_error_uncertainty = odometer_scale_factor_error_uncertainty_;
 
@@ -854,9 +868,10 @@ using aiding_frame_config_error = ::mip_filter_data_aiding_frame_config_error;
 
 /**
  * Aiding frame configuration error uncertainty. See struct
- * mip_filter_data_aiding_frame_error_uncertainty.
+ * mip_filter_data_aiding_frame_config_error_uncertainty.
  */
-using aiding_frame_config_error_uncertainty = ::mip_filter_data_aiding_frame_error_uncertainty;
+using aiding_frame_config_error_uncertainty =
+    ::mip_filter_data_aiding_frame_config_error_uncertainty;
 
 } // namespace filter_data
 

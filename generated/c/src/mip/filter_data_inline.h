@@ -1232,8 +1232,9 @@ MIP_CHECKED static inline mip_error mip_filter_data_antenna_offset_correction_en
 
 /** Decodes filter_data.antenna_offset_correction_uncertainty. On an error the structure is zeroed.
  */
-static inline mip_error mip_filter_data_antenna_offset_uncertainty_decode_inline(
-    struct mip_filter_data_antenna_offset_uncertainty *value, const struct mip_field *field) {
+static inline mip_error mip_filter_data_antenna_offset_correction_uncertainty_decode_inline(
+    struct mip_filter_data_antenna_offset_correction_uncertainty *value,
+    const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x31, 14);
     if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
@@ -1250,8 +1251,10 @@ static inline mip_error mip_filter_data_antenna_offset_uncertainty_decode_inline
 
 /** Adds filter_data.antenna_offset_correction_uncertainty to a packet. On an error the packet is
  * unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_antenna_offset_uncertainty_encode_inline(
-    const struct mip_filter_data_antenna_offset_uncertainty *value, struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error
+mip_filter_data_antenna_offset_correction_uncertainty_encode_inline(
+    const struct mip_filter_data_antenna_offset_correction_uncertainty *value,
+    struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x31, 14, &data);
     if (error != MIP_OK) {
@@ -1723,8 +1726,8 @@ MIP_CHECKED static inline mip_error mip_filter_data_odometer_scale_factor_error_
 
 /** Decodes filter_data.odometer_scale_factor_error_uncertainty. On an error the structure is
  * zeroed. */
-static inline mip_error mip_filter_data_odometer_scale_factor_uncertainty_decode_inline(
-    struct mip_filter_data_odometer_scale_factor_uncertainty *value,
+static inline mip_error mip_filter_data_odometer_scale_factor_error_uncertainty_decode_inline(
+    struct mip_filter_data_odometer_scale_factor_error_uncertainty *value,
     const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x48, 6);
     if (error != MIP_OK || sizeof(*value) != 6) { /* gaps are zeroed, too */
@@ -1740,8 +1743,9 @@ static inline mip_error mip_filter_data_odometer_scale_factor_uncertainty_decode
 
 /** Adds filter_data.odometer_scale_factor_error_uncertainty to a packet. On an error the packet is
  * unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_odometer_scale_factor_uncertainty_encode_inline(
-    const struct mip_filter_data_odometer_scale_factor_uncertainty *value,
+MIP_CHECKED static inline mip_error
+mip_filter_data_odometer_scale_factor_error_uncertainty_encode_inline(
+    const struct mip_filter_data_odometer_scale_factor_error_uncertainty *value,
     struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x48, 6, &data);
@@ -1829,8 +1833,9 @@ MIP_CHECKED static inline mip_error mip_filter_data_aiding_frame_config_error_en
 
 /** Decodes filter_data.aiding_frame_config_error_uncertainty. On an error the structure is zeroed.
  */
-static inline mip_error mip_filter_data_aiding_frame_error_uncertainty_decode_inline(
-    struct mip_filter_data_aiding_frame_error_uncertainty *value, const struct mip_field *field) {
+static inline mip_error mip_filter_data_aiding_frame_config_error_uncertainty_decode_inline(
+    struct mip_filter_data_aiding_frame_config_error_uncertainty *value,
+    const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x51, 25);
     if (error != MIP_OK || sizeof(*value) != 25) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
@@ -1850,8 +1855,9 @@ static inline mip_error mip_filter_data_aiding_frame_error_uncertainty_decode_in
 
 /** Adds filter_data.aiding_frame_config_error_uncertainty to a packet. On an error the packet is
  * unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_data_aiding_frame_error_uncertainty_encode_inline(
-    const struct mip_filter_data_aiding_frame_error_uncertainty *value,
+MIP_CHECKED static inline mip_error
+mip_filter_data_aiding_frame_config_error_uncertainty_encode_inline(
+    const struct mip_filter_data_aiding_frame_config_error_uncertainty *value,
     struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x51, 25, &data);

@@ -126,8 +126,9 @@ MIP_CHECKED static inline mip_error mip_filter_vehicle_dynamics_mode_response_en
 
 /** Decodes filter.sensor_to_vehicle_rotation_euler_response. On an error the structure is zeroed.
  */
-static inline mip_error mip_filter_sensor_to_vehicle_euler_response_decode_inline(
-    struct mip_filter_sensor_to_vehicle_euler_response *value, const struct mip_field *field) {
+static inline mip_error mip_filter_sensor_to_vehicle_rotation_euler_response_decode_inline(
+    struct mip_filter_sensor_to_vehicle_rotation_euler_response *value,
+    const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0x81, 12);
     if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
@@ -143,8 +144,10 @@ static inline mip_error mip_filter_sensor_to_vehicle_euler_response_decode_inlin
 
 /** Adds filter.sensor_to_vehicle_rotation_euler_response to a packet. On an error the packet is
  * unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_euler_response_encode_inline(
-    const struct mip_filter_sensor_to_vehicle_euler_response *value, struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error
+mip_filter_sensor_to_vehicle_rotation_euler_response_encode_inline(
+    const struct mip_filter_sensor_to_vehicle_rotation_euler_response *value,
+    struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0x81, 12, &data);
     if (error != MIP_OK) {
@@ -1144,8 +1147,9 @@ MIP_CHECKED static inline mip_error mip_filter_magnetic_magnitude_source_respons
 }
 
 /** Decodes filter.sensor_to_vehicle_rotation_dcm_response. On an error the structure is zeroed. */
-static inline mip_error mip_filter_sensor_to_vehicle_dcm_response_decode_inline(
-    struct mip_filter_sensor_to_vehicle_dcm_response *value, const struct mip_field *field) {
+static inline mip_error mip_filter_sensor_to_vehicle_rotation_dcm_response_decode_inline(
+    struct mip_filter_sensor_to_vehicle_rotation_dcm_response *value,
+    const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0xBE, 36);
     if (error != MIP_OK || sizeof(*value) != 36) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
@@ -1161,8 +1165,10 @@ static inline mip_error mip_filter_sensor_to_vehicle_dcm_response_decode_inline(
 
 /** Adds filter.sensor_to_vehicle_rotation_dcm_response to a packet. On an error the packet is
  * unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_dcm_response_encode_inline(
-    const struct mip_filter_sensor_to_vehicle_dcm_response *value, struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error
+mip_filter_sensor_to_vehicle_rotation_dcm_response_encode_inline(
+    const struct mip_filter_sensor_to_vehicle_rotation_dcm_response *value,
+    struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0xBE, 36, &data);
     if (error != MIP_OK) {
@@ -1513,8 +1519,9 @@ MIP_CHECKED static inline mip_error mip_filter_speed_lever_arm_response_encode_i
 
 /** Decodes filter.vertical_gyro_constraint_control_response. On an error the structure is zeroed.
  */
-static inline mip_error mip_filter_vertical_gyro_constraint_response_decode_inline(
-    struct mip_filter_vertical_gyro_constraint_response *value, const struct mip_field *field) {
+static inline mip_error mip_filter_vertical_gyro_constraint_control_response_decode_inline(
+    struct mip_filter_vertical_gyro_constraint_control_response *value,
+    const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0xE2, 1);
     if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
@@ -1528,8 +1535,10 @@ static inline mip_error mip_filter_vertical_gyro_constraint_response_decode_inli
 
 /** Adds filter.vertical_gyro_constraint_control_response to a packet. On an error the packet is
  * unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_vertical_gyro_constraint_response_encode_inline(
-    const struct mip_filter_vertical_gyro_constraint_response *value, struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error
+mip_filter_vertical_gyro_constraint_control_response_encode_inline(
+    const struct mip_filter_vertical_gyro_constraint_control_response *value,
+    struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0xE2, 1, &data);
     if (error != MIP_OK) {
@@ -1541,8 +1550,9 @@ MIP_CHECKED static inline mip_error mip_filter_vertical_gyro_constraint_response
 
 /** Decodes filter.wheeled_vehicle_constraint_control_response. On an error the structure is zeroed.
  */
-static inline mip_error mip_filter_wheeled_vehicle_constraint_response_decode_inline(
-    struct mip_filter_wheeled_vehicle_constraint_response *value, const struct mip_field *field) {
+static inline mip_error mip_filter_wheeled_vehicle_constraint_control_response_decode_inline(
+    struct mip_filter_wheeled_vehicle_constraint_control_response *value,
+    const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0xE3, 1);
     if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
@@ -1556,8 +1566,9 @@ static inline mip_error mip_filter_wheeled_vehicle_constraint_response_decode_in
 
 /** Adds filter.wheeled_vehicle_constraint_control_response to a packet. On an error the packet is
  * unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_wheeled_vehicle_constraint_response_encode_inline(
-    const struct mip_filter_wheeled_vehicle_constraint_response *value,
+MIP_CHECKED static inline mip_error
+mip_filter_wheeled_vehicle_constraint_control_response_encode_inline(
+    const struct mip_filter_wheeled_vehicle_constraint_control_response *value,
     struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0xE3, 1, &data);
@@ -1570,8 +1581,9 @@ MIP_CHECKED static inline mip_error mip_filter_wheeled_vehicle_constraint_respon
 
 /** Decodes filter.gnss_antenna_calibration_control_response. On an error the structure is zeroed.
  */
-static inline mip_error mip_filter_gnss_antenna_calibration_response_decode_inline(
-    struct mip_filter_gnss_antenna_calibration_response *value, const struct mip_field *field) {
+static inline mip_error mip_filter_gnss_antenna_calibration_control_response_decode_inline(
+    struct mip_filter_gnss_antenna_calibration_control_response *value,
+    const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0xE4, 5);
     if (error != MIP_OK || sizeof(*value) != 5) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
@@ -1586,8 +1598,10 @@ static inline mip_error mip_filter_gnss_antenna_calibration_response_decode_inli
 
 /** Adds filter.gnss_antenna_calibration_control_response to a packet. On an error the packet is
  * unchanged. */
-MIP_CHECKED static inline mip_error mip_filter_gnss_antenna_calibration_response_encode_inline(
-    const struct mip_filter_gnss_antenna_calibration_response *value, struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error
+mip_filter_gnss_antenna_calibration_control_response_encode_inline(
+    const struct mip_filter_gnss_antenna_calibration_control_response *value,
+    struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0xE4, 5, &data);
     if (error != MIP_OK) {

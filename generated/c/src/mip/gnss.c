@@ -8,8 +8,8 @@ static const uint8_t program_receiver_info[] = {
 };
 
 const struct mip_codec mip_gnss_receiver_info_codec = {
-    0x0E, 0x01,  MIP_COMMAND,           0,   sizeof(struct mip_gnss_receiver_info),
-    0,    false, program_receiver_info, NULL};
+    0x0E, 0x01, MIP_COMMAND,           0,   sizeof(struct mip_gnss_receiver_info),
+    0,    0,    program_receiver_info, NULL};
 
 static const struct mip_response responses_receiver_info[] = {
     {NULL, NULL, 0x81, false},
@@ -44,7 +44,7 @@ const struct mip_codec mip_gnss_receiver_info_response_codec = {
     0,
     sizeof(struct mip_gnss_receiver_info_response),
     0,
-    false,
+    0,
     program_receiver_info_response,
     &mip_program};
 
@@ -64,8 +64,8 @@ static const uint8_t program_signal_config[] = {
 };
 
 const struct mip_codec mip_gnss_signal_config_codec = {
-    0x0E, 0x02,  MIP_COMMAND,           0,           sizeof(struct mip_gnss_signal_config),
-    0,    false, program_signal_config, &mip_program};
+    0x0E, 0x02, MIP_COMMAND,           0,           sizeof(struct mip_gnss_signal_config),
+    0,    0,    program_signal_config, &mip_program};
 
 static const uint8_t asked_signal_config_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                 MIP_WHEN_END};
@@ -96,7 +96,7 @@ const struct mip_codec mip_gnss_signal_config_response_codec = {
     8,
     sizeof(struct mip_gnss_signal_config_response),
     0,
-    sizeof(struct mip_gnss_signal_config_response) >= 8,
+    0,
     program_signal_config_response,
     NULL};
 
@@ -111,7 +111,7 @@ const struct mip_codec mip_gnss_receiver_reset_codec = {0x0E,
                                                         2,
                                                         sizeof(struct mip_gnss_receiver_reset),
                                                         0,
-                                                        sizeof(struct mip_gnss_receiver_reset) >= 8,
+                                                        0,
                                                         program_receiver_reset,
                                                         NULL};
 
@@ -130,8 +130,8 @@ static const uint8_t program_rtk_config[] = {
 };
 
 const struct mip_codec mip_gnss_rtk_config_codec = {
-    0x0E, 0x04,  MIP_COMMAND,        0,           sizeof(struct mip_gnss_rtk_config),
-    0,    false, program_rtk_config, &mip_program};
+    0x0E, 0x04, MIP_COMMAND,        0,           sizeof(struct mip_gnss_rtk_config),
+    0,    0,    program_rtk_config, &mip_program};
 
 static const uint8_t asked_rtk_config_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_rtk_config[] = {
@@ -161,7 +161,7 @@ const struct mip_codec mip_gnss_rtk_config_response_codec = {
     5,
     sizeof(struct mip_gnss_rtk_config_response),
     0,
-    sizeof(struct mip_gnss_rtk_config_response) >= 8,
+    0,
     program_rtk_config_response,
     NULL};
 
@@ -181,7 +181,7 @@ const struct mip_codec mip_gnss_rtk_dongle_config_codec = {
     0,
     sizeof(struct mip_gnss_rtk_dongle_config),
     0,
-    false,
+    0,
     program_rtk_dongle_config,
     &mip_program};
 
@@ -214,7 +214,7 @@ const struct mip_codec mip_gnss_rtk_dongle_config_response_codec = {
     4,
     sizeof(struct mip_gnss_rtk_dongle_config_response),
     0,
-    sizeof(struct mip_gnss_rtk_dongle_config_response) >= 8,
+    0,
     program_rtk_dongle_config_response,
     NULL};
 
@@ -241,8 +241,8 @@ static const uint8_t program_spartn_config[] = {
 };
 
 const struct mip_codec mip_gnss_spartn_config_codec = {
-    0x0E, 0x20,  MIP_COMMAND,           0,           sizeof(struct mip_gnss_spartn_config),
-    0,    false, program_spartn_config, &mip_program};
+    0x0E, 0x20, MIP_COMMAND,           0,           sizeof(struct mip_gnss_spartn_config),
+    0,    0,    program_spartn_config, &mip_program};
 
 static const uint8_t asked_spartn_config_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
                                                 MIP_WHEN_END};
@@ -280,6 +280,6 @@ const struct mip_codec mip_gnss_spartn_config_response_codec = {
     0,
     sizeof(struct mip_gnss_spartn_config_response),
     0,
-    false,
+    0,
     program_spartn_config_response,
     &mip_program};

@@ -46,31 +46,31 @@ struct mip_gnss_receiver_info_entry {
 typedef uint8_t mip_gnss_gps_signals;
 /** Bit 0. L1 C/A. */
 #define MIP_GNSS_GPS_SIGNALS_L1CA 0x01U
-/** Bit 1. L2C. */
+/** Bit 1. */
 #define MIP_GNSS_GPS_SIGNALS_L2C 0x02U
-/** Bit 2. L5. */
+/** Bit 2. */
 #define MIP_GNSS_GPS_SIGNALS_L5 0x04U
 /** GLONASS signals that are enabled. */
 typedef uint8_t mip_gnss_glonass_signals;
-/** Bit 0. L1OF. */
+/** Bit 0. */
 #define MIP_GNSS_GLONASS_SIGNALS_L1OF 0x01U
-/** Bit 1. L2OF. */
+/** Bit 1. */
 #define MIP_GNSS_GLONASS_SIGNALS_L2OF 0x02U
 /** Galileo signals that are enabled. */
 typedef uint8_t mip_gnss_galileo_signals;
-/** Bit 0. E1. */
+/** Bit 0. */
 #define MIP_GNSS_GALILEO_SIGNALS_E1 0x01U
-/** Bit 1. E5b. */
+/** Bit 1. */
 #define MIP_GNSS_GALILEO_SIGNALS_E5B 0x02U
-/** Bit 2. E5a. */
+/** Bit 2. */
 #define MIP_GNSS_GALILEO_SIGNALS_E5A 0x04U
 /** BeiDou signals that are enabled. */
 typedef uint8_t mip_gnss_beidou_signals;
-/** Bit 0. B1. */
+/** Bit 0. */
 #define MIP_GNSS_BEIDOU_SIGNALS_B1 0x01U
-/** Bit 1. B2. */
+/** Bit 1. */
 #define MIP_GNSS_BEIDOU_SIGNALS_B2 0x02U
-/** Bit 2. B2a. */
+/** Bit 2. */
 #define MIP_GNSS_BEIDOU_SIGNALS_B2A 0x04U
 /**
  * A GNSS receiver.

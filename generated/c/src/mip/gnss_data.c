@@ -17,7 +17,7 @@ const struct mip_codec mip_gnss_data_llh_position_codec = {
     42,
     sizeof(struct mip_gnss_data_llh_position),
     5,
-    sizeof(struct mip_gnss_data_llh_position) >= 8,
+    MIP_SHAPE(4, 2, 1),
     program_llh_position + 5,
     NULL};
 
@@ -36,7 +36,7 @@ const struct mip_codec mip_gnss_data_ecef_position_codec = {
     30,
     sizeof(struct mip_gnss_data_ecef_position),
     5,
-    sizeof(struct mip_gnss_data_ecef_position) >= 8,
+    MIP_SHAPE(3, 1, 1),
     program_ecef_position + 5,
     NULL};
 
@@ -54,7 +54,7 @@ const struct mip_codec mip_gnss_data_ned_velocity_codec = {
     34,
     sizeof(struct mip_gnss_data_ned_velocity),
     5,
-    sizeof(struct mip_gnss_data_ned_velocity) >= 8,
+    MIP_SHAPE(0, 8, 1),
     program_ned_velocity + 5,
     NULL};
 
@@ -72,7 +72,7 @@ const struct mip_codec mip_gnss_data_ecef_velocity_codec = {
     18,
     sizeof(struct mip_gnss_data_ecef_velocity),
     5,
-    sizeof(struct mip_gnss_data_ecef_velocity) >= 8,
+    MIP_SHAPE(0, 4, 1),
     program_ecef_velocity + 5,
     NULL};
 
@@ -89,7 +89,7 @@ const struct mip_codec mip_gnss_data_dop_codec = {0x81,
                                                   30,
                                                   sizeof(struct mip_gnss_data_dop),
                                                   5,
-                                                  sizeof(struct mip_gnss_data_dop) >= 8,
+                                                  MIP_SHAPE(0, 7, 1),
                                                   program_dop + 5,
                                                   NULL};
 
@@ -103,7 +103,7 @@ static const uint8_t program_utc_time[] = {
 };
 
 const struct mip_codec mip_gnss_data_utc_time_codec = {
-    0x81, 0x08, MIP_DATA, 13, sizeof(struct mip_gnss_data_utc_time), 5, false, program_utc_time + 5,
+    0x81, 0x08, MIP_DATA, 13, sizeof(struct mip_gnss_data_utc_time), 5, 0, program_utc_time + 5,
     NULL};
 
 static const uint8_t program_gps_time[] = {
@@ -119,7 +119,7 @@ const struct mip_codec mip_gnss_data_gps_time_codec = {0x81,
                                                        12,
                                                        sizeof(struct mip_gnss_data_gps_time),
                                                        5,
-                                                       sizeof(struct mip_gnss_data_gps_time) >= 8,
+                                                       MIP_SHAPE(1, 0, 2),
                                                        program_gps_time + 5,
                                                        NULL};
 
@@ -136,8 +136,7 @@ const struct mip_codec mip_gnss_data_clock_info_codec = {0x81,
                                                          26,
                                                          sizeof(struct mip_gnss_data_clock_info),
                                                          5,
-                                                         sizeof(struct mip_gnss_data_clock_info) >=
-                                                             8,
+                                                         MIP_SHAPE(3, 0, 1),
                                                          program_clock_info + 5,
                                                          NULL};
 
@@ -148,15 +147,9 @@ static const uint8_t program_fix_info[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_gnss_data_fix_info_codec = {0x81,
-                                                       0x0B,
-                                                       MIP_DATA,
-                                                       6,
-                                                       sizeof(struct mip_gnss_data_fix_info),
-                                                       5,
-                                                       sizeof(struct mip_gnss_data_fix_info) >= 8,
-                                                       program_fix_info + 5,
-                                                       NULL};
+const struct mip_codec mip_gnss_data_fix_info_codec = {
+    0x81, 0x0B, MIP_DATA, 6, sizeof(struct mip_gnss_data_fix_info), 5, 0, program_fix_info + 5,
+    NULL};
 
 static const uint8_t program_sv_info[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -165,15 +158,9 @@ static const uint8_t program_sv_info[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_gnss_data_sv_info_codec = {0x81,
-                                                      0x0C,
-                                                      MIP_DATA,
-                                                      12,
-                                                      sizeof(struct mip_gnss_data_sv_info),
-                                                      5,
-                                                      sizeof(struct mip_gnss_data_sv_info) >= 8,
-                                                      program_sv_info + 5,
-                                                      NULL};
+const struct mip_codec mip_gnss_data_sv_info_codec = {
+    0x81, 0x0C, MIP_DATA, 12, sizeof(struct mip_gnss_data_sv_info), 5, 0, program_sv_info + 5,
+    NULL};
 
 static const uint8_t program_hardware_status[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -189,7 +176,7 @@ const struct mip_codec mip_gnss_data_hardware_status_codec = {
     5,
     sizeof(struct mip_gnss_data_hardware_status),
     5,
-    false,
+    0,
     program_hardware_status + 5,
     NULL};
 
@@ -207,7 +194,7 @@ const struct mip_codec mip_gnss_data_dgps_info_codec = {0x81,
                                                         0,
                                                         sizeof(struct mip_gnss_data_dgps_info),
                                                         5,
-                                                        false,
+                                                        0,
                                                         program_dgps_info + 5,
                                                         &mip_layout};
 
@@ -227,7 +214,7 @@ const struct mip_codec mip_gnss_data_dgps_info_satellite_codec = {
     0,
     sizeof(struct mip_gnss_data_dgps_info_satellite),
     5,
-    false,
+    0,
     program_dgps_info_satellite + 5,
     &mip_layout};
 
@@ -246,7 +233,7 @@ const struct mip_codec mip_gnss_data_dgps_channel_codec = {
     15,
     sizeof(struct mip_gnss_data_dgps_channel),
     5,
-    false,
+    0,
     program_dgps_channel + 5,
     NULL};
 
@@ -264,7 +251,7 @@ const struct mip_codec mip_gnss_data_clock_info_2_codec = {
     34,
     sizeof(struct mip_gnss_data_clock_info_2),
     5,
-    sizeof(struct mip_gnss_data_clock_info_2) >= 8,
+    MIP_SHAPE(4, 0, 1),
     program_clock_info_2 + 5,
     NULL};
 
@@ -282,7 +269,7 @@ const struct mip_codec mip_gnss_data_gps_leap_seconds_codec = {
     3,
     sizeof(struct mip_gnss_data_gps_leap_seconds),
     5,
-    false,
+    0,
     program_gps_leap_seconds + 5,
     NULL};
 
@@ -295,15 +282,9 @@ static const uint8_t program_sbas_info[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_gnss_data_sbas_info_codec = {0x81,
-                                                        0x12,
-                                                        MIP_DATA,
-                                                        16,
-                                                        sizeof(struct mip_gnss_data_sbas_info),
-                                                        5,
-                                                        sizeof(struct mip_gnss_data_sbas_info) >= 8,
-                                                        program_sbas_info + 5,
-                                                        NULL};
+const struct mip_codec mip_gnss_data_sbas_info_codec = {
+    0x81, 0x12, MIP_DATA, 16, sizeof(struct mip_gnss_data_sbas_info), 5, 0, program_sbas_info + 5,
+    NULL};
 
 static const uint8_t program_sbas_correction[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -323,7 +304,7 @@ const struct mip_codec mip_gnss_data_sbas_correction_codec = {
     25,
     sizeof(struct mip_gnss_data_sbas_correction),
     5,
-    false,
+    0,
     program_sbas_correction + 5,
     NULL};
 
@@ -343,7 +324,7 @@ const struct mip_codec mip_gnss_data_rf_error_detection_codec = {
     9,
     sizeof(struct mip_gnss_data_rf_error_detection),
     5,
-    false,
+    0,
     program_rf_error_detection + 5,
     NULL};
 
@@ -356,7 +337,7 @@ static const uint8_t program_heading[] = {
 };
 
 const struct mip_codec mip_gnss_data_heading_codec = {
-    0x81, 0x15, MIP_DATA, 11, sizeof(struct mip_gnss_data_heading), 5, false, program_heading + 5,
+    0x81, 0x15, MIP_DATA, 11, sizeof(struct mip_gnss_data_heading), 5, 0, program_heading + 5,
     NULL};
 
 static const uint8_t program_satellite_status[] = {
@@ -378,7 +359,7 @@ const struct mip_codec mip_gnss_data_satellite_status_codec = {
     25,
     sizeof(struct mip_gnss_data_satellite_status),
     5,
-    false,
+    0,
     program_satellite_status + 5,
     NULL};
 
@@ -397,7 +378,7 @@ static const uint8_t program_raw[] = {
 };
 
 const struct mip_codec mip_gnss_data_raw_codec = {
-    0x81, 0x22, MIP_DATA, 61, sizeof(struct mip_gnss_data_raw), 5, false, program_raw + 5, NULL};
+    0x81, 0x22, MIP_DATA, 61, sizeof(struct mip_gnss_data_raw), 5, 0, program_raw + 5, NULL};
 
 static const uint8_t program_base_station_info[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -416,7 +397,7 @@ const struct mip_codec mip_gnss_data_base_station_info_codec = {
     44,
     sizeof(struct mip_gnss_data_base_station_info),
     5,
-    false,
+    0,
     program_base_station_info + 5,
     NULL};
 
@@ -436,7 +417,7 @@ const struct mip_codec mip_gnss_data_rtk_corrections_status_codec = {
     50,
     sizeof(struct mip_gnss_data_rtk_corrections_status),
     5,
-    sizeof(struct mip_gnss_data_rtk_corrections_status) >= 8,
+    0,
     program_rtk_corrections_status + 5,
     NULL};
 
@@ -459,7 +440,7 @@ const struct mip_codec mip_gnss_data_gps_ephemeris_codec = {
     0,
     sizeof(struct mip_gnss_data_gps_ephemeris),
     5,
-    false,
+    0,
     program_gps_ephemeris + 5,
     &mip_program};
 
@@ -488,7 +469,7 @@ const struct mip_codec mip_gnss_data_glonass_ephemeris_codec = {
     0,
     sizeof(struct mip_gnss_data_glonass_ephemeris),
     5,
-    false,
+    0,
     program_glonass_ephemeris + 5,
     &mip_program};
 
@@ -511,7 +492,7 @@ const struct mip_codec mip_gnss_data_galileo_ephemeris_codec = {
     0,
     sizeof(struct mip_gnss_data_galileo_ephemeris),
     5,
-    false,
+    0,
     program_galileo_ephemeris + 5,
     &mip_program};
 
@@ -534,7 +515,7 @@ const struct mip_codec mip_gnss_data_beidou_ephemeris_codec = {
     0,
     sizeof(struct mip_gnss_data_beidou_ephemeris),
     5,
-    false,
+    0,
     program_beidou_ephemeris + 5,
     &mip_program};
 
@@ -554,7 +535,7 @@ const struct mip_codec mip_gnss_data_gps_iono_correction_codec = {
     76,
     sizeof(struct mip_gnss_data_gps_iono_correction),
     5,
-    false,
+    0,
     program_gps_iono_correction + 5,
     NULL};
 
@@ -575,7 +556,7 @@ const struct mip_codec mip_gnss_data_galileo_iono_correction_codec = {
     37,
     sizeof(struct mip_gnss_data_galileo_iono_correction),
     5,
-    false,
+    0,
     program_galileo_iono_correction + 5,
     NULL};
 
@@ -596,6 +577,6 @@ const struct mip_codec mip_gnss_data_beidou_iono_correction_codec = {
     0,
     sizeof(struct mip_gnss_data_beidou_iono_correction),
     5,
-    false,
+    0,
     program_beidou_iono_correction + 5,
     &mip_program};

@@ -58,67 +58,67 @@ extern "C" {
 
 /** Which parts of the position are valid. */
 typedef uint16_t mip_gnss_data_llh_position_flags;
-/** Bit 0. Latitude and longitude. */
+/** Bit 0. `latitude` and `longitude` are valid. */
 #define MIP_GNSS_DATA_LLH_POSITION_FLAGS_LAT_LON 0x0001U
-/** Bit 1. Height above the ellipsoid. */
+/** Bit 1. `ellipsoid_height` is valid. */
 #define MIP_GNSS_DATA_LLH_POSITION_FLAGS_ELLIPSOID_HEIGHT 0x0002U
-/** Bit 2. Height above mean sea level. */
+/** Bit 2. `msl_height` is valid. */
 #define MIP_GNSS_DATA_LLH_POSITION_FLAGS_MSL_HEIGHT 0x0004U
 /** Bit 3. `horizontal_accuracy` is valid. */
 #define MIP_GNSS_DATA_LLH_POSITION_FLAGS_HORIZONTAL_ACCURACY 0x0008U
 /** Bit 4. `vertical_accuracy` is valid. */
 #define MIP_GNSS_DATA_LLH_POSITION_FLAGS_VERTICAL_ACCURACY 0x0010U
-/** Bits 0 to 4. All of them. Overlaps other bits. */
+/** Bits 0 to 4. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_LLH_POSITION_FLAGS_FLAGS 0x001FU
 /** Which parts of the position are valid. */
 typedef uint16_t mip_gnss_data_ecef_position_flags;
 /** Bit 0. `position` is valid. */
 #define MIP_GNSS_DATA_ECEF_POSITION_FLAGS_POSITION 0x0001U
-/** Bit 1. Accuracy of the position. */
+/** Bit 1. `position_accuracy` is valid. */
 #define MIP_GNSS_DATA_ECEF_POSITION_FLAGS_POSITION_ACCURACY 0x0002U
-/** Bits 0 to 1. All of them. Overlaps other bits. */
+/** Bits 0 to 1. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_ECEF_POSITION_FLAGS_FLAGS 0x0003U
 /** Which parts of the velocity are valid. */
 typedef uint16_t mip_gnss_data_ned_velocity_flags;
-/** Bit 0. Velocity vector. */
+/** Bit 0. `velocity` is valid. */
 #define MIP_GNSS_DATA_NED_VELOCITY_FLAGS_VELOCITY 0x0001U
-/** Bit 1. Speed in space. */
+/** Bit 1. `speed` is valid. */
 #define MIP_GNSS_DATA_NED_VELOCITY_FLAGS_SPEED_3D 0x0002U
-/** Bit 2. Speed over ground. */
+/** Bit 2. `ground_speed` is valid. */
 #define MIP_GNSS_DATA_NED_VELOCITY_FLAGS_GROUND_SPEED 0x0004U
 /** Bit 3. `heading` is valid. */
 #define MIP_GNSS_DATA_NED_VELOCITY_FLAGS_HEADING 0x0008U
-/** Bit 4. Accuracy of the speed. */
+/** Bit 4. `speed_accuracy` is valid. */
 #define MIP_GNSS_DATA_NED_VELOCITY_FLAGS_SPEED_ACCURACY 0x0010U
-/** Bit 5. Accuracy of the heading. */
+/** Bit 5. `heading_accuracy` is valid. */
 #define MIP_GNSS_DATA_NED_VELOCITY_FLAGS_HEADING_ACCURACY 0x0020U
-/** Bits 0 to 5. All of them. Overlaps other bits. */
+/** Bits 0 to 5. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_NED_VELOCITY_FLAGS_FLAGS 0x003FU
 /** Which parts of the velocity are valid. */
 typedef uint16_t mip_gnss_data_ecef_velocity_flags;
 /** Bit 0. `velocity` is valid. */
 #define MIP_GNSS_DATA_ECEF_VELOCITY_FLAGS_VELOCITY 0x0001U
-/** Bit 1. Accuracy of the velocity. */
+/** Bit 1. `velocity_accuracy` is valid. */
 #define MIP_GNSS_DATA_ECEF_VELOCITY_FLAGS_VELOCITY_ACCURACY 0x0002U
-/** Bits 0 to 1. All of them. Overlaps other bits. */
+/** Bits 0 to 1. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_ECEF_VELOCITY_FLAGS_FLAGS 0x0003U
 /** Which dilutions of precision are valid. */
 typedef uint16_t mip_gnss_data_dop_flags;
-/** Bit 0. Geometric. */
+/** Bit 0. `gdop` is valid. */
 #define MIP_GNSS_DATA_DOP_FLAGS_GDOP 0x0001U
-/** Bit 1. Position. */
+/** Bit 1. `pdop` is valid. */
 #define MIP_GNSS_DATA_DOP_FLAGS_PDOP 0x0002U
-/** Bit 2. Horizontal. */
+/** Bit 2. `hdop` is valid. */
 #define MIP_GNSS_DATA_DOP_FLAGS_HDOP 0x0004U
-/** Bit 3. Vertical. */
+/** Bit 3. `vdop` is valid. */
 #define MIP_GNSS_DATA_DOP_FLAGS_VDOP 0x0008U
-/** Bit 4. Time. */
+/** Bit 4. `tdop` is valid. */
 #define MIP_GNSS_DATA_DOP_FLAGS_TDOP 0x0010U
-/** Bit 5. Northing. */
+/** Bit 5. `ndop` is valid. */
 #define MIP_GNSS_DATA_DOP_FLAGS_NDOP 0x0020U
-/** Bit 6. Easting. */
+/** Bit 6. `edop` is valid. */
 #define MIP_GNSS_DATA_DOP_FLAGS_EDOP 0x0040U
-/** Bits 0 to 6. All of them. Overlaps other bits. */
+/** Bits 0 to 6. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_DOP_FLAGS_FLAGS 0x007FU
 /** Which parts of the UTC time are valid. */
 typedef uint16_t mip_gnss_data_utc_time_flags;
@@ -126,15 +126,15 @@ typedef uint16_t mip_gnss_data_utc_time_flags;
 #define MIP_GNSS_DATA_UTC_TIME_FLAGS_GNSS_DATE_TIME 0x0001U
 /** Bit 1. The leap seconds between GPS time and UTC are known. */
 #define MIP_GNSS_DATA_UTC_TIME_FLAGS_LEAP_SECONDS_KNOWN 0x0002U
-/** Bits 0 to 1. All of them. Overlaps other bits. */
+/** Bits 0 to 1. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_UTC_TIME_FLAGS_FLAGS 0x0003U
 /** Which parts of the time are valid. */
 typedef uint16_t mip_gnss_data_gps_time_flags;
-/** Bit 0. Time of week. */
+/** Bit 0. `tow` is valid. */
 #define MIP_GNSS_DATA_GPS_TIME_FLAGS_TOW 0x0001U
 /** Bit 1. `week_number` is valid. */
 #define MIP_GNSS_DATA_GPS_TIME_FLAGS_WEEK_NUMBER 0x0002U
-/** Bits 0 to 1. All of them. Overlaps other bits. */
+/** Bits 0 to 1. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_GPS_TIME_FLAGS_FLAGS 0x0003U
 /** Which clock parameters are valid. */
 typedef uint16_t mip_gnss_data_clock_info_flags;
@@ -142,9 +142,9 @@ typedef uint16_t mip_gnss_data_clock_info_flags;
 #define MIP_GNSS_DATA_CLOCK_INFO_FLAGS_BIAS 0x0001U
 /** Bit 1. `drift` is valid. */
 #define MIP_GNSS_DATA_CLOCK_INFO_FLAGS_DRIFT 0x0002U
-/** Bit 2. Accuracy. */
+/** Bit 2. `accuracy_estimate` is valid. */
 #define MIP_GNSS_DATA_CLOCK_INFO_FLAGS_ACCURACY_ESTIMATE 0x0004U
-/** Bits 0 to 2. All of them. Overlaps other bits. */
+/** Bits 0 to 2. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_CLOCK_INFO_FLAGS_FLAGS 0x0007U
 /** What the fix uses. */
 typedef uint16_t mip_gnss_data_fix_flags;
@@ -154,41 +154,41 @@ typedef uint16_t mip_gnss_data_fix_flags;
 #define MIP_GNSS_DATA_FIX_FLAGS_DGNSS_USED 0x0002U
 /** Which parts of the fix information are valid. */
 typedef uint16_t mip_gnss_data_fix_info_flags;
-/** Bit 0. Type of the fix. */
+/** Bit 0. `fix_type` is valid. */
 #define MIP_GNSS_DATA_FIX_INFO_FLAGS_FIX_TYPE 0x0001U
-/** Bit 1. Number of satellites. */
+/** Bit 1. `num_sv` is valid. */
 #define MIP_GNSS_DATA_FIX_INFO_FLAGS_NUM_SV 0x0002U
 /** Bit 2. `fix_flags` is valid. */
 #define MIP_GNSS_DATA_FIX_INFO_FLAGS_FIX_FLAGS 0x0004U
-/** Bits 0 to 2. All of them. Overlaps other bits. */
+/** Bits 0 to 2. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_FIX_INFO_FLAGS_FLAGS 0x0007U
 /** State of a satellite. */
 typedef uint16_t mip_gnss_data_sv_flags;
 /** Bit 0. The position fix uses it. */
 #define MIP_GNSS_DATA_SV_FLAGS_USED_FOR_NAVIGATION 0x0001U
-/** Bit 1. It is healthy. */
+/** Bit 1. The satellite reports that its signals can be used. */
 #define MIP_GNSS_DATA_SV_FLAGS_HEALTHY 0x0002U
 /** Which parts of the satellite info are valid. */
 typedef uint16_t mip_gnss_data_sv_info_flags;
 /** Bit 0. `channel` is valid. */
 #define MIP_GNSS_DATA_SV_INFO_FLAGS_CHANNEL 0x0001U
-/** Bit 1. Satellite. */
+/** Bit 1. `satellite_id` is valid. */
 #define MIP_GNSS_DATA_SV_INFO_FLAGS_SATELLITE_ID 0x0002U
-/** Bit 2. Carrier to noise density ratio. */
+/** Bit 2. `carrier_noise_ratio` is valid. */
 #define MIP_GNSS_DATA_SV_INFO_FLAGS_CARRIER_NOISE_RATIO 0x0004U
 /** Bit 3. `azimuth` is valid. */
 #define MIP_GNSS_DATA_SV_INFO_FLAGS_AZIMUTH 0x0008U
 /** Bit 4. `elevation` is valid. */
 #define MIP_GNSS_DATA_SV_INFO_FLAGS_ELEVATION 0x0010U
-/** Bit 5. State of the satellite. */
+/** Bit 5. `sv_flags` is valid. */
 #define MIP_GNSS_DATA_SV_INFO_FLAGS_SV_FLAGS 0x0020U
-/** Bits 0 to 5. All of them. Overlaps other bits. */
+/** Bits 0 to 5. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_SV_INFO_FLAGS_FLAGS 0x003FU
-/** State of the receiver. */
+/** Whether a GNSS receiver is powered and works. */
 enum mip_gnss_data_receiver_state MIP_ENUM_8 {
-    /** Off. */
+    /** The value `off`. */
     MIP_GNSS_DATA_RECEIVER_STATE_OFF = 0,
-    /** On. */
+    /** The value `on`. */
     MIP_GNSS_DATA_RECEIVER_STATE_ON = 1,
     /** Not known. */
     MIP_GNSS_DATA_RECEIVER_STATE_UNKNOWN = 2
@@ -196,7 +196,7 @@ enum mip_gnss_data_receiver_state MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_gnss_data_receiver_state_name(uint8_t value);
-/** State of the antenna. */
+/** Electrical condition of a GNSS antenna. */
 enum mip_gnss_data_antenna_state MIP_ENUM_8 {
     /** Being initialized. */
     MIP_GNSS_DATA_ANTENNA_STATE_INIT = 1,
@@ -204,7 +204,7 @@ enum mip_gnss_data_antenna_state MIP_ENUM_8 {
     MIP_GNSS_DATA_ANTENNA_STATE_SHORT = 2,
     /** Open circuit, no antenna. */
     MIP_GNSS_DATA_ANTENNA_STATE_OPEN = 3,
-    /** Good. */
+    /** The value `good`. */
     MIP_GNSS_DATA_ANTENNA_STATE_GOOD = 4,
     /** Not known. */
     MIP_GNSS_DATA_ANTENNA_STATE_UNKNOWN = 5
@@ -214,9 +214,9 @@ enum mip_gnss_data_antenna_state MIP_ENUM_8 {
 MIP_API const char *mip_gnss_data_antenna_state_name(uint8_t value);
 /** Supply of the antenna. */
 enum mip_gnss_data_antenna_power MIP_ENUM_8 {
-    /** Off. */
+    /** The value `off`. */
     MIP_GNSS_DATA_ANTENNA_POWER_OFF = 0,
-    /** On. */
+    /** The value `on`. */
     MIP_GNSS_DATA_ANTENNA_POWER_ON = 1,
     /** Not known. */
     MIP_GNSS_DATA_ANTENNA_POWER_UNKNOWN = 2
@@ -226,37 +226,37 @@ enum mip_gnss_data_antenna_power MIP_ENUM_8 {
 MIP_API const char *mip_gnss_data_antenna_power_name(uint8_t value);
 /** Which parts of the hardware status are valid. */
 typedef uint16_t mip_gnss_data_hardware_status_flags;
-/** Bit 0. State of the receiver. */
+/** Bit 0. `receiver_state` is valid. */
 #define MIP_GNSS_DATA_HARDWARE_STATUS_FLAGS_SENSOR_STATE 0x0001U
-/** Bit 1. State of the antenna. */
+/** Bit 1. `antenna_state` is valid. */
 #define MIP_GNSS_DATA_HARDWARE_STATUS_FLAGS_ANTENNA_STATE 0x0002U
-/** Bit 2. Supply of the antenna. */
+/** Bit 2. `antenna_power` is valid. */
 #define MIP_GNSS_DATA_HARDWARE_STATUS_FLAGS_ANTENNA_POWER 0x0004U
-/** Bits 0 to 2. All of them. Overlaps other bits. */
+/** Bits 0 to 2. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_HARDWARE_STATUS_FLAGS_FLAGS 0x0007U
 /** Which parts of the state of the corrections are valid. */
 typedef uint16_t mip_gnss_data_dgps_info_flags;
 /** Bit 0. `age` is valid. */
 #define MIP_GNSS_DATA_DGPS_INFO_FLAGS_AGE 0x0001U
-/** Bit 1. Number of the base station. */
+/** Bit 1. `base_station_id` is valid. */
 #define MIP_GNSS_DATA_DGPS_INFO_FLAGS_BASE_STATION_ID 0x0002U
-/** Bit 2. State of the base station. */
+/** Bit 2. `base_station_status` is valid. */
 #define MIP_GNSS_DATA_DGPS_INFO_FLAGS_BASE_STATION_STATUS 0x0004U
-/** Bit 3. Number of channels. */
+/** Bit 3. `num_channels` is valid. */
 #define MIP_GNSS_DATA_DGPS_INFO_FLAGS_NUM_CHANNELS 0x0008U
-/** Bits 0 to 3. All of them. Overlaps other bits. */
+/** Bits 0 to 3. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_DGPS_INFO_FLAGS_FLAGS 0x000FU
 /** Which parts of a differential correction are valid. */
 typedef uint16_t mip_gnss_data_dgps_channel_flags;
-/** Bit 0. Satellite. */
+/** Bit 0. `satellite_id` is valid. */
 #define MIP_GNSS_DATA_DGPS_CHANNEL_FLAGS_SATELLITE_ID 0x0001U
 /** Bit 1. `age` is valid. */
 #define MIP_GNSS_DATA_DGPS_CHANNEL_FLAGS_AGE 0x0002U
-/** Bit 2. Correction of the range. */
+/** Bit 2. `range_correction` is valid. */
 #define MIP_GNSS_DATA_DGPS_CHANNEL_FLAGS_RANGE_CORRECTION 0x0004U
-/** Bit 3. Correction of the range rate. */
+/** Bit 3. `range_rate_correction` is valid. */
 #define MIP_GNSS_DATA_DGPS_CHANNEL_FLAGS_RANGE_RATE_CORRECTION 0x0008U
-/** Bits 0 to 3. All of them. Overlaps other bits. */
+/** Bits 0 to 3. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_DGPS_CHANNEL_FLAGS_FLAGS 0x000FU
 /** Which clock parameters are valid. */
 typedef uint16_t mip_gnss_data_clock_info_2_flags;
@@ -264,11 +264,11 @@ typedef uint16_t mip_gnss_data_clock_info_2_flags;
 #define MIP_GNSS_DATA_CLOCK_INFO_2_FLAGS_BIAS 0x0001U
 /** Bit 1. `drift` is valid. */
 #define MIP_GNSS_DATA_CLOCK_INFO_2_FLAGS_DRIFT 0x0002U
-/** Bit 2. Accuracy of the bias. */
+/** Bit 2. `bias_accuracy_estimate` is valid. */
 #define MIP_GNSS_DATA_CLOCK_INFO_2_FLAGS_BIAS_ACCURACY 0x0004U
-/** Bit 3. Accuracy of the drift. */
+/** Bit 3. `drift_accuracy_estimate` is valid. */
 #define MIP_GNSS_DATA_CLOCK_INFO_2_FLAGS_DRIFT_ACCURACY 0x0008U
-/** Bits 0 to 3. All of them. Overlaps other bits. */
+/** Bits 0 to 3. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_CLOCK_INFO_2_FLAGS_FLAGS 0x000FU
 /** Whether the leap seconds are valid. Bit 0 is not used. */
 typedef uint16_t mip_gnss_data_gps_leap_seconds_flags;
@@ -302,39 +302,39 @@ typedef uint8_t mip_gnss_data_sbas_status;
 #define MIP_GNSS_DATA_SBAS_STATUS_TEST_MODE 0x08U
 /** Which parts of the SBAS status are valid. */
 typedef uint16_t mip_gnss_data_sbas_info_flags;
-/** Bit 0. Time of week. */
+/** Bit 0. `tow` is valid. */
 #define MIP_GNSS_DATA_SBAS_INFO_FLAGS_TOW 0x0001U
 /** Bit 1. `week_number` is valid. */
 #define MIP_GNSS_DATA_SBAS_INFO_FLAGS_WEEK_NUMBER 0x0002U
-/** Bit 2. System. */
+/** Bit 2. `sbas_system` is valid. */
 #define MIP_GNSS_DATA_SBAS_INFO_FLAGS_SBAS_SYSTEM 0x0004U
-/** Bit 3. Satellite. */
+/** Bit 3. `sbas_id` is valid. */
 #define MIP_GNSS_DATA_SBAS_INFO_FLAGS_SBAS_ID 0x0008U
-/** Bit 4. Number of corrections. */
+/** Bit 4. `count` is valid. */
 #define MIP_GNSS_DATA_SBAS_INFO_FLAGS_COUNT 0x0010U
-/** Bit 5. Status of the service. */
+/** Bit 5. `sbas_status` is valid. */
 #define MIP_GNSS_DATA_SBAS_INFO_FLAGS_SBAS_STATUS 0x0020U
-/** Bits 0 to 5. All of them. Overlaps other bits. */
+/** Bits 0 to 5. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_SBAS_INFO_FLAGS_FLAGS 0x003FU
 /** Which parts of an SBAS correction are valid. */
 typedef uint16_t mip_gnss_data_sbas_correction_flags;
-/** Bit 0. Indicator of the range error. */
+/** Bit 0. `udrei` is valid. */
 #define MIP_GNSS_DATA_SBAS_CORRECTION_FLAGS_UDREI 0x0001U
-/** Bit 1. Correction of the pseudorange. */
+/** Bit 1. `pseudorange_correction` is valid. */
 #define MIP_GNSS_DATA_SBAS_CORRECTION_FLAGS_PSEUDORANGE_CORRECTION 0x0002U
-/** Bit 2. Correction of the ionospheric delay. */
+/** Bit 2. `iono_correction` is valid. */
 #define MIP_GNSS_DATA_SBAS_CORRECTION_FLAGS_IONO_CORRECTION 0x0004U
-/** Bits 0 to 2. All of them. Overlaps other bits. */
+/** Bits 0 to 2. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_SBAS_CORRECTION_FLAGS_FLAGS 0x0007U
 /** Frequency band of GNSS signals. */
 enum mip_gnss_data_rf_band MIP_ENUM_8 {
     /** Not known. */
     MIP_GNSS_DATA_RF_BAND_UNKNOWN = 0,
-    /** L1. */
+    /** The value `l1`. */
     MIP_GNSS_DATA_RF_BAND_L1 = 1,
-    /** L2. */
+    /** The value `l2`. */
     MIP_GNSS_DATA_RF_BAND_L2 = 2,
-    /** L5. */
+    /** The value `l5`. */
     MIP_GNSS_DATA_RF_BAND_L5 = 5
 };
 
@@ -370,15 +370,15 @@ enum mip_gnss_data_spoofing_state MIP_ENUM_8 {
 MIP_API const char *mip_gnss_data_spoofing_state_name(uint8_t value);
 /** Which parts of the detection are valid. */
 typedef uint16_t mip_gnss_data_rf_error_detection_flags;
-/** Bit 0. Band. */
+/** Bit 0. `rf_band` is valid. */
 #define MIP_GNSS_DATA_RF_ERROR_DETECTION_FLAGS_RF_BAND 0x0001U
-/** Bit 1. Jamming. */
+/** Bit 1. `jamming_state` is valid. */
 #define MIP_GNSS_DATA_RF_ERROR_DETECTION_FLAGS_JAMMING_STATE 0x0002U
-/** Bit 2. Spoofing. */
+/** Bit 2. `spoofing_state` is valid. */
 #define MIP_GNSS_DATA_RF_ERROR_DETECTION_FLAGS_SPOOFING_STATE 0x0004U
 /** Bit 3. Frequency; only set by firmware that sends it. */
 #define MIP_GNSS_DATA_RF_ERROR_DETECTION_FLAGS_FREQUENCY 0x0008U
-/** Bits 0 to 3. All of them. Overlaps other bits. */
+/** Bits 0 to 3. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_RF_ERROR_DETECTION_FLAGS_FLAGS 0x000FU
 /** How the ambiguities of the carrier phase were solved for a heading. */
 enum mip_gnss_data_heading_fix_type MIP_ENUM_8 {
@@ -396,21 +396,21 @@ MIP_API const char *mip_gnss_data_heading_fix_type_name(uint8_t value);
 typedef uint16_t mip_gnss_data_heading_flags;
 /** Bit 0. `heading` is valid. */
 #define MIP_GNSS_DATA_HEADING_FLAGS_HEADING 0x0001U
-/** Bit 1. Uncertainty of the heading. */
+/** Bit 1. `uncertainty` is valid. */
 #define MIP_GNSS_DATA_HEADING_FLAGS_UNCERTAINTY 0x0002U
-/** Bit 2. Kind of the fix. */
+/** Bit 2. `fix_type` is valid. */
 #define MIP_GNSS_DATA_HEADING_FLAGS_FIX_TYPE 0x0004U
-/** Bits 0 to 2. All of them. Overlaps other bits. */
+/** Bits 0 to 2. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_HEADING_FLAGS_FLAGS 0x0007U
 /** Which parts of the satellite status are valid. */
 typedef uint16_t mip_gnss_data_satellite_status_flags;
-/** Bit 0. Time of week. */
+/** Bit 0. `tow` is valid. */
 #define MIP_GNSS_DATA_SATELLITE_STATUS_FLAGS_TOW 0x0001U
 /** Bit 1. `week_number` is valid. */
 #define MIP_GNSS_DATA_SATELLITE_STATUS_FLAGS_WEEK_NUMBER 0x0002U
-/** Bit 2. Constellation. */
+/** Bit 2. `gnss_id` is valid. */
 #define MIP_GNSS_DATA_SATELLITE_STATUS_FLAGS_GNSS_ID 0x0004U
-/** Bit 3. Satellite. */
+/** Bit 3. `satellite_id` is valid. */
 #define MIP_GNSS_DATA_SATELLITE_STATUS_FLAGS_SATELLITE_ID 0x0008U
 /** Bit 4. `elevation` is valid. */
 #define MIP_GNSS_DATA_SATELLITE_STATUS_FLAGS_ELEVATION 0x0010U
@@ -418,7 +418,7 @@ typedef uint16_t mip_gnss_data_satellite_status_flags;
 #define MIP_GNSS_DATA_SATELLITE_STATUS_FLAGS_AZIMUTH 0x0020U
 /** Bit 6. `health` is valid. */
 #define MIP_GNSS_DATA_SATELLITE_STATUS_FLAGS_HEALTH 0x0040U
-/** Bits 0 to 6. All of them. Overlaps other bits. */
+/** Bits 0 to 6. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_SATELLITE_STATUS_FLAGS_FLAGS 0x007FU
 /** How well a signal is tracked. */
 enum mip_gnss_data_signal_quality MIP_ENUM_8 {
@@ -432,7 +432,7 @@ enum mip_gnss_data_signal_quality MIP_ENUM_8 {
     MIP_GNSS_DATA_SIGNAL_QUALITY_UNUSABLE = 3,
     /** Locked in time. */
     MIP_GNSS_DATA_SIGNAL_QUALITY_TIME_LOCKED = 4,
-    /** Fully locked. */
+    /** The value `fully_locked`. */
     MIP_GNSS_DATA_SIGNAL_QUALITY_FULLY_LOCKED = 5
 };
 
@@ -440,39 +440,39 @@ enum mip_gnss_data_signal_quality MIP_ENUM_8 {
 MIP_API const char *mip_gnss_data_signal_quality_name(uint8_t value);
 /** Which parts of the observation are valid. */
 typedef uint16_t mip_gnss_data_raw_flags;
-/** Bit 0. Time of week. */
+/** Bit 0. `tow` is valid. */
 #define MIP_GNSS_DATA_RAW_FLAGS_TOW 0x0001U
 /** Bit 1. `week_number` is valid. */
 #define MIP_GNSS_DATA_RAW_FLAGS_WEEK_NUMBER 0x0002U
-/** Bit 2. Receiver or reference station. */
+/** Bit 2. `receiver_id` is valid. */
 #define MIP_GNSS_DATA_RAW_FLAGS_RECEIVER_ID 0x0004U
 /** Bit 3. `tracking_channel` is valid. */
 #define MIP_GNSS_DATA_RAW_FLAGS_TRACKING_CHANNEL 0x0008U
-/** Bit 4. Constellation. */
+/** Bit 4. `gnss_id` is valid. */
 #define MIP_GNSS_DATA_RAW_FLAGS_GNSS_ID 0x0010U
-/** Bit 5. Satellite. */
+/** Bit 5. `satellite_id` is valid. */
 #define MIP_GNSS_DATA_RAW_FLAGS_SATELLITE_ID 0x0020U
-/** Bit 6. Signal. */
+/** Bit 6. `signal_id` is valid. */
 #define MIP_GNSS_DATA_RAW_FLAGS_SIGNAL_ID 0x0040U
 /** Bit 7. `signal_strength` is valid. */
 #define MIP_GNSS_DATA_RAW_FLAGS_SIGNAL_STRENGTH 0x0080U
-/** Bit 8. Signal quality. */
+/** Bit 8. `quality` is valid. */
 #define MIP_GNSS_DATA_RAW_FLAGS_QUALITY 0x0100U
 /** Bit 9. `pseudorange` is valid. */
 #define MIP_GNSS_DATA_RAW_FLAGS_PSEUDORANGE 0x0200U
 /** Bit 10. `carrier_phase` is valid. */
 #define MIP_GNSS_DATA_RAW_FLAGS_CARRIER_PHASE 0x0400U
-/** Bit 11. Doppler shift. */
+/** Bit 11. `doppler` is valid. */
 #define MIP_GNSS_DATA_RAW_FLAGS_DOPPLER 0x0800U
-/** Bit 12. Uncertainty of the pseudorange. */
+/** Bit 12. `range_uncertainty` is valid. */
 #define MIP_GNSS_DATA_RAW_FLAGS_RANGE_UNCERTAINTY 0x1000U
-/** Bit 13. Uncertainty of the carrier phase. */
+/** Bit 13. `phase_uncertainty` is valid. */
 #define MIP_GNSS_DATA_RAW_FLAGS_CARRIER_PHASE_UNCERTAINTY 0x2000U
-/** Bit 14. Uncertainty of the Doppler shift. */
+/** Bit 14. `doppler_uncertainty` is valid. */
 #define MIP_GNSS_DATA_RAW_FLAGS_DOPPLER_UNCERTAINTY 0x4000U
 /** Bit 15. `lock_time` is valid. */
 #define MIP_GNSS_DATA_RAW_FLAGS_LOCK_TIME 0x8000U
-/** Bits 0 to 15. All of them. Overlaps other bits. */
+/** Bits 0 to 15. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_RAW_FLAGS_FLAGS 0xFFFFU
 /** Properties of a base station, as its RTCM message gives them. */
 typedef uint16_t mip_gnss_data_base_station_indicators;
@@ -496,25 +496,25 @@ typedef uint16_t mip_gnss_data_base_station_indicators;
 #define MIP_GNSS_DATA_BASE_STATION_INDICATORS_QUARTER_CYCLE_BITS 0x00C0U
 /** Which values are valid. */
 typedef uint16_t mip_gnss_data_base_station_info_flags;
-/** Bit 0. Time of week. */
+/** Bit 0. `tow` is valid. */
 #define MIP_GNSS_DATA_BASE_STATION_INFO_FLAGS_TOW 0x0001U
 /** Bit 1. `week_number` is valid. */
 #define MIP_GNSS_DATA_BASE_STATION_INFO_FLAGS_WEEK_NUMBER 0x0002U
-/** Bit 2. Position. */
+/** Bit 2. `ecef_position` is valid. */
 #define MIP_GNSS_DATA_BASE_STATION_INFO_FLAGS_ECEF_POSITION 0x0004U
-/** Bit 3. Antenna height. */
+/** Bit 3. `height` is valid. */
 #define MIP_GNSS_DATA_BASE_STATION_INFO_FLAGS_HEIGHT 0x0008U
-/** Bit 4. Station. */
+/** Bit 4. `station_id` is valid. */
 #define MIP_GNSS_DATA_BASE_STATION_INFO_FLAGS_STATION_ID 0x0010U
 /** Bit 5. `indicators` is valid. */
 #define MIP_GNSS_DATA_BASE_STATION_INFO_FLAGS_INDICATORS 0x0020U
-/** Bits 0 to 5. All of them. Overlaps other bits. */
+/** Bits 0 to 5. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_BASE_STATION_INFO_FLAGS_FLAGS 0x003FU
 /** Corrections received during an epoch. */
 typedef uint16_t mip_gnss_data_rtk_epoch_status;
-/** Bit 0. Antenna location. */
+/** Bit 0. The position of the base station's antenna has arrived. */
 #define MIP_GNSS_DATA_RTK_EPOCH_STATUS_ANTENNA_LOCATION_RECEIVED 0x0001U
-/** Bit 1. Antenna description. */
+/** Bit 1. The description of the base station's antenna has arrived. */
 #define MIP_GNSS_DATA_RTK_EPOCH_STATUS_ANTENNA_DESCRIPTION_RECEIVED 0x0002U
 /** Bit 2. GPS corrections. */
 #define MIP_GNSS_DATA_RTK_EPOCH_STATUS_GPS_RECEIVED 0x0004U
@@ -532,23 +532,23 @@ typedef uint16_t mip_gnss_data_rtk_epoch_status;
 #define MIP_GNSS_DATA_RTK_EPOCH_STATUS_DONGLE_STATUS_READ_FAILED 0x0100U
 /** Which values are valid. */
 typedef uint16_t mip_gnss_data_rtk_corrections_status_flags;
-/** Bit 0. Time of week. */
+/** Bit 0. `tow` is valid. */
 #define MIP_GNSS_DATA_RTK_CORRECTIONS_STATUS_FLAGS_TOW 0x0001U
 /** Bit 1. `week_number` is valid. */
 #define MIP_GNSS_DATA_RTK_CORRECTIONS_STATUS_FLAGS_WEEK_NUMBER 0x0002U
 /** Bit 2. `epoch_status` is valid. */
 #define MIP_GNSS_DATA_RTK_CORRECTIONS_STATUS_FLAGS_EPOCH_STATUS 0x0004U
-/** Bit 3. Status of the dongle. */
+/** Bit 3. `dongle_status` is valid. */
 #define MIP_GNSS_DATA_RTK_CORRECTIONS_STATUS_FLAGS_DONGLE_STATUS 0x0008U
-/** Bit 4. Latency of GPS corrections. */
+/** Bit 4. `gps_correction_latency` is valid. */
 #define MIP_GNSS_DATA_RTK_CORRECTIONS_STATUS_FLAGS_GPS_LATENCY 0x0010U
-/** Bit 5. Latency of GLONASS corrections. */
+/** Bit 5. `glonass_correction_latency` is valid. */
 #define MIP_GNSS_DATA_RTK_CORRECTIONS_STATUS_FLAGS_GLONASS_LATENCY 0x0020U
-/** Bit 6. Latency of Galileo corrections. */
+/** Bit 6. `galileo_correction_latency` is valid. */
 #define MIP_GNSS_DATA_RTK_CORRECTIONS_STATUS_FLAGS_GALILEO_LATENCY 0x0040U
-/** Bit 7. Latency of BeiDou corrections. */
+/** Bit 7. `beidou_correction_latency` is valid. */
 #define MIP_GNSS_DATA_RTK_CORRECTIONS_STATUS_FLAGS_BEIDOU_LATENCY 0x0080U
-/** Bits 0 to 7. All of them. Overlaps other bits. */
+/** Bits 0 to 7. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_RTK_CORRECTIONS_STATUS_FLAGS_FLAGS 0x00FFU
 /** What an ephemeris of GPS, Galileo or BeiDou holds. */
 typedef uint16_t mip_gnss_data_ephemeris_flags;
@@ -558,13 +558,13 @@ typedef uint16_t mip_gnss_data_ephemeris_flags;
 #define MIP_GNSS_DATA_EPHEMERIS_FLAGS_MODERN_DATA 0x0002U
 /** Bit 2. `isc_l2c` is the correction for L5, not for L2. */
 #define MIP_GNSS_DATA_EPHEMERIS_FLAGS_ISC_L5 0x0004U
-/** Bits 0 to 2. All of them. Overlaps other bits. */
+/** Bits 0 to 2. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_EPHEMERIS_FLAGS_FLAGS 0x0007U
 /** Generation of a GLONASS satellite. */
 enum mip_gnss_data_glonass_satellite_type MIP_ENUM_8 {
-    /** GLONASS. */
+    /** The value `glonass`. */
     MIP_GNSS_DATA_GLONASS_SATELLITE_TYPE_GLONASS = 0,
-    /** GLONASS-M. */
+    /** The value `glonass_m`. */
     MIP_GNSS_DATA_GLONASS_SATELLITE_TYPE_GLONASS_M = 1
 };
 
@@ -578,41 +578,41 @@ typedef uint16_t mip_gnss_data_glonass_ephemeris_flags;
 #define MIP_GNSS_DATA_GLONASS_EPHEMERIS_FLAGS_FLAGS 0x0001U
 /** Which parts of the model are valid. */
 typedef uint16_t mip_gnss_data_gps_iono_correction_flags;
-/** Bit 0. Time of week. */
+/** Bit 0. `tow` is valid. */
 #define MIP_GNSS_DATA_GPS_IONO_CORRECTION_FLAGS_TOW 0x0001U
 /** Bit 1. `week_number` is valid. */
 #define MIP_GNSS_DATA_GPS_IONO_CORRECTION_FLAGS_WEEK_NUMBER 0x0002U
-/** Bit 2. Coefficients alpha. */
+/** Bit 2. `alpha` is valid. */
 #define MIP_GNSS_DATA_GPS_IONO_CORRECTION_FLAGS_ALPHA 0x0004U
-/** Bit 3. Coefficients beta. */
+/** Bit 3. `beta` is valid. */
 #define MIP_GNSS_DATA_GPS_IONO_CORRECTION_FLAGS_BETA 0x0008U
-/** Bits 0 to 3. All of them. Overlaps other bits. */
+/** Bits 0 to 3. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_GPS_IONO_CORRECTION_FLAGS_FLAGS 0x000FU
 /** Which parts of the model are valid. */
 typedef uint16_t mip_gnss_data_galileo_iono_correction_flags;
-/** Bit 0. Time of week. */
+/** Bit 0. `tow` is valid. */
 #define MIP_GNSS_DATA_GALILEO_IONO_CORRECTION_FLAGS_TOW 0x0001U
 /** Bit 1. `week_number` is valid. */
 #define MIP_GNSS_DATA_GALILEO_IONO_CORRECTION_FLAGS_WEEK_NUMBER 0x0002U
-/** Bit 2. Coefficients. */
+/** Bit 2. `alpha` is valid. */
 #define MIP_GNSS_DATA_GALILEO_IONO_CORRECTION_FLAGS_ALPHA 0x0004U
-/** Bit 3. Storm flags. */
+/** Bit 3. `disturbance_flags` is valid. */
 #define MIP_GNSS_DATA_GALILEO_IONO_CORRECTION_FLAGS_DISTURBANCE_FLAGS 0x0008U
-/** Bits 0 to 3. All of them. Overlaps other bits. */
+/** Bits 0 to 3. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_GALILEO_IONO_CORRECTION_FLAGS_FLAGS 0x000FU
 /** Which parts of the model are valid. */
 typedef uint16_t mip_gnss_data_beidou_iono_correction_flags;
-/** Bit 0. Time of week. */
+/** Bit 0. `tow` is valid. */
 #define MIP_GNSS_DATA_BEIDOU_IONO_CORRECTION_FLAGS_TOW 0x0001U
 /** Bit 1. `week_number` is valid. */
 #define MIP_GNSS_DATA_BEIDOU_IONO_CORRECTION_FLAGS_WEEK_NUMBER 0x0002U
-/** Bit 2. Coefficients alpha. */
+/** Bit 2. `alpha` is valid. */
 #define MIP_GNSS_DATA_BEIDOU_IONO_CORRECTION_FLAGS_ALPHA 0x0004U
-/** Bit 3. Coefficients beta. */
+/** Bit 3. `beta` is valid. */
 #define MIP_GNSS_DATA_BEIDOU_IONO_CORRECTION_FLAGS_BETA 0x0008U
-/** Bit 4. Further coefficients. */
+/** Bit 4. `alpha_correction` is valid. */
 #define MIP_GNSS_DATA_BEIDOU_IONO_CORRECTION_FLAGS_ALPHA_CORRECTION 0x0010U
-/** Bits 0 to 4. All of them. Overlaps other bits. */
+/** Bits 0 to 4. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_BEIDOU_IONO_CORRECTION_FLAGS_FLAGS 0x001FU
 
 /**
@@ -1230,12 +1230,12 @@ MIP_CHECKED static inline mip_error mip_gnss_data_sv_info_encode(
  */
 struct mip_gnss_data_hardware_status {
     /**
-     * State of the receiver. A value of enum mip_gnss_data_receiver_state. Valid if
-     * MIP_GNSS_DATA_HARDWARE_STATUS_FLAGS_SENSOR_STATE in valid_flags is set.
+     * Whether the receiver is powered and works. A value of enum mip_gnss_data_receiver_state.
+     * Valid if MIP_GNSS_DATA_HARDWARE_STATUS_FLAGS_SENSOR_STATE in valid_flags is set.
      */
     uint8_t receiver_state;
     /**
-     * State of the antenna. A value of enum mip_gnss_data_antenna_state. Valid if
+     * Electrical condition of the antenna. A value of enum mip_gnss_data_antenna_state. Valid if
      * MIP_GNSS_DATA_HARDWARE_STATUS_FLAGS_ANTENNA_STATE in valid_flags is set.
      */
     uint8_t antenna_state;
@@ -1367,12 +1367,12 @@ struct mip_gnss_data_dgps_info_satellite {
      */
     float age;
     /**
-     * Correction of the range. Unit: m. Uncertain: The unit, which follows from
+     * Differential correction of the pseudorange. Unit: m. Uncertain: The unit, which follows from
      * mip_gnss_data_dgps_channel.
      */
     float range_correction;
     /**
-     * Correction of the range rate. Unit: m/s. Uncertain: The unit, which follows from
+     * How fast the correction changes. Unit: m/s. Uncertain: The unit, which follows from
      * mip_gnss_data_dgps_channel.
      */
     float range_rate_correction;
@@ -1432,12 +1432,12 @@ struct mip_gnss_data_dgps_channel {
      */
     float age;
     /**
-     * Correction of the range. Unit: m. Valid if MIP_GNSS_DATA_DGPS_CHANNEL_FLAGS_RANGE_CORRECTION
-     * in valid_flags is set.
+     * Differential correction of the pseudorange. Unit: m. Valid if
+     * MIP_GNSS_DATA_DGPS_CHANNEL_FLAGS_RANGE_CORRECTION in valid_flags is set.
      */
     float range_correction;
     /**
-     * Correction of the range rate. Unit: m/s. Valid if
+     * How fast the correction changes. Unit: m/s. Valid if
      * MIP_GNSS_DATA_DGPS_CHANNEL_FLAGS_RANGE_RATE_CORRECTION in valid_flags is set.
      */
     float range_rate_correction;
@@ -1669,7 +1669,7 @@ struct mip_gnss_data_sbas_correction {
      */
     uint8_t udrei;
     /**
-     * Correction of the pseudorange. Unit: m. Valid if
+     * Correction of the pseudorange by the augmentation system. Unit: m. Valid if
      * MIP_GNSS_DATA_SBAS_CORRECTION_FLAGS_PSEUDORANGE_CORRECTION in valid_flags is set.
      */
     float pseudorange_correction;
@@ -1725,13 +1725,14 @@ struct mip_gnss_data_rf_error_detection {
      */
     uint8_t rf_band;
     /**
-     * Jamming. A value of enum mip_gnss_data_jamming_state. Valid if
-     * MIP_GNSS_DATA_RF_ERROR_DETECTION_FLAGS_JAMMING_STATE in valid_flags is set.
+     * Whether signals are jammed in this band. A value of enum mip_gnss_data_jamming_state. Valid
+     * if MIP_GNSS_DATA_RF_ERROR_DETECTION_FLAGS_JAMMING_STATE in valid_flags is set.
      */
     uint8_t jamming_state;
     /**
-     * Spoofing. A value of enum mip_gnss_data_spoofing_state. Valid if
-     * MIP_GNSS_DATA_RF_ERROR_DETECTION_FLAGS_SPOOFING_STATE in valid_flags is set.
+     * Whether false signals are detected in this band. A value of enum
+     * mip_gnss_data_spoofing_state. Valid if MIP_GNSS_DATA_RF_ERROR_DETECTION_FLAGS_SPOOFING_STATE
+     * in valid_flags is set.
      */
     uint8_t spoofing_state;
     /**

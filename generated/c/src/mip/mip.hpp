@@ -15,6 +15,7 @@
 #include "mip/core.hpp"
 #include "mip/device.hpp"
 #include "mip/displacement.hpp"
+#include "mip/displacement_commands.hpp"
 #include "mip/displacement_data.hpp"
 #include "mip/filter.hpp"
 #include "mip/filter_commands.hpp"

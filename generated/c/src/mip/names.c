@@ -62,50 +62,50 @@ static const struct mip_named_bits bits_cv7_built_in_test[] = {
 const struct mip_names mip_names_cv7_built_in_test = {
     name_cv7_built_in_test, labels_cv7_built_in_test, NULL, bits_cv7_built_in_test, 12, 4};
 
-static const char name_cv7_continuous_bit[] = "cv7_continuous_built_in_test";
-static const char labels_cv7_continuous_bit[] = "system_clock_failure\0"
-                                                "power_fault\0"
-                                                "firmware_fault\0"
-                                                "timing_overload\0"
-                                                "buffer_overrun\0"
-                                                "imu_process_fault\0"
-                                                "imu_data_process_time_exceeded\0"
-                                                "imu_data_rate_error\0"
-                                                "imu_stall\0"
-                                                "filter_process_fault\0"
-                                                "filter_major_cycle_fault\0"
-                                                "filter_minor_cycle_fault\0"
-                                                "filter_data_rate_error\0"
-                                                "filter_process_stall\0"
-                                                "gnss_subsystem_fault\0"
-                                                "gnss_main_process_fault\0"
-                                                "gnss_receiver_1_stall\0"
-                                                "gnss_receiver_2_stall\0"
-                                                "imu_comm_fault\0"
-                                                "imu_timing_overrun\0"
-                                                "imu_calibration_error_accel\0"
-                                                "imu_calibration_error_gyro\0"
-                                                "imu_calibration_error_mag\0"
-                                                "accel_general_fault\0"
-                                                "accel_over_range\0"
-                                                "accel_self_test_fail\0"
-                                                "gyro_general_fault\0"
-                                                "gyro_over_range\0"
-                                                "gyro_self_test_fail\0"
-                                                "mag_general_fault\0"
-                                                "mag_over_range\0"
-                                                "mag_self_test_fail\0"
-                                                "pressure_sensor_general_fault\0"
-                                                "pressure_sensor_over_range\0"
-                                                "pressure_sensor_self_test_fail\0"
-                                                "factory_bits_invalid\0"
-                                                "filter_timing_overrun\0"
-                                                "filter_timing_underrun\0"
-                                                "receiver_1_fault\0"
-                                                "receiver_1_no_solution\0"
-                                                "receiver_2_fault\0"
-                                                "receiver_2_no_solution";
-static const struct mip_named_bits bits_cv7_continuous_bit[] = {
+static const char name_cv7_continuous_built_in_test[] = "cv7_continuous_built_in_test";
+static const char labels_cv7_continuous_built_in_test[] = "system_clock_failure\0"
+                                                          "power_fault\0"
+                                                          "firmware_fault\0"
+                                                          "timing_overload\0"
+                                                          "buffer_overrun\0"
+                                                          "imu_process_fault\0"
+                                                          "imu_data_process_time_exceeded\0"
+                                                          "imu_data_rate_error\0"
+                                                          "imu_stall\0"
+                                                          "filter_process_fault\0"
+                                                          "filter_major_cycle_fault\0"
+                                                          "filter_minor_cycle_fault\0"
+                                                          "filter_data_rate_error\0"
+                                                          "filter_process_stall\0"
+                                                          "gnss_subsystem_fault\0"
+                                                          "gnss_main_process_fault\0"
+                                                          "gnss_receiver_1_stall\0"
+                                                          "gnss_receiver_2_stall\0"
+                                                          "imu_comm_fault\0"
+                                                          "imu_timing_overrun\0"
+                                                          "imu_calibration_error_accel\0"
+                                                          "imu_calibration_error_gyro\0"
+                                                          "imu_calibration_error_mag\0"
+                                                          "accel_general_fault\0"
+                                                          "accel_over_range\0"
+                                                          "accel_self_test_fail\0"
+                                                          "gyro_general_fault\0"
+                                                          "gyro_over_range\0"
+                                                          "gyro_self_test_fail\0"
+                                                          "mag_general_fault\0"
+                                                          "mag_over_range\0"
+                                                          "mag_self_test_fail\0"
+                                                          "pressure_sensor_general_fault\0"
+                                                          "pressure_sensor_over_range\0"
+                                                          "pressure_sensor_self_test_fail\0"
+                                                          "factory_bits_invalid\0"
+                                                          "filter_timing_overrun\0"
+                                                          "filter_timing_underrun\0"
+                                                          "receiver_1_fault\0"
+                                                          "receiver_1_no_solution\0"
+                                                          "receiver_2_fault\0"
+                                                          "receiver_2_no_solution";
+static const struct mip_named_bits bits_cv7_continuous_built_in_test[] = {
     {0, 1, NULL},  {1, 1, NULL},  {4, 1, NULL},   {5, 1, NULL},   {6, 1, NULL},   {16, 1, NULL},
     {17, 1, NULL}, {18, 1, NULL}, {19, 1, NULL},  {20, 4, NULL},  {20, 1, NULL},  {21, 1, NULL},
     {22, 1, NULL}, {23, 1, NULL}, {24, 4, NULL},  {24, 1, NULL},  {25, 1, NULL},  {26, 1, NULL},
@@ -114,8 +114,13 @@ static const struct mip_named_bits bits_cv7_continuous_bit[] = {
     {49, 1, NULL}, {50, 1, NULL}, {52, 1, NULL},  {53, 1, NULL},  {54, 1, NULL},  {56, 1, NULL},
     {66, 1, NULL}, {67, 1, NULL}, {105, 1, NULL}, {108, 1, NULL}, {110, 1, NULL}, {113, 1, NULL},
 };
-const struct mip_names mip_names_cv7_continuous_bit = {
-    name_cv7_continuous_bit, labels_cv7_continuous_bit, NULL, bits_cv7_continuous_bit, 42, 16};
+const struct mip_names mip_names_cv7_continuous_built_in_test = {
+    name_cv7_continuous_built_in_test,
+    labels_cv7_continuous_built_in_test,
+    NULL,
+    bits_cv7_continuous_built_in_test,
+    42,
+    16};
 
 static const char name_cv7_inertial_bit[] = "cv7_inertial_continuous_built_in_test";
 static const char labels_cv7_inertial_bit[] = "system_clock_failure\0"
@@ -164,56 +169,56 @@ static const struct mip_named_bits bits_cv7_inertial_bit[] = {
 const struct mip_names mip_names_cv7_inertial_bit = {
     name_cv7_inertial_bit, labels_cv7_inertial_bit, NULL, bits_cv7_inertial_bit, 35, 16};
 
-static const char name_gq7_bit[] = "gq7_continuous_built_in_test";
-static const char labels_gq7_bit[] = "system_clock_failure\0"
-                                     "power_fault\0"
-                                     "firmware_fault\0"
-                                     "timing_overload\0"
-                                     "buffer_overrun\0"
-                                     "imu_ipc_fault\0"
-                                     "filter_ipc_fault\0"
-                                     "gnss_ipc_fault\0"
-                                     "imu_clock_fault\0"
-                                     "imu_comm_fault\0"
-                                     "imu_timing_overrun\0"
-                                     "imu_calibration_error_accel\0"
-                                     "imu_calibration_error_gyro\0"
-                                     "imu_calibration_error_mag\0"
-                                     "accel_general_fault\0"
-                                     "accel_over_range\0"
-                                     "accel_self_test_fail\0"
-                                     "gyro_general_fault\0"
-                                     "gyro_over_range\0"
-                                     "gyro_self_test_fail\0"
-                                     "mag_general_fault\0"
-                                     "mag_over_range\0"
-                                     "mag_self_test_fail\0"
-                                     "pressure_sensor_general_fault\0"
-                                     "pressure_sensor_over_range\0"
-                                     "pressure_sensor_self_test_fail\0"
-                                     "filter_clock_fault\0"
-                                     "filter_hardware_fault\0"
-                                     "filter_timing_overrun\0"
-                                     "filter_timing_underrun\0"
-                                     "filter_comm_error\0"
-                                     "gnss_clock_fault\0"
-                                     "gnss_hardware_fault\0"
-                                     "gnss_comm_error\0"
-                                     "gps_time_fault\0"
-                                     "gnss_timing_overrun\0"
-                                     "receiver_1_power_fault\0"
-                                     "receiver_1_fault\0"
-                                     "antenna_1_shorted\0"
-                                     "antenna_1_open\0"
-                                     "receiver_1_solution_fault\0"
-                                     "receiver_2_power_fault\0"
-                                     "receiver_2_fault\0"
-                                     "antenna_2_shorted\0"
-                                     "antenna_2_open\0"
-                                     "receiver_2_solution_fault\0"
-                                     "rtcm_comm_fault\0"
-                                     "rtk_dongle_fault";
-static const struct mip_named_bits bits_gq7_bit[] = {
+static const char name_gq7_continuous_built_in_test[] = "gq7_continuous_built_in_test";
+static const char labels_gq7_continuous_built_in_test[] = "system_clock_failure\0"
+                                                          "power_fault\0"
+                                                          "firmware_fault\0"
+                                                          "timing_overload\0"
+                                                          "buffer_overrun\0"
+                                                          "imu_ipc_fault\0"
+                                                          "filter_ipc_fault\0"
+                                                          "gnss_ipc_fault\0"
+                                                          "imu_clock_fault\0"
+                                                          "imu_comm_fault\0"
+                                                          "imu_timing_overrun\0"
+                                                          "imu_calibration_error_accel\0"
+                                                          "imu_calibration_error_gyro\0"
+                                                          "imu_calibration_error_mag\0"
+                                                          "accel_general_fault\0"
+                                                          "accel_over_range\0"
+                                                          "accel_self_test_fail\0"
+                                                          "gyro_general_fault\0"
+                                                          "gyro_over_range\0"
+                                                          "gyro_self_test_fail\0"
+                                                          "mag_general_fault\0"
+                                                          "mag_over_range\0"
+                                                          "mag_self_test_fail\0"
+                                                          "pressure_sensor_general_fault\0"
+                                                          "pressure_sensor_over_range\0"
+                                                          "pressure_sensor_self_test_fail\0"
+                                                          "filter_clock_fault\0"
+                                                          "filter_hardware_fault\0"
+                                                          "filter_timing_overrun\0"
+                                                          "filter_timing_underrun\0"
+                                                          "filter_comm_error\0"
+                                                          "gnss_clock_fault\0"
+                                                          "gnss_hardware_fault\0"
+                                                          "gnss_comm_error\0"
+                                                          "gps_time_fault\0"
+                                                          "gnss_timing_overrun\0"
+                                                          "receiver_1_power_fault\0"
+                                                          "receiver_1_fault\0"
+                                                          "antenna_1_shorted\0"
+                                                          "antenna_1_open\0"
+                                                          "receiver_1_solution_fault\0"
+                                                          "receiver_2_power_fault\0"
+                                                          "receiver_2_fault\0"
+                                                          "antenna_2_shorted\0"
+                                                          "antenna_2_open\0"
+                                                          "receiver_2_solution_fault\0"
+                                                          "rtcm_comm_fault\0"
+                                                          "rtk_dongle_fault";
+static const struct mip_named_bits bits_gq7_continuous_built_in_test[] = {
     {0, 1, NULL},   {1, 1, NULL},   {4, 1, NULL},   {5, 1, NULL},   {6, 1, NULL},   {16, 4, NULL},
     {20, 4, NULL},  {24, 4, NULL},  {32, 1, NULL},  {33, 1, NULL},  {34, 1, NULL},  {36, 1, NULL},
     {37, 1, NULL},  {38, 1, NULL},  {40, 1, NULL},  {41, 1, NULL},  {42, 1, NULL},  {44, 1, NULL},
@@ -223,8 +228,13 @@ static const struct mip_named_bits bits_gq7_bit[] = {
     {104, 1, NULL}, {105, 1, NULL}, {106, 1, NULL}, {107, 1, NULL}, {108, 1, NULL}, {109, 1, NULL},
     {110, 1, NULL}, {111, 1, NULL}, {112, 1, NULL}, {113, 1, NULL}, {114, 1, NULL}, {115, 1, NULL},
 };
-const struct mip_names mip_names_gq7_bit = {
-    name_gq7_bit, labels_gq7_bit, NULL, bits_gq7_bit, 48, 16};
+const struct mip_names mip_names_gq7_continuous_built_in_test = {
+    name_gq7_continuous_built_in_test,
+    labels_gq7_continuous_built_in_test,
+    NULL,
+    bits_gq7_continuous_built_in_test,
+    48,
+    16};
 
 static const char name_event_trigger_type[] = "event_trigger_type";
 static const char labels_event_trigger_type[] = "none\0"
@@ -2373,49 +2383,52 @@ const char *mip_filter_data_heading_aiding_type_name(uint8_t value) {
     return mip_value_name(&mip_names_filter_data_heading_aiding_type, value);
 }
 
-static const char name_filter_data_aiding_type[] = "filter_data.aiding_measurement_type";
-static const char labels_filter_data_aiding_type[] = "gnss\0"
-                                                     "dual_antenna\0"
-                                                     "heading\0"
-                                                     "pressure\0"
-                                                     "mag\0"
-                                                     "speed\0"
-                                                     "aiding_ecef_position\0"
-                                                     "aiding_llh_position\0"
-                                                     "aiding_height_above_ellipsoid\0"
-                                                     "aiding_ecef_velocity\0"
-                                                     "aiding_ned_velocity\0"
-                                                     "aiding_body_frame_velocity\0"
-                                                     "aiding_true_heading\0"
-                                                     "aiding_magnetic_field\0"
-                                                     "aiding_pressure";
-static const uint8_t numbers_filter_data_aiding_type[] = {1,  2,  3,  4,  5,  6,  33, 34,
-                                                          35, 40, 41, 42, 49, 50, 51};
-const struct mip_names mip_names_filter_data_aiding_type = {name_filter_data_aiding_type,
-                                                            labels_filter_data_aiding_type,
-                                                            numbers_filter_data_aiding_type,
-                                                            NULL,
-                                                            15,
-                                                            1};
-const char *mip_filter_data_aiding_type_name(uint8_t value) {
-    return mip_value_name(&mip_names_filter_data_aiding_type, value);
+static const char name_filter_data_aiding_measurement_type[] =
+    "filter_data.aiding_measurement_type";
+static const char labels_filter_data_aiding_measurement_type[] = "gnss\0"
+                                                                 "dual_antenna\0"
+                                                                 "heading\0"
+                                                                 "pressure\0"
+                                                                 "mag\0"
+                                                                 "speed\0"
+                                                                 "aiding_ecef_position\0"
+                                                                 "aiding_llh_position\0"
+                                                                 "aiding_height_above_ellipsoid\0"
+                                                                 "aiding_ecef_velocity\0"
+                                                                 "aiding_ned_velocity\0"
+                                                                 "aiding_body_frame_velocity\0"
+                                                                 "aiding_true_heading\0"
+                                                                 "aiding_magnetic_field\0"
+                                                                 "aiding_pressure";
+static const uint8_t numbers_filter_data_aiding_measurement_type[] = {
+    1, 2, 3, 4, 5, 6, 33, 34, 35, 40, 41, 42, 49, 50, 51};
+const struct mip_names mip_names_filter_data_aiding_measurement_type = {
+    name_filter_data_aiding_measurement_type,
+    labels_filter_data_aiding_measurement_type,
+    numbers_filter_data_aiding_measurement_type,
+    NULL,
+    15,
+    1};
+const char *mip_filter_data_aiding_measurement_type_name(uint8_t value) {
+    return mip_value_name(&mip_names_filter_data_aiding_measurement_type, value);
 }
 
-static const char name_filter_data_aiding_indicator[] = "filter_data.aiding_measurement_indicator";
-static const char labels_filter_data_aiding_indicator[] = "enabled\0"
-                                                          "used\0"
-                                                          "residual_high_warning\0"
-                                                          "sample_time_warning\0"
-                                                          "config_error\0"
-                                                          "max_measurements_exceeded";
-static const struct mip_named_bits bits_filter_data_aiding_indicator[] = {
+static const char name_filter_data_aiding_measurement_indicator[] =
+    "filter_data.aiding_measurement_indicator";
+static const char labels_filter_data_aiding_measurement_indicator[] = "enabled\0"
+                                                                      "used\0"
+                                                                      "residual_high_warning\0"
+                                                                      "sample_time_warning\0"
+                                                                      "config_error\0"
+                                                                      "max_measurements_exceeded";
+static const struct mip_named_bits bits_filter_data_aiding_measurement_indicator[] = {
     {0, 1, NULL}, {1, 1, NULL}, {2, 1, NULL}, {3, 1, NULL}, {4, 1, NULL}, {5, 1, NULL},
 };
-const struct mip_names mip_names_filter_data_aiding_indicator = {
-    name_filter_data_aiding_indicator,
-    labels_filter_data_aiding_indicator,
+const struct mip_names mip_names_filter_data_aiding_measurement_indicator = {
+    name_filter_data_aiding_measurement_indicator,
+    labels_filter_data_aiding_measurement_indicator,
     NULL,
-    bits_filter_data_aiding_indicator,
+    bits_filter_data_aiding_measurement_indicator,
     6,
     1};
 
@@ -2598,6 +2611,19 @@ const struct mip_names mip_names_filter_data_cv7_status_flags = {
     11,
     2};
 
+static const char name_displacement_data_timestamp_flags[] = "displacement_data.timestamp_flags";
+static const char labels_displacement_data_timestamp_flags[] = "time";
+static const struct mip_named_bits bits_displacement_data_timestamp_flags[] = {
+    {0, 1, NULL},
+};
+const struct mip_names mip_names_displacement_data_timestamp_flags = {
+    name_displacement_data_timestamp_flags,
+    labels_displacement_data_timestamp_flags,
+    NULL,
+    bits_displacement_data_timestamp_flags,
+    1,
+    1};
+
 static const char name_system_data_gpio_pin_states[] = "system_data.gpio_pin_states";
 static const char labels_system_data_gpio_pin_states[] = "pin_1\0"
                                                          "pin_2\0"
@@ -2662,9 +2688,9 @@ const struct mip_names *const mip_all_names[] = {
     &mip_names_function_selector,
     &mip_names_gx5_built_in_test,
     &mip_names_cv7_built_in_test,
-    &mip_names_cv7_continuous_bit,
+    &mip_names_cv7_continuous_built_in_test,
     &mip_names_cv7_inertial_bit,
-    &mip_names_gq7_bit,
+    &mip_names_gq7_continuous_built_in_test,
     &mip_names_event_trigger_type,
     &mip_names_event_action_type,
     &mip_names_event_trigger_mode,
@@ -2800,8 +2826,8 @@ const struct mip_names *const mip_all_names[] = {
     &mip_names_filter_data_heading_source_flags,
     &mip_names_filter_data_gnss_aiding_status,
     &mip_names_filter_data_heading_aiding_type,
-    &mip_names_filter_data_aiding_type,
-    &mip_names_filter_data_aiding_indicator,
+    &mip_names_filter_data_aiding_measurement_type,
+    &mip_names_filter_data_aiding_measurement_indicator,
     &mip_names_filter_data_dual_antenna_fix_type,
     &mip_names_filter_data_dual_antenna_status_flags,
     &mip_names_filter_data_gx5_filter_state,
@@ -2811,6 +2837,7 @@ const struct mip_names *const mip_all_names[] = {
     &mip_names_filter_data_gx5_status_flags,
     &mip_names_filter_data_filter_condition,
     &mip_names_filter_data_cv7_status_flags,
+    &mip_names_displacement_data_timestamp_flags,
     &mip_names_system_data_gpio_pin_states,
     &mip_names_shared_gps_timestamp_flags,
     &mip_names_shared_external_timestamp_flags,

@@ -23,11 +23,11 @@ extern MIP_API const struct mip_names mip_names_gx5_built_in_test;
 /** cv7_built_in_test */
 extern MIP_API const struct mip_names mip_names_cv7_built_in_test;
 /** cv7_continuous_built_in_test */
-extern MIP_API const struct mip_names mip_names_cv7_continuous_bit;
+extern MIP_API const struct mip_names mip_names_cv7_continuous_built_in_test;
 /** cv7_inertial_continuous_built_in_test */
 extern MIP_API const struct mip_names mip_names_cv7_inertial_bit;
 /** gq7_continuous_built_in_test */
-extern MIP_API const struct mip_names mip_names_gq7_bit;
+extern MIP_API const struct mip_names mip_names_gq7_continuous_built_in_test;
 /** event_trigger_type */
 extern MIP_API const struct mip_names mip_names_event_trigger_type;
 /** event_action_type */
@@ -299,9 +299,9 @@ extern MIP_API const struct mip_names mip_names_filter_data_gnss_aiding_status;
 /** filter_data.heading_aiding_type */
 extern MIP_API const struct mip_names mip_names_filter_data_heading_aiding_type;
 /** filter_data.aiding_measurement_type */
-extern MIP_API const struct mip_names mip_names_filter_data_aiding_type;
+extern MIP_API const struct mip_names mip_names_filter_data_aiding_measurement_type;
 /** filter_data.aiding_measurement_indicator */
-extern MIP_API const struct mip_names mip_names_filter_data_aiding_indicator;
+extern MIP_API const struct mip_names mip_names_filter_data_aiding_measurement_indicator;
 /** filter_data.dual_antenna_fix_type */
 extern MIP_API const struct mip_names mip_names_filter_data_dual_antenna_fix_type;
 /** filter_data.dual_antenna_status_flags */
@@ -320,6 +320,8 @@ extern MIP_API const struct mip_names mip_names_filter_data_gx5_status_flags;
 extern MIP_API const struct mip_names mip_names_filter_data_filter_condition;
 /** filter_data.cv7_status_flags */
 extern MIP_API const struct mip_names mip_names_filter_data_cv7_status_flags;
+/** displacement_data.timestamp_flags */
+extern MIP_API const struct mip_names mip_names_displacement_data_timestamp_flags;
 /** system_data.gpio_pin_states */
 extern MIP_API const struct mip_names mip_names_system_data_gpio_pin_states;
 /** shared.gps_timestamp_flags */

@@ -22,39 +22,118 @@ MIP_QUICK size_t candidate(const uint8_t *bytes, size_t size) {
                                   : (size_t)bytes[3] + MIP_HEADER_SIZE + MIP_CHECKSUM_SIZE;
 }
 
-/** Do these bytes have the checksum that follows them? */
-MIP_QUICK bool sound(const uint8_t *bytes, size_t size) {
-#ifdef __OPTIMIZE_SIZE__
-    return mip_checksum(bytes, size) == mip_get_16(bytes + size);
-#else
-    return mip_sum(bytes, size) == mip_get_16(bytes + size);
-#endif
-}
-
-/** Is this candidate, which is complete, a packet? Its header has been checked. */
-MIP_QUICK bool is_packet(const uint8_t *bytes, size_t size, struct mip_packet *packet) {
+/** Describes a packet whose bytes have been checked, or are being checked. */
+MIP_QUICK void describe(struct mip_packet *packet, const uint8_t *bytes, size_t size) {
     packet->bytes = bytes;
     packet->size = size;
     packet->descriptor_set = bytes[2];
-    return sound(bytes, size - MIP_CHECKSUM_SIZE);
 }
 
-/** Moves bytes of the caller to the end of the buffer. */
-static void take(struct mip_parser *parser, const uint8_t **data, size_t *size, size_t count) {
-    memcpy(parser->buffer + parser->length, *data, count);
-    parser->length = (uint16_t)(parser->length + count);
-    *data += count;
-    *size -= count;
+/** The same as candidate() for a place in the buffer, and 0 if the packet is there and not valid.
+ */
+static size_t examine(const struct mip_parser *parser, size_t at, struct mip_packet *packet) {
+    const uint8_t *bytes = parser->buffer + at;
+    const size_t size = parser->length - at;
+    const size_t goal = candidate(bytes, size);
+    if (goal > 0 && goal <= size) {
+        const size_t end = goal - MIP_CHECKSUM_SIZE;
+        describe(packet, bytes, goal);
+        return mip_checksum(bytes, end) == mip_get_16(bytes + end) ? goal : 0;
+    }
+    return goal;
 }
 
 #ifndef __OPTIMIZE_SIZE__
 /** The payload of a packet of which the checksum takes a block at once. */
 #define SHORTEST 12
+/** What memcpy copies without a call: most packets. */
+#define BLOCK 64
+/** How many bytes two candidates may differ by if the sum of one is to follow from the other's. */
+#define NEAR 16
+
+/** Do these bytes have the checksum that follows them? */
+MIP_QUICK bool sound(const uint8_t *bytes, size_t size) {
+    return mip_sum(bytes, size) == mip_get_16(bytes + size);
+}
+
+/** Copies bytes without a call: most are few. */
+MIP_QUICK void copy(uint8_t *to, const uint8_t *from, size_t size) {
+    if (size >= 16) {
+        for (size_t at = 0; at + 16 <= size; at += 16) {
+            memcpy(to + at, from + at, 16);
+        }
+        memcpy(to + size - 16, from + size - 16, 16);
+    } else if (size >= 8) {
+        memcpy(to, from, 8);
+        memcpy(to + size - 8, from + size - 8, 8);
+    } else {
+        for (size_t i = 0; i < size; i++) {
+            to[i] = from[i];
+        }
+    }
+}
+
+/** Moves bytes of the caller to the end of the buffer. */
+MIP_QUICK void append(struct mip_parser *parser, const uint8_t **data, size_t *size, size_t count) {
+    const uint8_t *bytes = *data;
+    const size_t length = parser->length;
+    parser->length =
+        (uint16_t)(length + count); /* before bytes are written, which could be these */
+    *data = bytes + count;
+    *size -= count;
+    copy(parser->buffer + length, bytes, count);
+}
+
+/** Keeps all of the caller's bytes in the buffer, which is empty: the beginning of a packet of
+ * `goal` bytes, or of its header. */
+MIP_APART bool keep(struct mip_parser *parser, const uint8_t **data, size_t *size, size_t goal) {
+    const uint8_t *bytes = *data;
+    const size_t count = *size;
+    parser->length = (uint16_t)count;
+    parser->missing = count < MIP_HEADER_SIZE ? 0 : (uint16_t)(goal - count);
+    *data = bytes + count;
+    *size = 0;
+    copy(parser->buffer, bytes, count);
+    return false;
+}
 
 /** The first byte, and those up to the next that may start a packet. */
 static size_t garbage(const uint8_t *bytes, size_t size) {
     const uint8_t *sync = (const uint8_t *)memchr(bytes + 1, MIP_SYNC_1, size - 1);
     return sync == NULL ? size : (size_t)(sync - bytes);
+}
+
+/** The bytes of a candidate before its checksum, and their sum, which is the first half of that. */
+struct window {
+    const uint8_t *begin;
+    const uint8_t *end;
+    uint32_t sum;
+};
+
+/** The same as sound() for one candidate after the other, which noise may have: if most bytes are
+ * those of the one before, only the others are added or subtracted. */
+MIP_QUICK bool sound_again(struct window *before, const uint8_t *begin, size_t size) {
+    struct window w = *before;
+    const uint8_t *end = begin + size;
+    const size_t moved = (size_t)(end < w.end ? w.end - end : end - w.end);
+    if (moved + (size_t)(begin - w.begin) > NEAR) {
+        const uint16_t sum = mip_sum(begin, size);
+        before->begin = begin;
+        before->end = end;
+        before->sum = sum >> 8;
+        return sum == mip_get_16(end);
+    }
+    while (w.begin < begin) {
+        w.sum -= *w.begin++;
+    }
+    while (w.end < end) {
+        w.sum += *w.end++;
+    }
+    while (w.end > end) {
+        w.sum -= *--w.end;
+    }
+    *before = w;
+    return (w.sum & 0xFFU) == *end && mip_checksum(begin, size) == mip_get_16(end);
 }
 
 /** Looks for a packet in the caller's bytes; the buffer, which is empty, gets the beginning of one
@@ -63,48 +142,44 @@ MIP_APART bool scan(struct mip_parser *parser, const uint8_t **data, size_t *siz
                     struct mip_packet *packet) {
     const uint8_t *at = *data;
     size_t left = *size;
+    struct window window = {at, at, 0};
     bool found = false;
-    while (left > 0) {
-        const size_t goal = candidate(at, left);
+    size_t goal = 0;
+    while (left > 0 && !found) {
+        size_t count;
+        goal = candidate(at, left);
         if (goal > left) {
-            take(parser, &at, &left, left);
             break;
         }
-        found = goal > 0 && is_packet(at, goal, packet);
-        const size_t count = found ? goal : garbage(at, left);
-        parser->skipped += found ? 0 : (uint32_t)count;
+        if (goal > 0 && sound_again(&window, at, goal - MIP_CHECKSUM_SIZE)) {
+            describe(packet, at, goal);
+            count = goal;
+            found = true;
+        } else {
+            count = goal > 0 && at[2] == MIP_SYNC_1 ? 2 : garbage(at, left);
+            parser->skipped += (uint32_t)count;
+        }
         at += count;
         left -= count;
-        if (found) {
-            break;
-        }
     }
     *data = at;
     *size = left;
-    return found;
+    return found || (left > 0 && keep(parser, data, size, goal));
 }
 #endif
-
-/** The same as candidate() for a place in the buffer, and 0 if the packet is there and not valid.
- */
-static size_t examine(const struct mip_parser *parser, size_t at, struct mip_packet *packet) {
-    const uint8_t *bytes = parser->buffer + at;
-    const size_t size = parser->length - at;
-    const size_t goal = candidate(bytes, size);
-    return goal == 0 || goal > size || is_packet(bytes, goal, packet) ? goal : 0;
-}
 
 /** Looks for a packet in the buffer, with as many of the caller's bytes as it needs. */
 static bool search(struct mip_parser *parser, const uint8_t **data, size_t *size,
                    struct mip_packet *packet) {
 #ifndef __OPTIMIZE_SIZE__
     const size_t given = *size;
+    parser->missing = 0;
 #endif
     for (;;) {
         const size_t left = (size_t)parser->length - parser->done;
 #ifndef __OPTIMIZE_SIZE__
         if (left <= given - *size) { /* all of them are in the caller's bytes, too */
-            if (left > 0) {
+            if (left > 0) {          /* else there may be no bytes at all, at no address */
                 *data -= left;
                 *size += left;
             }
@@ -128,77 +203,94 @@ static bool search(struct mip_parser *parser, const uint8_t **data, size_t *size
             if (*size == 0) {
                 return false;
             }
-            take(parser, data, size, *size < missing ? *size : missing);
+            const size_t count = *size < missing ? *size : missing;
+            memcpy(parser->buffer + left, *data, count);
+            parser->length = (uint16_t)(left + count);
+            *data += count;
+            *size -= count;
         }
     }
 }
 
 #ifndef __OPTIMIZE_SIZE__
-/** All of the caller's bytes belong to a packet that goes on: keeps them. */
-MIP_APART bool keep(struct mip_parser *parser, const uint8_t **data, size_t *size) {
-    take(parser, data, size, *size);
+/** All of the caller's bytes, if there are any, belong to the packet whose beginning is in the
+ * buffer. */
+MIP_APART bool extend(struct mip_parser *parser, const uint8_t **data, size_t *size) {
+    if (*size == 0) {
+        return false;
+    }
+    parser->missing = (uint16_t)(parser->missing - *size);
+    append(parser, data, size, *size);
     return false;
 }
 
-/** The buffer has a packet's beginning, most often with its header: takes the rest. */
-MIP_APART bool resume(struct mip_parser *parser, const uint8_t **data, size_t *size,
-                      struct mip_packet *packet) {
-    const size_t length = parser->length;
-    if (parser->done > 0 || length < MIP_HEADER_SIZE) {
-        return search(parser, data, size, packet);
+/** The caller's bytes have the rest of that packet. */
+MIP_APART bool complete(struct mip_parser *parser, const uint8_t **data, size_t *size,
+                        struct mip_packet *packet) {
+    const size_t missing = parser->missing;
+    const size_t goal = parser->length + missing;
+    uint8_t *to = parser->buffer + parser->length;
+    if (missing <= BLOCK && *size >= BLOCK && goal <= sizeof(parser->buffer) - BLOCK) {
+        memcpy(to, *data, BLOCK); /* a few too many, but without a call */
+    } else {
+        memcpy(to, *data, missing);
     }
-    const size_t end = (size_t)parser->buffer[3] + MIP_HEADER_SIZE;
-    const size_t missing = end + MIP_CHECKSUM_SIZE - length;
-    if (*size == 1 && missing > 1) { /* byte by byte, as an interrupt feeds it */
-        parser->buffer[parser->length++] = *(*data)++;
-        *size = 0;
-        return false;
+    if (!sound(parser->buffer, goal - MIP_CHECKSUM_SIZE)) {
+        return search(parser, data, size, packet); /* copies them again */
     }
-    if (*size < missing) {
-        return *size > 0 && keep(parser, data, size);
-    }
-    memcpy(parser->buffer + length, *data, missing);
-    if (!sound(parser->buffer, end)) {
-        return search(parser, data, size, packet); /* copies it again */
-    }
-    parser->length = parser->done = (uint16_t)(end + MIP_CHECKSUM_SIZE);
-    packet->bytes = parser->buffer;
-    packet->size = end + MIP_CHECKSUM_SIZE;
-    packet->descriptor_set = parser->buffer[2];
+    parser->length = 0;
+    describe(packet, parser->buffer, goal);
     *data += missing;
     *size -= missing;
     return true;
+}
+
+/** How much the packet whose beginning is in the buffer still needs is not known yet. */
+MIP_APART bool begin(struct mip_parser *parser, const uint8_t **data, size_t *size,
+                     struct mip_packet *packet) {
+    while (parser->length < MIP_HEADER_SIZE && parser->done == 0 && *size > 0) {
+        append(parser, data, size, 1);
+    }
+    const size_t goal = candidate(parser->buffer, parser->length);
+    if (parser->done > 0 || goal == 0 || goal <= parser->length) {
+        return search(parser, data, size, packet);
+    }
+    if (parser->length < MIP_HEADER_SIZE) {
+        return false;
+    }
+    parser->missing = (uint16_t)(goal - parser->length);
+    return *size < parser->missing ? extend(parser, data, size)
+                                   : complete(parser, data, size, packet);
 }
 #endif
 
 bool mip_parser_next(struct mip_parser *parser, const uint8_t **data, size_t *size,
                      struct mip_packet *packet) {
-#ifndef __OPTIMIZE_SIZE__
+#ifdef __OPTIMIZE_SIZE__
+    return search(parser, data, size, packet);
+#else
     /* Packet after packet, without a call; the shortest ones apart, as they have no whole block. */
-    if (parser->length == parser->done) {
-        const uint8_t *bytes = *data;
-        parser->length = 0;
-        parser->done = 0;
-        if (*size >= MIP_HEADER_SIZE && mip_get_16(bytes) == (MIP_SYNC_1 << 8 | MIP_SYNC_2) &&
-            mip_set_valid(bytes[2]) && bytes[3] >= SHORTEST) {
-            const size_t end = (size_t)bytes[3] + MIP_HEADER_SIZE;
-            if (end + MIP_CHECKSUM_SIZE > *size) {
-                return keep(parser, data, size);
-            }
-            if (sound(bytes, end)) {
-                packet->bytes = bytes;
-                packet->size = end + MIP_CHECKSUM_SIZE;
-                packet->descriptor_set = bytes[2];
-                *data += packet->size;
-                *size -= packet->size;
-                return true;
-            }
-        }
+    const uint8_t *bytes = *data;
+    if (parser->length > 0) {
+        return *size < parser->missing ? extend(parser, data, size)
+               : parser->missing > 0   ? complete(parser, data, size, packet)
+                                       : begin(parser, data, size, packet);
+    }
+    if (*size < MIP_HEADER_SIZE || mip_get_16(bytes) != (MIP_SYNC_1 << 8 | MIP_SYNC_2) ||
+        !mip_set_valid(bytes[2]) || bytes[3] < SHORTEST) {
         return scan(parser, data, size, packet);
     }
-    return resume(parser, data, size, packet);
-#else
-    return search(parser, data, size, packet);
+    const size_t end = (size_t)bytes[3] + MIP_HEADER_SIZE;
+    if (end + MIP_CHECKSUM_SIZE > *size) {
+        return keep(parser, data, size, end + MIP_CHECKSUM_SIZE);
+    }
+    if (!sound(bytes, end)) {
+        return scan(parser, data, size, packet);
+    }
+    describe(packet, bytes, end + MIP_CHECKSUM_SIZE);
+    *data += packet->size;
+    *size -= packet->size;
+    return true;
 #endif
 }
 
@@ -213,6 +305,9 @@ bool mip_parser_look_behind(struct mip_parser *parser, struct mip_packet *packet
         if (goal > 0 && goal <= parser->length - at) {
             parser->skipped += (uint32_t)at;
             parser->done = (uint16_t)(at + goal);
+#ifndef __OPTIMIZE_SIZE__
+            parser->missing = 0;
+#endif
             return true;
         }
     }

@@ -93,6 +93,17 @@ enum mip_support mip_profile_support(const struct mip_profile *profile, uint8_t 
     return profile->incomplete_count > 0 ? MIP_SUPPORT_UNKNOWN : MIP_SUPPORT_NO;
 }
 
+const char *mip_profile_firmware_of(const struct mip_profile *profile, uint8_t descriptor_set,
+                                    uint8_t descriptor) {
+    for (size_t i = 0; i < profile->firmware_count; i++) {
+        const struct mip_profile_firmware *f = &profile->firmware[i];
+        if (f->descriptor_set == descriptor_set && f->descriptor == descriptor) {
+            return f->versions;
+        }
+    }
+    return NULL;
+}
+
 double mip_profile_base_rate(const struct mip_profile *profile, uint8_t descriptor_set) {
     for (size_t i = 0; i < profile->rate_count; i++) {
         if (profile->rates[i].descriptor_set == descriptor_set) {

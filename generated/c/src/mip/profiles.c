@@ -60,6 +60,7 @@ const struct mip_profile mip_profile_cl5_10 = {
     1,    /* what is not known */
     27,   /* fields */
     0,    /* refused fields */
+    0,    /* fields of some firmware */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
@@ -69,6 +70,7 @@ const struct mip_profile mip_profile_cl5_10 = {
     cl5_10_also,
     cl5_10_incomplete,
     cl5_10_fields,
+    NULL,
     NULL,
     NULL,
     NULL,
@@ -161,6 +163,7 @@ const struct mip_profile mip_profile_cl5_15 = {
     1,    /* what is not known */
     73,   /* fields */
     0,    /* refused fields */
+    0,    /* fields of some firmware */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
@@ -170,6 +173,7 @@ const struct mip_profile mip_profile_cl5_15 = {
     cl5_15_also,
     cl5_15_incomplete,
     cl5_15_fields,
+    NULL,
     NULL,
     NULL,
     NULL,
@@ -270,6 +274,7 @@ const struct mip_profile mip_profile_cl5_25 = {
     1,    /* what is not known */
     90,   /* fields */
     0,    /* refused fields */
+    0,    /* fields of some firmware */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
@@ -279,6 +284,7 @@ const struct mip_profile mip_profile_cl5_25 = {
     cl5_25_also,
     cl5_25_incomplete,
     cl5_25_fields,
+    NULL,
     NULL,
     NULL,
     NULL,
@@ -350,6 +356,7 @@ const struct mip_profile mip_profile_cv5_10 = {
     1,    /* what is not known */
     27,   /* fields */
     1,    /* refused fields */
+    0,    /* fields of some firmware */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
@@ -360,6 +367,7 @@ const struct mip_profile mip_profile_cv5_10 = {
     cv5_10_incomplete,
     cv5_10_fields,
     cv5_10_refuses,
+    NULL,
     NULL,
     NULL,
     NULL,
@@ -455,6 +463,7 @@ const struct mip_profile mip_profile_cv5_15 = {
     1,    /* what is not known */
     73,   /* fields */
     0,    /* refused fields */
+    0,    /* fields of some firmware */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
@@ -464,6 +473,7 @@ const struct mip_profile mip_profile_cv5_15 = {
     cv5_15_also,
     cv5_15_incomplete,
     cv5_15_fields,
+    NULL,
     NULL,
     NULL,
     NULL,
@@ -568,6 +578,7 @@ const struct mip_profile mip_profile_cv5_25 = {
     1,    /* what is not known */
     90,   /* fields */
     0,    /* refused fields */
+    0,    /* fields of some firmware */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
@@ -577,6 +588,7 @@ const struct mip_profile mip_profile_cv5_25 = {
     cv5_25_also,
     cv5_25_incomplete,
     cv5_25_fields,
+    NULL,
     NULL,
     NULL,
     NULL,
@@ -690,6 +702,7 @@ const struct mip_profile mip_profile_cv5_45 = {
     1,    /* what is not known */
     124,  /* fields */
     0,    /* refused fields */
+    0,    /* fields of some firmware */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
@@ -699,6 +712,7 @@ const struct mip_profile mip_profile_cv5_45 = {
     NULL,
     cv5_45_incomplete,
     cv5_45_fields,
+    NULL,
     NULL,
     NULL,
     NULL,
@@ -797,6 +811,11 @@ static const struct mip_profile_field cv7_ahrs_refuses[] = {
     {0x92, 0x12, "", &cv7_ahrs_evidence[13]}, {0x92, 0x14, "", &cv7_ahrs_evidence[13]},
 };
 
+static const struct mip_profile_firmware cv7_ahrs_firmware[] = {
+    {0x0C, 0x50, "<= 1.0.07"},
+    {0x0C, 0x54, "> 1.0.07"},
+};
+
 static const struct mip_profile_rate cv7_ahrs_rates[] = {
     {0x80, 1000},
     {0x82, 1000},
@@ -815,12 +834,12 @@ static const struct mip_profile_port cv7_ahrs_ports[] = {
 
 static const struct mip_profile_limit cv7_ahrs_limits[] = {
     {"aiding_frames", 4, "",
-     "Frames that the aiding frame configuration can define, according to MSCL."},
-    {"event_triggers", 12, "", "Total number of triggers."},
-    {"event_gpio_triggers", 4, "", "GPIO triggers."},
-    {"event_threshold_triggers", 8, "", "Threshold triggers."},
-    {"event_combination_triggers", 8, "", "Combination triggers."},
-    {"event_tick_rate", 1000, "Hz", "Rate of the event cycle."},
+     "Frames that the aiding frame configuration can define, according to MSCL.", ""},
+    {"event_triggers", 12, "", "Total number of triggers.", ">= 1.0.04"},
+    {"event_gpio_triggers", 4, "", "GPIO triggers.", ">= 1.0.04"},
+    {"event_threshold_triggers", 8, "", "Threshold triggers.", ">= 1.0.04"},
+    {"event_combination_triggers", 8, "", "Combination triggers.", ">= 1.0.04"},
+    {"event_tick_rate", 1000, "Hz", "Rate of the event cycle.", ">= 1.0.04"},
 };
 
 static const char *const cv7_ahrs_anti_aliasing_cells[] = {
@@ -887,6 +906,7 @@ const struct mip_profile mip_profile_cv7_ahrs = {
     1,    /* what is not known */
     88,   /* fields */
     12,   /* refused fields */
+    2,    /* fields of some firmware */
     3,    /* base rates */
     3,    /* ports */
     6,    /* limits */
@@ -897,6 +917,7 @@ const struct mip_profile mip_profile_cv7_ahrs = {
     cv7_ahrs_incomplete,
     cv7_ahrs_fields,
     cv7_ahrs_refuses,
+    cv7_ahrs_firmware,
     cv7_ahrs_rates,
     cv7_ahrs_ports,
     cv7_ahrs_limits,
@@ -986,6 +1007,11 @@ static const struct mip_profile_field cv7_ar_refuses[] = {
     {0x0D, 0x4B, "WRSLD", &cv7_ar_evidence[11]},
 };
 
+static const struct mip_profile_firmware cv7_ar_firmware[] = {
+    {0x0C, 0x50, "<= 1.0.07"},
+    {0x0C, 0x54, "> 1.0.07"},
+};
+
 static const struct mip_profile_rate cv7_ar_rates[] = {
     {0x80, 1000},
     {0x82, 1000},
@@ -1004,12 +1030,12 @@ static const struct mip_profile_port cv7_ar_ports[] = {
 
 static const struct mip_profile_limit cv7_ar_limits[] = {
     {"aiding_frames", 4, "",
-     "Frames that the aiding frame configuration can define, according to MSCL."},
-    {"event_triggers", 12, "", "Total number of triggers."},
-    {"event_gpio_triggers", 4, "", "GPIO triggers."},
-    {"event_threshold_triggers", 8, "", "Threshold triggers."},
-    {"event_combination_triggers", 8, "", "Combination triggers."},
-    {"event_tick_rate", 1000, "Hz", "Rate of the event cycle."},
+     "Frames that the aiding frame configuration can define, according to MSCL.", ""},
+    {"event_triggers", 12, "", "Total number of triggers.", ">= 1.0.04"},
+    {"event_gpio_triggers", 4, "", "GPIO triggers.", ">= 1.0.04"},
+    {"event_threshold_triggers", 8, "", "Threshold triggers.", ">= 1.0.04"},
+    {"event_combination_triggers", 8, "", "Combination triggers.", ">= 1.0.04"},
+    {"event_tick_rate", 1000, "Hz", "Rate of the event cycle.", ">= 1.0.04"},
 };
 
 static const char *const cv7_ar_anti_aliasing_cells[] = {
@@ -1076,6 +1102,7 @@ const struct mip_profile mip_profile_cv7_ar = {
     1,    /* what is not known */
     88,   /* fields */
     3,    /* refused fields */
+    2,    /* fields of some firmware */
     3,    /* base rates */
     3,    /* ports */
     6,    /* limits */
@@ -1086,6 +1113,7 @@ const struct mip_profile mip_profile_cv7_ar = {
     cv7_ar_incomplete,
     cv7_ar_fields,
     cv7_ar_refuses,
+    cv7_ar_firmware,
     cv7_ar_rates,
     cv7_ar_ports,
     cv7_ar_limits,
@@ -1308,36 +1336,37 @@ static const struct mip_profile_port cv7_gnss_ins_ports[] = {
 };
 
 static const struct mip_profile_limit cv7_gnss_ins_limits[] = {
-    {"event_triggers", 12, "", "Total number of triggers."},
-    {"event_gpio_triggers", 4, "", "GPIO triggers."},
-    {"event_threshold_triggers", 8, "", "Threshold triggers."},
-    {"event_combination_triggers", 8, "", "Combination triggers."},
-    {"event_actions", 12, "", "Total number of actions."},
-    {"event_gpio_actions", 6, "", "GPIO actions."},
-    {"event_message_actions", 8, "", "Message actions."},
-    {"event_message_fields", 12, "", "Fields in the packet of one message action."},
+    {"event_triggers", 12, "", "Total number of triggers.", ""},
+    {"event_gpio_triggers", 4, "", "GPIO triggers.", ""},
+    {"event_threshold_triggers", 8, "", "Threshold triggers.", ""},
+    {"event_combination_triggers", 8, "", "Combination triggers.", ""},
+    {"event_actions", 12, "", "Total number of actions.", ""},
+    {"event_gpio_actions", 6, "", "GPIO actions.", ""},
+    {"event_message_actions", 8, "", "Message actions.", ""},
+    {"event_message_fields", 12, "", "Fields in the packet of one message action.", ""},
     {"event_tick_rate", 1000, "Hz",
-     "Rate of the event cycle; always the base rate of the system data set."},
-    {"gpio_pins", 4, "", "User GPIO pins."},
-    {"aiding_frames", 4, "", "Frames that the aiding frame configuration can define."},
-    {"nmea_rate", 10, "Hz", "Highest rate of an NMEA sentence from the sensor or filter data set."},
-    {"nmea_gnss_rate", 2, "Hz", "Highest rate of an NMEA sentence from a GNSS set."},
-    {"mip_input_ports", 2, "", "Ports besides the main port that may accept MIP."},
-    {"nmea_input_ports", 1, "", "Ports that may accept NMEA."},
-    {"rtcm_input_ports", 1, "", "Ports that may accept RTCM."},
-    {"spartn_input_ports", 1, "", "Ports that may accept SPARTN."},
-    {"baud_rate_delay", 250, "ms", "Time to wait after a change of the baud rate."},
+     "Rate of the event cycle; always the base rate of the system data set.", ""},
+    {"gpio_pins", 4, "", "User GPIO pins.", ""},
+    {"aiding_frames", 4, "", "Frames that the aiding frame configuration can define.", ""},
+    {"nmea_rate", 10, "Hz", "Highest rate of an NMEA sentence from the sensor or filter data set.",
+     ""},
+    {"nmea_gnss_rate", 2, "Hz", "Highest rate of an NMEA sentence from a GNSS set.", ""},
+    {"mip_input_ports", 2, "", "Ports besides the main port that may accept MIP.", ""},
+    {"nmea_input_ports", 1, "", "Ports that may accept NMEA.", ""},
+    {"rtcm_input_ports", 1, "", "Ports that may accept RTCM.", ""},
+    {"spartn_input_ports", 1, "", "Ports that may accept SPARTN.", ""},
+    {"baud_rate_delay", 250, "ms", "Time to wait after a change of the baud rate.", ""},
     {"time_update_window", 250, "ms",
-     "Time after the rising edge of the PPS within which the GPS time update must arrive."},
-    {"save_time", 1, "s", "Time that saving all settings may take."},
+     "Time after the rising edge of the PPS within which the GPS time update must arrive.", ""},
+    {"save_time", 1, "s", "Time that saving all settings may take.", ""},
     {"motion_latency", 1.9, "ms",
-     "Typical time from a motion to the message that reports it, not including transmission."},
+     "Typical time from a motion to the message that reports it, not including transmission.", ""},
     {"timestamp_repeatability", 1, "us",
-     "Upper bound of the typical variation of sensor timestamps due to internal processing."},
+     "Upper bound of the typical variation of sensor timestamps due to internal processing.", ""},
     {"gpio_timestamp_accuracy", 1, "us",
-     "Upper bound of the error of GPIO timestamps; the error is far smaller."},
+     "Upper bound of the error of GPIO timestamps; the error is far smaller.", ""},
     {"antenna_offset_error", 0.5, "m",
-     "Highest value of the maximum offset of the antenna lever arm calibration."},
+     "Highest value of the maximum offset of the antenna lever arm calibration.", ""},
 };
 
 static const char *const cv7_gnss_ins_ports_cells[] = {
@@ -1597,6 +1626,7 @@ const struct mip_profile mip_profile_cv7_gnss_ins = {
     0,    /* what is not known */
     183,  /* fields */
     0,    /* refused fields */
+    0,    /* fields of some firmware */
     7,    /* base rates */
     6,    /* ports */
     24,   /* limits */
@@ -1606,6 +1636,7 @@ const struct mip_profile mip_profile_cv7_gnss_ins = {
     NULL,
     NULL,
     cv7_gnss_ins_fields,
+    NULL,
     NULL,
     cv7_gnss_ins_rates,
     cv7_gnss_ins_ports,
@@ -1725,8 +1756,8 @@ static const struct mip_profile_port cv7_ins_ports[] = {
 
 static const struct mip_profile_limit cv7_ins_limits[] = {
     {"aiding_frames", 4, "",
-     "Frames that the aiding frame configuration can define, according to MSCL."},
-    {"antenna_offset", 10, "m", "Greatest distance of the antenna from the device."},
+     "Frames that the aiding frame configuration can define, according to MSCL.", ""},
+    {"antenna_offset", 10, "m", "Greatest distance of the antenna from the device.", ""},
 };
 
 static const char *const cv7_ins_anti_aliasing_cells[] = {
@@ -1785,6 +1816,7 @@ const struct mip_profile mip_profile_cv7_ins = {
     2,    /* what is not known */
     132,  /* fields */
     0,    /* refused fields */
+    0,    /* fields of some firmware */
     1,    /* base rates */
     5,    /* ports */
     2,    /* limits */
@@ -1794,6 +1826,7 @@ const struct mip_profile mip_profile_cv7_ins = {
     NULL,
     cv7_ins_incomplete,
     cv7_ins_fields,
+    NULL,
     NULL,
     cv7_ins_rates,
     cv7_ins_ports,
@@ -1862,6 +1895,7 @@ const struct mip_profile mip_profile_cx5_10 = {
     1,    /* what is not known */
     27,   /* fields */
     0,    /* refused fields */
+    0,    /* fields of some firmware */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
@@ -1871,6 +1905,7 @@ const struct mip_profile mip_profile_cx5_10 = {
     cx5_10_also,
     cx5_10_incomplete,
     cx5_10_fields,
+    NULL,
     NULL,
     NULL,
     NULL,
@@ -1967,6 +2002,7 @@ const struct mip_profile mip_profile_cx5_15 = {
     1,    /* what is not known */
     73,   /* fields */
     0,    /* refused fields */
+    0,    /* fields of some firmware */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
@@ -1976,6 +2012,7 @@ const struct mip_profile mip_profile_cx5_15 = {
     cx5_15_also,
     cx5_15_incomplete,
     cx5_15_fields,
+    NULL,
     NULL,
     NULL,
     NULL,
@@ -2080,6 +2117,7 @@ const struct mip_profile mip_profile_cx5_25 = {
     1,    /* what is not known */
     90,   /* fields */
     0,    /* refused fields */
+    0,    /* fields of some firmware */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
@@ -2089,6 +2127,7 @@ const struct mip_profile mip_profile_cx5_25 = {
     cx5_25_also,
     cx5_25_incomplete,
     cx5_25_fields,
+    NULL,
     NULL,
     NULL,
     NULL,
@@ -2169,6 +2208,7 @@ const struct mip_profile mip_profile_cx5_35 = {
     1,    /* what is not known */
     57,   /* fields */
     0,    /* refused fields */
+    0,    /* fields of some firmware */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
@@ -2178,6 +2218,7 @@ const struct mip_profile mip_profile_cx5_35 = {
     cx5_35_also,
     cx5_35_incomplete,
     cx5_35_fields,
+    NULL,
     NULL,
     NULL,
     NULL,
@@ -2302,6 +2343,7 @@ const struct mip_profile mip_profile_cx5_45 = {
     1,    /* what is not known */
     124,  /* fields */
     0,    /* refused fields */
+    0,    /* fields of some firmware */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
@@ -2311,6 +2353,7 @@ const struct mip_profile mip_profile_cx5_45 = {
     cx5_45_also,
     cx5_45_incomplete,
     cx5_45_fields,
+    NULL,
     NULL,
     NULL,
     NULL,
@@ -2391,7 +2434,7 @@ static const struct mip_profile_port cx7_ahrs_ports[] = {
 
 static const struct mip_profile_limit cx7_ahrs_limits[] = {
     {"aiding_frames", 4, "",
-     "Frames that the aiding frame configuration can define, according to MSCL."},
+     "Frames that the aiding frame configuration can define, according to MSCL.", ""},
 };
 
 static const char *const cx7_ahrs_anti_aliasing_cells[] = {
@@ -2446,6 +2489,7 @@ const struct mip_profile mip_profile_cx7_ahrs = {
     1,    /* what is not known */
     87,   /* fields */
     0,    /* refused fields */
+    0,    /* fields of some firmware */
     0,    /* base rates */
     3,    /* ports */
     1,    /* limits */
@@ -2455,6 +2499,7 @@ const struct mip_profile mip_profile_cx7_ahrs = {
     NULL,
     cx7_ahrs_incomplete,
     cx7_ahrs_fields,
+    NULL,
     NULL,
     NULL,
     cx7_ahrs_ports,
@@ -2535,7 +2580,7 @@ static const struct mip_profile_port cx7_ar_ports[] = {
 
 static const struct mip_profile_limit cx7_ar_limits[] = {
     {"aiding_frames", 4, "",
-     "Frames that the aiding frame configuration can define, according to MSCL."},
+     "Frames that the aiding frame configuration can define, according to MSCL.", ""},
 };
 
 static const char *const cx7_ar_anti_aliasing_cells[] = {
@@ -2590,6 +2635,7 @@ const struct mip_profile mip_profile_cx7_ar = {
     1,    /* what is not known */
     87,   /* fields */
     0,    /* refused fields */
+    0,    /* fields of some firmware */
     0,    /* base rates */
     3,    /* ports */
     1,    /* limits */
@@ -2599,6 +2645,7 @@ const struct mip_profile mip_profile_cx7_ar = {
     NULL,
     cx7_ar_incomplete,
     cx7_ar_fields,
+    NULL,
     NULL,
     NULL,
     cx7_ar_ports,
@@ -2698,7 +2745,7 @@ static const struct mip_profile_port cx7_ins_ports[] = {
 
 static const struct mip_profile_limit cx7_ins_limits[] = {
     {"aiding_frames", 4, "",
-     "Frames that the aiding frame configuration can define, according to MSCL."},
+     "Frames that the aiding frame configuration can define, according to MSCL.", ""},
 };
 
 static const char *const cx7_ins_anti_aliasing_cells[] = {
@@ -2755,6 +2802,7 @@ const struct mip_profile mip_profile_cx7_ins = {
     1,    /* what is not known */
     126,  /* fields */
     0,    /* refused fields */
+    0,    /* fields of some firmware */
     0,    /* base rates */
     5,    /* ports */
     1,    /* limits */
@@ -2764,6 +2812,7 @@ const struct mip_profile mip_profile_cx7_ins = {
     NULL,
     cx7_ins_incomplete,
     cx7_ins_fields,
+    NULL,
     NULL,
     NULL,
     cx7_ins_ports,
@@ -2796,32 +2845,23 @@ static const struct mip_profile_reading dh3_readings[] = {
 };
 
 const struct mip_profile mip_profile_dh3 = {
-    "3dm-dh3",
-    "3DM-DH3",
-    "",
-    "Device of generation 3.",
+    "3dm-dh3", "3DM-DH3",      "",         "Device of generation 3.",
     6219, /* model number */
     3,    /* generation */
     0,    /* other names */
     1,    /* what is not known */
     6,    /* fields */
     0,    /* refused fields */
+    0,    /* fields of some firmware */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
     0,    /* notes */
     2,    /* readings */
     0,    /* acknowledge codes */
-    NULL,
-    dh3_incomplete,
-    dh3_fields,
-    NULL,
-    NULL,
-    NULL,
-    NULL,
-    NULL,
-    dh3_readings,
-    NULL,
+    NULL,      dh3_incomplete, dh3_fields, NULL,
+    NULL,      NULL,           NULL,       NULL,
+    NULL,      dh3_readings,   NULL,
 };
 
 /* 3DM-GQ4-45. */
@@ -2878,7 +2918,8 @@ static const struct mip_profile_field gq4_45_fields[] = {
 static const struct mip_profile_note gq4_45_notes[] = {
     {"direct_mode", "Direct modes",
      "`system.comm_mode` connects the port to the inner inertial sensor or to the receiver. The "
-     "inner sensor of the GX4 has the model number 6237, that of the RQ1 6238.",
+     "inner sensor answers as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in "
+     "the 3DM-RQ1-45.",
      NULL, 0, 0},
     {"device_status", "Device status",
      "According to MSCL, it answers with `3dm.device_status_basic_response` and "
@@ -2902,6 +2943,7 @@ const struct mip_profile mip_profile_gq4_45 = {
     2,    /* what is not known */
     70,   /* fields */
     0,    /* refused fields */
+    0,    /* fields of some firmware */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
@@ -2911,6 +2953,7 @@ const struct mip_profile mip_profile_gq4_45 = {
     NULL,
     gq4_45_incomplete,
     gq4_45_fields,
+    NULL,
     NULL,
     NULL,
     NULL,
@@ -3035,6 +3078,11 @@ static const struct mip_profile_field gq7_fields[] = {
     {0xFF, 0xD8, "", &gq7_evidence[7]},
 };
 
+static const struct mip_profile_firmware gq7_firmware[] = {
+    {0x0C, 0x50, "<= 1.0.10"}, {0x0C, 0x54, "> 1.0.10"}, {0x0E, 0x02, "> 1.0.10"},
+    {0xA0, 0x01, "> 1.0.10"},  {0xA0, 0x02, "> 1.0.10"}, {0xA0, 0x03, "> 1.0.10"},
+};
+
 static const struct mip_profile_rate gq7_rates[] = {
     {0x80, 1000}, {0x82, 1000}, {0xA0, 1000}, {0x91, 2}, {0x92, 2}, {0x93, 0},
 };
@@ -3047,7 +3095,7 @@ static const struct mip_profile_port gq7_ports[] = {
 };
 
 static const struct mip_profile_limit gq7_limits[] = {
-    {"nmea_rate", 10, "Hz", "Highest rate of an NMEA sentence, according to MSCL."},
+    {"nmea_rate", 10, "Hz", "Highest rate of an NMEA sentence, according to MSCL.", ""},
 };
 
 static const char *const gq7_anti_aliasing_cells[] = {
@@ -3117,6 +3165,7 @@ const struct mip_profile mip_profile_gq7 = {
     2,    /* what is not known */
     167,  /* fields */
     0,    /* refused fields */
+    6,    /* fields of some firmware */
     6,    /* base rates */
     2,    /* ports */
     1,    /* limits */
@@ -3127,6 +3176,7 @@ const struct mip_profile mip_profile_gq7 = {
     gq7_incomplete,
     gq7_fields,
     NULL,
+    gq7_firmware,
     gq7_rates,
     gq7_ports,
     gq7_limits,
@@ -3210,7 +3260,7 @@ static const struct mip_profile_port gv7_ahrs_ports[] = {
 
 static const struct mip_profile_limit gv7_ahrs_limits[] = {
     {"aiding_frames", 4, "",
-     "Frames that the aiding frame configuration can define, according to MSCL."},
+     "Frames that the aiding frame configuration can define, according to MSCL.", ""},
 };
 
 static const char *const gv7_ahrs_anti_aliasing_cells[] = {
@@ -3263,6 +3313,7 @@ const struct mip_profile mip_profile_gv7_ahrs = {
     1,    /* what is not known */
     87,   /* fields */
     0,    /* refused fields */
+    0,    /* fields of some firmware */
     0,    /* base rates */
     3,    /* ports */
     1,    /* limits */
@@ -3272,6 +3323,7 @@ const struct mip_profile mip_profile_gv7_ahrs = {
     NULL,
     gv7_ahrs_incomplete,
     gv7_ahrs_fields,
+    NULL,
     NULL,
     NULL,
     gv7_ahrs_ports,
@@ -3356,7 +3408,7 @@ static const struct mip_profile_port gv7_ar_ports[] = {
 
 static const struct mip_profile_limit gv7_ar_limits[] = {
     {"aiding_frames", 4, "",
-     "Frames that the aiding frame configuration can define, according to MSCL."},
+     "Frames that the aiding frame configuration can define, according to MSCL.", ""},
 };
 
 static const char *const gv7_ar_anti_aliasing_cells[] = {
@@ -3409,6 +3461,7 @@ const struct mip_profile mip_profile_gv7_ar = {
     1,    /* what is not known */
     87,   /* fields */
     0,    /* refused fields */
+    0,    /* fields of some firmware */
     0,    /* base rates */
     3,    /* ports */
     1,    /* limits */
@@ -3418,6 +3471,7 @@ const struct mip_profile mip_profile_gv7_ar = {
     NULL,
     gv7_ar_incomplete,
     gv7_ar_fields,
+    NULL,
     NULL,
     NULL,
     gv7_ar_ports,
@@ -3522,7 +3576,7 @@ static const struct mip_profile_port gv7_ins_ports[] = {
 
 static const struct mip_profile_limit gv7_ins_limits[] = {
     {"aiding_frames", 4, "",
-     "Frames that the aiding frame configuration can define, according to MSCL."},
+     "Frames that the aiding frame configuration can define, according to MSCL.", ""},
 };
 
 static const char *const gv7_ins_anti_aliasing_cells[] = {
@@ -3577,6 +3631,7 @@ const struct mip_profile mip_profile_gv7_ins = {
     1,    /* what is not known */
     126,  /* fields */
     0,    /* refused fields */
+    0,    /* fields of some firmware */
     0,    /* base rates */
     4,    /* ports */
     1,    /* limits */
@@ -3586,6 +3641,7 @@ const struct mip_profile mip_profile_gv7_ins = {
     NULL,
     gv7_ins_incomplete,
     gv7_ins_fields,
+    NULL,
     NULL,
     NULL,
     gv7_ins_ports,
@@ -3635,6 +3691,7 @@ const struct mip_profile mip_profile_gx3_15 = {
     1,    /* what is not known */
     17,   /* fields */
     0,    /* refused fields */
+    0,    /* fields of some firmware */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
@@ -3644,6 +3701,7 @@ const struct mip_profile mip_profile_gx3_15 = {
     NULL,
     gx3_15_incomplete,
     gx3_15_fields,
+    NULL,
     NULL,
     NULL,
     NULL,
@@ -3715,6 +3773,7 @@ const struct mip_profile mip_profile_gx3_25 = {
     1,    /* what is not known */
     17,   /* fields */
     28,   /* refused fields */
+    0,    /* fields of some firmware */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
@@ -3725,6 +3784,7 @@ const struct mip_profile mip_profile_gx3_25 = {
     gx3_25_incomplete,
     gx3_25_fields,
     gx3_25_refuses,
+    NULL,
     NULL,
     NULL,
     NULL,
@@ -3783,6 +3843,7 @@ const struct mip_profile mip_profile_gx3_35 = {
     1,    /* what is not known */
     27,   /* fields */
     0,    /* refused fields */
+    0,    /* fields of some firmware */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
@@ -3792,6 +3853,7 @@ const struct mip_profile mip_profile_gx3_35 = {
     NULL,
     gx3_35_incomplete,
     gx3_35_fields,
+    NULL,
     NULL,
     NULL,
     NULL,
@@ -3857,6 +3919,7 @@ const struct mip_profile mip_profile_gx3_45 = {
     1,    /* what is not known */
     45,   /* fields */
     0,    /* refused fields */
+    0,    /* fields of some firmware */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
@@ -3866,6 +3929,7 @@ const struct mip_profile mip_profile_gx3_45 = {
     NULL,
     gx3_45_incomplete,
     gx3_45_fields,
+    NULL,
     NULL,
     NULL,
     NULL,
@@ -3927,7 +3991,8 @@ static const struct mip_profile_field gx4_15_fields[] = {
 static const struct mip_profile_note gx4_15_notes[] = {
     {"direct_mode", "Direct modes",
      "`system.comm_mode` connects the port to the inner inertial sensor or to the receiver. The "
-     "inner sensor of the GX4 has the model number 6237, that of the RQ1 6238.",
+     "inner sensor answers as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in "
+     "the 3DM-RQ1-45.",
      NULL, 0, 0},
     {"device_status", "Device status",
      "According to MSCL, it answers with `3dm.device_status_basic_without_state_response` and "
@@ -3954,6 +4019,7 @@ const struct mip_profile mip_profile_gx4_15 = {
     1,    /* what is not known */
     63,   /* fields */
     0,    /* refused fields */
+    0,    /* fields of some firmware */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
@@ -3963,6 +4029,7 @@ const struct mip_profile mip_profile_gx4_15 = {
     NULL,
     gx4_15_incomplete,
     gx4_15_fields,
+    NULL,
     NULL,
     NULL,
     NULL,
@@ -4040,7 +4107,8 @@ static const struct mip_profile_rate gx4_25_rates[] = {
 static const struct mip_profile_note gx4_25_notes[] = {
     {"direct_mode", "Direct modes",
      "`system.comm_mode` connects the port to the inner inertial sensor or to the receiver. The "
-     "inner sensor of the GX4 has the model number 6237, that of the RQ1 6238.",
+     "inner sensor answers as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in "
+     "the 3DM-RQ1-45.",
      NULL, 0, 0},
     {"device_status", "Device status",
      "According to MSCL, it answers with `3dm.device_status_basic_without_state_response` and "
@@ -4067,6 +4135,7 @@ const struct mip_profile mip_profile_gx4_25 = {
     1,    /* what is not known */
     75,   /* fields */
     1,    /* refused fields */
+    0,    /* fields of some firmware */
     2,    /* base rates */
     0,    /* ports */
     0,    /* limits */
@@ -4077,6 +4146,7 @@ const struct mip_profile mip_profile_gx4_25 = {
     gx4_25_incomplete,
     gx4_25_fields,
     gx4_25_refuses,
+    NULL,
     gx4_25_rates,
     NULL,
     NULL,
@@ -4148,7 +4218,8 @@ static const struct mip_profile_field gx4_45_fields[] = {
 static const struct mip_profile_note gx4_45_notes[] = {
     {"direct_mode", "Direct modes",
      "`system.comm_mode` connects the port to the inner inertial sensor or to the receiver. The "
-     "inner sensor of the GX4 has the model number 6237, that of the RQ1 6238.",
+     "inner sensor answers as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in "
+     "the 3DM-RQ1-45.",
      NULL, 0, 0},
     {"device_status", "Device status",
      "According to MSCL, it answers with `3dm.device_status_basic_response` and "
@@ -4176,6 +4247,7 @@ const struct mip_profile mip_profile_gx4_45 = {
     1,    /* what is not known */
     89,   /* fields */
     0,    /* refused fields */
+    0,    /* fields of some firmware */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
@@ -4189,8 +4261,62 @@ const struct mip_profile mip_profile_gx4_45 = {
     NULL,
     NULL,
     NULL,
+    NULL,
     gx4_45_notes,
     gx4_45_readings,
+    NULL,
+};
+
+/* 3DM-GX4-IMU. */
+
+static const char *const gx4_imu_incomplete[] = {
+    "No manual is known.",
+};
+
+static const struct mip_profile_evidence gx4_imu_evidence[] = {
+    {MIP_SUPPORT_PROBABLE, "Used by the vendor's example for this model (MIP SDK of 2014: "
+                           "Examples, one for each model)."},
+};
+
+static const struct mip_profile_field gx4_imu_fields[] = {
+    {0x01, 0x01, "", &gx4_imu_evidence[0]},       {0x01, 0x02, "", &gx4_imu_evidence[0]},
+    {0x01, 0x03, "", &gx4_imu_evidence[0]},       {0x01, 0x04, "", &gx4_imu_evidence[0]},
+    {0x01, 0x05, "", &gx4_imu_evidence[0]},       {0x0C, 0x01, "", &gx4_imu_evidence[0]},
+    {0x0C, 0x06, "", &gx4_imu_evidence[0]},       {0x0C, 0x08, "WRSLD", &gx4_imu_evidence[0]},
+    {0x0C, 0x37, "WRSLDA", &gx4_imu_evidence[0]}, {0x0C, 0x38, "WRSLDA", &gx4_imu_evidence[0]},
+    {0x0C, 0x39, "", &gx4_imu_evidence[0]},       {0x0C, 0x3A, "WRSLDA", &gx4_imu_evidence[0]},
+    {0x0C, 0x3B, "WRSLDA", &gx4_imu_evidence[0]}, {0x0C, 0x3E, "WRSLD", &gx4_imu_evidence[0]},
+    {0x0C, 0x64, "", &gx4_imu_evidence[0]},       {0x7F, 0x10, "WRSLD", &gx4_imu_evidence[0]},
+};
+
+const struct mip_profile mip_profile_gx4_imu = {
+    "3dm-gx4-imu",
+    "3DM-GX4-IMU",
+    "",
+    "Inertial sensor inside the 3DM-GX4-45, which answers in its direct mode.",
+    6237, /* model number */
+    4,    /* generation */
+    0,    /* other names */
+    1,    /* what is not known */
+    16,   /* fields */
+    0,    /* refused fields */
+    0,    /* fields of some firmware */
+    0,    /* base rates */
+    0,    /* ports */
+    0,    /* limits */
+    0,    /* notes */
+    0,    /* readings */
+    0,    /* acknowledge codes */
+    NULL,
+    gx4_imu_incomplete,
+    gx4_imu_fields,
+    NULL,
+    NULL,
+    NULL,
+    NULL,
+    NULL,
+    NULL,
+    NULL,
     NULL,
 };
 
@@ -4251,6 +4377,7 @@ const struct mip_profile mip_profile_gx5_10 = {
     1,    /* what is not known */
     27,   /* fields */
     0,    /* refused fields */
+    0,    /* fields of some firmware */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
@@ -4260,6 +4387,7 @@ const struct mip_profile mip_profile_gx5_10 = {
     gx5_10_also,
     gx5_10_incomplete,
     gx5_10_fields,
+    NULL,
     NULL,
     NULL,
     NULL,
@@ -4338,12 +4466,12 @@ static const struct mip_profile_port gx5_15_ports[] = {
 };
 
 static const struct mip_profile_limit gx5_15_limits[] = {
-    {"low_pass_cutoff", 250, "Hz", "Highest cutoff of the low-pass filters."},
-    {"external_heading_rate", 20, "Hz", "Highest rate of external heading updates."},
+    {"low_pass_cutoff", 250, "Hz", "Highest cutoff of the low-pass filters.", ""},
+    {"external_heading_rate", 20, "Hz", "Highest rate of external heading updates.", ""},
     {"zero_angular_rate_update_rate", 10, "Hz",
-     "Highest rate of commanded zero angular rate updates."},
+     "Highest rate of commanded zero angular rate updates.", ""},
     {"baud_rate_delay", 250, "ms",
-     "Time from the acknowledge of a new baud rate until commands are answered at that rate."},
+     "Time from the acknowledge of a new baud rate until commands are answered at that rate.", ""},
 };
 
 static const char *const gx5_15_low_pass_filter_cells[] = {
@@ -4402,6 +4530,7 @@ const struct mip_profile mip_profile_gx5_15 = {
     0,    /* what is not known */
     73,   /* fields */
     2,    /* refused fields */
+    0,    /* fields of some firmware */
     2,    /* base rates */
     2,    /* ports */
     4,    /* limits */
@@ -4412,6 +4541,7 @@ const struct mip_profile mip_profile_gx5_15 = {
     NULL,
     gx5_15_fields,
     gx5_15_refuses,
+    NULL,
     gx5_15_rates,
     gx5_15_ports,
     gx5_15_limits,
@@ -4538,6 +4668,7 @@ const struct mip_profile mip_profile_gx5_25 = {
     1,    /* what is not known */
     91,   /* fields */
     15,   /* refused fields */
+    0,    /* fields of some firmware */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
@@ -4548,6 +4679,7 @@ const struct mip_profile mip_profile_gx5_25 = {
     gx5_25_incomplete,
     gx5_25_fields,
     gx5_25_refuses,
+    NULL,
     NULL,
     NULL,
     NULL,
@@ -4611,7 +4743,7 @@ static const struct mip_profile_rate gx5_35_rates[] = {
 };
 
 static const struct mip_profile_limit gx5_35_limits[] = {
-    {"reserved_gnss_channels", 32, "", "Sum of the channels that constellations reserve."},
+    {"reserved_gnss_channels", 32, "", "Sum of the channels that constellations reserve.", ""},
 };
 
 static const struct mip_profile_note gx5_35_notes[] = {
@@ -4644,6 +4776,7 @@ const struct mip_profile mip_profile_gx5_35 = {
     1,    /* what is not known */
     57,   /* fields */
     0,    /* refused fields */
+    0,    /* fields of some firmware */
     2,    /* base rates */
     0,    /* ports */
     1,    /* limits */
@@ -4653,6 +4786,7 @@ const struct mip_profile mip_profile_gx5_35 = {
     gx5_35_also,
     gx5_35_incomplete,
     gx5_35_fields,
+    NULL,
     NULL,
     gx5_35_rates,
     NULL,
@@ -4778,8 +4912,8 @@ static const struct mip_profile_port gx5_45_ports[] = {
 
 static const struct mip_profile_limit gx5_45_limits[] = {
     {"baud_rate_delay", 250, "ms",
-     "Time from the acknowledge of a new baud rate until commands are answered at that rate."},
-    {"rtcm_chunk", 253, "byte", "Maximum number of RTCM bytes in one field."},
+     "Time from the acknowledge of a new baud rate until commands are answered at that rate.", ""},
+    {"rtcm_chunk", 253, "byte", "Maximum number of RTCM bytes in one field.", ""},
 };
 
 static const struct mip_profile_note gx5_45_notes[] = {
@@ -4816,6 +4950,7 @@ const struct mip_profile mip_profile_gx5_45 = {
     2,    /* what is not known */
     126,  /* fields */
     1,    /* refused fields */
+    0,    /* fields of some firmware */
     3,    /* base rates */
     2,    /* ports */
     2,    /* limits */
@@ -4826,6 +4961,7 @@ const struct mip_profile mip_profile_gx5_45 = {
     gx5_45_incomplete,
     gx5_45_fields,
     gx5_45_refuses,
+    NULL,
     gx5_45_rates,
     gx5_45_ports,
     gx5_45_limits,
@@ -4889,6 +5025,7 @@ const struct mip_profile mip_profile_mv5_ar = {
     1,    /* what is not known */
     6,    /* fields */
     0,    /* refused fields */
+    0,    /* fields of some firmware */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
@@ -4898,6 +5035,7 @@ const struct mip_profile mip_profile_mv5_ar = {
     mv5_ar_also,
     mv5_ar_incomplete,
     mv5_ar_fields,
+    NULL,
     NULL,
     NULL,
     NULL,
@@ -4964,7 +5102,8 @@ static const struct mip_profile_field rq1_45_lt_fields[] = {
 static const struct mip_profile_note rq1_45_lt_notes[] = {
     {"direct_mode", "Direct modes",
      "`system.comm_mode` connects the port to the inner inertial sensor or to the receiver. The "
-     "inner sensor of the GX4 has the model number 6237, that of the RQ1 6238.",
+     "inner sensor answers as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in "
+     "the 3DM-RQ1-45.",
      NULL, 0, 0},
     {"device_status", "Device status",
      "According to MSCL, it answers with `3dm.device_status_basic_response` and "
@@ -4993,6 +5132,7 @@ const struct mip_profile mip_profile_rq1_45_lt = {
     2,    /* what is not known */
     66,   /* fields */
     0,    /* refused fields */
+    0,    /* fields of some firmware */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
@@ -5002,6 +5142,7 @@ const struct mip_profile mip_profile_rq1_45_lt = {
     rq1_45_lt_also,
     rq1_45_lt_incomplete,
     rq1_45_lt_fields,
+    NULL,
     NULL,
     NULL,
     NULL,
@@ -5067,7 +5208,8 @@ static const struct mip_profile_field rq1_45_st_fields[] = {
 static const struct mip_profile_note rq1_45_st_notes[] = {
     {"direct_mode", "Direct modes",
      "`system.comm_mode` connects the port to the inner inertial sensor or to the receiver. The "
-     "inner sensor of the GX4 has the model number 6237, that of the RQ1 6238.",
+     "inner sensor answers as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in "
+     "the 3DM-RQ1-45.",
      NULL, 0, 0},
     {"device_status", "Device status",
      "According to MSCL, it answers with `3dm.device_status_basic_response` and "
@@ -5096,6 +5238,7 @@ const struct mip_profile mip_profile_rq1_45_st = {
     2,    /* what is not known */
     66,   /* fields */
     0,    /* refused fields */
+    0,    /* fields of some firmware */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
@@ -5109,8 +5252,61 @@ const struct mip_profile mip_profile_rq1_45_st = {
     NULL,
     NULL,
     NULL,
+    NULL,
     rq1_45_st_notes,
     rq1_45_st_readings,
+    NULL,
+};
+
+/* 3DM-RQ1-IMU. */
+
+static const char *const rq1_imu_incomplete[] = {
+    "No manual is known.",
+};
+
+static const struct mip_profile_evidence rq1_imu_evidence[] = {
+    {MIP_SUPPORT_PROBABLE, "Used by the vendor's example for this model (MIP SDK of 2014: "
+                           "Examples, one for each model)."},
+};
+
+static const struct mip_profile_field rq1_imu_fields[] = {
+    {0x01, 0x01, "", &rq1_imu_evidence[0]},       {0x01, 0x02, "", &rq1_imu_evidence[0]},
+    {0x01, 0x03, "", &rq1_imu_evidence[0]},       {0x01, 0x04, "", &rq1_imu_evidence[0]},
+    {0x01, 0x05, "", &rq1_imu_evidence[0]},       {0x0C, 0x01, "", &rq1_imu_evidence[0]},
+    {0x0C, 0x06, "", &rq1_imu_evidence[0]},       {0x0C, 0x08, "WRSLD", &rq1_imu_evidence[0]},
+    {0x0C, 0x37, "WRSLDA", &rq1_imu_evidence[0]}, {0x0C, 0x38, "WRSLDA", &rq1_imu_evidence[0]},
+    {0x0C, 0x39, "", &rq1_imu_evidence[0]},       {0x0C, 0x3E, "WRSLD", &rq1_imu_evidence[0]},
+    {0x0C, 0x64, "", &rq1_imu_evidence[0]},       {0x7F, 0x10, "WRSLD", &rq1_imu_evidence[0]},
+};
+
+const struct mip_profile mip_profile_rq1_imu = {
+    "3dm-rq1-imu",
+    "3DM-RQ1-IMU",
+    "",
+    "Inertial sensor inside the 3DM-RQ1-45, which answers in its direct mode.",
+    6238, /* model number */
+    4,    /* generation */
+    0,    /* other names */
+    1,    /* what is not known */
+    14,   /* fields */
+    0,    /* refused fields */
+    0,    /* fields of some firmware */
+    0,    /* base rates */
+    0,    /* ports */
+    0,    /* limits */
+    0,    /* notes */
+    0,    /* readings */
+    0,    /* acknowledge codes */
+    NULL,
+    rq1_imu_incomplete,
+    rq1_imu_fields,
+    NULL,
+    NULL,
+    NULL,
+    NULL,
+    NULL,
+    NULL,
+    NULL,
     NULL,
 };
 
@@ -5146,50 +5342,97 @@ static const struct mip_profile_reading rtk_readings[] = {
 };
 
 const struct mip_profile mip_profile_rtk = {
-    "3dm-rtk",
-    "3DM-RTK",
-    "",
-    "Modem for GNSS corrections.",
+    "3dm-rtk", "3DM-RTK",      "",         "Modem for GNSS corrections.",
     6285, /* model number */
     7,    /* generation */
     0,    /* other names */
     1,    /* what is not known */
     12,   /* fields */
     0,    /* refused fields */
+    0,    /* fields of some firmware */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
     1,    /* notes */
     1,    /* readings */
     0,    /* acknowledge codes */
+    NULL,      rtk_incomplete, rtk_fields, NULL,
+    NULL,      NULL,           NULL,       NULL,
+    rtk_notes, rtk_readings,   NULL,
+};
+
+/* DEMOD-DC. */
+
+static const char *const demod_dc_also[] = {
+    "Digital Demod",
+};
+
+static const char *const demod_dc_incomplete[] = {
+    "No manual is known; all is from MSCL.",
+};
+
+static const struct mip_profile_evidence demod_dc_evidence[] = {
+    {MIP_SUPPORT_PROBABLE,
+     "Used by programs for this model (MicroStrain Communication Library: Displacement node)."},
+};
+
+static const struct mip_profile_field demod_dc_fields[] = {
+    {0x01, 0x01, "", &demod_dc_evidence[0]},  {0x01, 0x02, "", &demod_dc_evidence[0]},
+    {0x01, 0x03, "", &demod_dc_evidence[0]},  {0x01, 0x04, "", &demod_dc_evidence[0]},
+    {0x01, 0x06, "", &demod_dc_evidence[0]},  {0x11, 0x01, "", &demod_dc_evidence[0]},
+    {0x11, 0x02, "R", &demod_dc_evidence[0]}, {0x11, 0x04, "W", &demod_dc_evidence[0]},
+    {0x90, 0x01, "", &demod_dc_evidence[0]},  {0x90, 0x02, "", &demod_dc_evidence[0]},
+    {0x90, 0x04, "", &demod_dc_evidence[0]},
+};
+
+const struct mip_profile mip_profile_demod_dc = {
+    "demod-dc",
+    "DEMOD-DC",
+    "",
+    "Digital demodulator for displacement sensors.",
+    6130, /* model number */
+    0,    /* generation */
+    1,    /* other names */
+    1,    /* what is not known */
+    11,   /* fields */
+    0,    /* refused fields */
+    0,    /* fields of some firmware */
+    0,    /* base rates */
+    0,    /* ports */
+    0,    /* limits */
+    0,    /* notes */
+    0,    /* readings */
+    0,    /* acknowledge codes */
+    demod_dc_also,
+    demod_dc_incomplete,
+    demod_dc_fields,
     NULL,
-    rtk_incomplete,
-    rtk_fields,
     NULL,
     NULL,
     NULL,
     NULL,
-    rtk_notes,
-    rtk_readings,
+    NULL,
+    NULL,
     NULL,
 };
 
 /* All of them. */
 
 const struct mip_profile *const mip_profiles[] = {
-    &mip_profile_cl5_10,       &mip_profile_cl5_15,   &mip_profile_cl5_25,
-    &mip_profile_cv5_10,       &mip_profile_cv5_15,   &mip_profile_cv5_25,
-    &mip_profile_cv5_45,       &mip_profile_cv7_ahrs, &mip_profile_cv7_ar,
-    &mip_profile_cv7_gnss_ins, &mip_profile_cv7_ins,  &mip_profile_cx5_10,
-    &mip_profile_cx5_15,       &mip_profile_cx5_25,   &mip_profile_cx5_35,
-    &mip_profile_cx5_45,       &mip_profile_cx7_ahrs, &mip_profile_cx7_ar,
-    &mip_profile_cx7_ins,      &mip_profile_dh3,      &mip_profile_gq4_45,
-    &mip_profile_gq7,          &mip_profile_gv7_ahrs, &mip_profile_gv7_ar,
-    &mip_profile_gv7_ins,      &mip_profile_gx3_15,   &mip_profile_gx3_25,
-    &mip_profile_gx3_35,       &mip_profile_gx3_45,   &mip_profile_gx4_15,
-    &mip_profile_gx4_25,       &mip_profile_gx4_45,   &mip_profile_gx5_10,
-    &mip_profile_gx5_15,       &mip_profile_gx5_25,   &mip_profile_gx5_35,
-    &mip_profile_gx5_45,       &mip_profile_mv5_ar,   &mip_profile_rq1_45_lt,
-    &mip_profile_rq1_45_st,    &mip_profile_rtk,
+    &mip_profile_cl5_10,       &mip_profile_cl5_15,    &mip_profile_cl5_25,
+    &mip_profile_cv5_10,       &mip_profile_cv5_15,    &mip_profile_cv5_25,
+    &mip_profile_cv5_45,       &mip_profile_cv7_ahrs,  &mip_profile_cv7_ar,
+    &mip_profile_cv7_gnss_ins, &mip_profile_cv7_ins,   &mip_profile_cx5_10,
+    &mip_profile_cx5_15,       &mip_profile_cx5_25,    &mip_profile_cx5_35,
+    &mip_profile_cx5_45,       &mip_profile_cx7_ahrs,  &mip_profile_cx7_ar,
+    &mip_profile_cx7_ins,      &mip_profile_dh3,       &mip_profile_gq4_45,
+    &mip_profile_gq7,          &mip_profile_gv7_ahrs,  &mip_profile_gv7_ar,
+    &mip_profile_gv7_ins,      &mip_profile_gx3_15,    &mip_profile_gx3_25,
+    &mip_profile_gx3_35,       &mip_profile_gx3_45,    &mip_profile_gx4_15,
+    &mip_profile_gx4_25,       &mip_profile_gx4_45,    &mip_profile_gx4_imu,
+    &mip_profile_gx5_10,       &mip_profile_gx5_15,    &mip_profile_gx5_25,
+    &mip_profile_gx5_35,       &mip_profile_gx5_45,    &mip_profile_mv5_ar,
+    &mip_profile_rq1_45_lt,    &mip_profile_rq1_45_st, &mip_profile_rq1_imu,
+    &mip_profile_rtk,          &mip_profile_demod_dc,
 };
-const size_t mip_profile_count = 41;
+const size_t mip_profile_count = 44;

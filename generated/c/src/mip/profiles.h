@@ -391,6 +391,16 @@ extern MIP_API const struct mip_profile mip_profile_gx4_25;
 extern MIP_API const struct mip_profile mip_profile_gx4_45;
 
 /**
+ * 3DM-GX4-IMU: Inertial sensor inside the 3DM-GX4-45, which answers in its direct mode.
+ *
+ * Generation 4. Model number 6237. No manual is known. This profile is incomplete: No manual is
+ * known.
+ *
+ * - mip-sdk-2014: GX4 IMU
+ */
+extern MIP_API const struct mip_profile mip_profile_gx4_imu;
+
+/**
  * 3DM-GX5-10: Inertial measurement unit.
  *
  * Also called 3DM-GX5-IMU. Generation 5. Model number 6255. No manual is known. This profile is
@@ -447,7 +457,7 @@ extern MIP_API const struct mip_profile mip_profile_gx5_35;
  * mip_filter_gnss_source are those that MSCL offers. Uncertain: The base rates are those that the
  * manuals of the 3DM-GX5-35 and the 3DM-GX5-45 give for all 3DM-GX5. Uncertain: An example in the
  * manual has a base rate of 100 Hz for the sensor data. Uncertain: The manual gives the length of
- * mip_3dm_device_status_basic_stateless_response and offsets of
+ * mip_3dm_device_status_basic_without_state_response and offsets of
  * mip_3dm_device_status_diagnostic_gx4_response; MSCL differs.
  *
  * - mip-sdk-4: Device models
@@ -497,6 +507,16 @@ extern MIP_API const struct mip_profile mip_profile_rq1_45_lt;
 extern MIP_API const struct mip_profile mip_profile_rq1_45_st;
 
 /**
+ * 3DM-RQ1-IMU: Inertial sensor inside the 3DM-RQ1-45, which answers in its direct mode.
+ *
+ * Generation 4. Model number 6238. No manual is known. This profile is incomplete: No manual is
+ * known.
+ *
+ * - mip-sdk-2014: RQ1 IMU
+ */
+extern MIP_API const struct mip_profile mip_profile_rq1_imu;
+
+/**
  * 3DM-RTK: Modem for GNSS corrections.
  *
  * Generation 7. Model number 6285. No manual is known. This profile is incomplete: No manual is
@@ -506,6 +526,16 @@ extern MIP_API const struct mip_profile mip_profile_rq1_45_st;
  * - mscl: MIP node features
  */
 extern MIP_API const struct mip_profile mip_profile_rtk;
+
+/**
+ * DEMOD-DC: Digital demodulator for displacement sensors.
+ *
+ * Also called Digital Demod. Model number 6130. No manual is known. This profile is incomplete: No
+ * manual is known; all is from MSCL.
+ *
+ * - mscl: Displacement node
+ */
+extern MIP_API const struct mip_profile mip_profile_demod_dc;
 
 #ifdef __cplusplus
 }

@@ -506,7 +506,7 @@ static const struct mip_record record_base_get_extended_descriptors_response = {
 static const struct mip_reading readings_base_continuous_built_in_test_response_result[] = {
     {"3dm-cv7-ahrs", 0, 0, &mip_names_cv7_inertial_bit},
     {"3dm-cv7-ar", 0, 0, &mip_names_cv7_inertial_bit},
-    {"3dm-cv7-gnss-ins", 0, 0, &mip_names_cv7_continuous_bit},
+    {"3dm-cv7-gnss-ins", 0, 0, &mip_names_cv7_continuous_built_in_test},
     {"3dm-cv7-ins", 0, 0, &mip_names_cv7_inertial_bit},
     {"3dm-cx7-ahrs", 0, 0, &mip_names_cv7_inertial_bit},
     {"3dm-cx7-ar", 0, 0, &mip_names_cv7_inertial_bit},
@@ -1043,51 +1043,51 @@ static const struct mip_record record_3dm_device_settings = {
 };
 static const uint8_t required_3dm_device_settings[] = {0, 0, 0, 0, 0, 0};
 
-static const struct mip_parameter parameters_3dm_sensor_to_vehicle_euler[] = {
+static const struct mip_parameter parameters_3dm_sensor_to_vehicle_transform_euler[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_sensor_to_vehicle_euler, function), 0, &mip_names_function_selector, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_3dm_sensor_to_vehicle_transform_euler, function), 0,
+     &mip_names_function_selector, NULL, NULL, NULL, 0},
     {"roll", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_3dm_sensor_to_vehicle_euler, roll), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_sensor_to_vehicle_transform_euler, roll), 0, NULL, NULL, NULL, NULL, 0},
     {"pitch", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_3dm_sensor_to_vehicle_euler, pitch), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_sensor_to_vehicle_transform_euler, pitch), 0, NULL, NULL, NULL, NULL, 0},
     {"yaw", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
-     ONE(struct mip_3dm_sensor_to_vehicle_euler, yaw), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_sensor_to_vehicle_transform_euler, yaw), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_3dm_sensor_to_vehicle_euler = {
-    parameters_3dm_sensor_to_vehicle_euler,
+static const struct mip_record record_3dm_sensor_to_vehicle_transform_euler = {
+    parameters_3dm_sensor_to_vehicle_transform_euler,
     4,
-    sizeof(struct mip_3dm_sensor_to_vehicle_euler),
+    sizeof(struct mip_3dm_sensor_to_vehicle_transform_euler),
 };
-static const uint8_t required_3dm_sensor_to_vehicle_euler[] = {0, 3, 0, 0, 0, 0};
+static const uint8_t required_3dm_sensor_to_vehicle_transform_euler[] = {0, 3, 0, 0, 0, 0};
 
-static const struct mip_parameter parameters_3dm_sensor_to_vehicle_quaternion[] = {
+static const struct mip_parameter parameters_3dm_sensor_to_vehicle_transform_quaternion[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_sensor_to_vehicle_quaternion, function), 0, &mip_names_function_selector,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_sensor_to_vehicle_transform_quaternion, function), 0,
+     &mip_names_function_selector, NULL, NULL, NULL, 0},
     {"q", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 4, 0, 1, 0,
-     ONE(struct mip_3dm_sensor_to_vehicle_quaternion, q), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_sensor_to_vehicle_transform_quaternion, q), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_3dm_sensor_to_vehicle_quaternion = {
-    parameters_3dm_sensor_to_vehicle_quaternion,
+static const struct mip_record record_3dm_sensor_to_vehicle_transform_quaternion = {
+    parameters_3dm_sensor_to_vehicle_transform_quaternion,
     2,
-    sizeof(struct mip_3dm_sensor_to_vehicle_quaternion),
+    sizeof(struct mip_3dm_sensor_to_vehicle_transform_quaternion),
 };
-static const uint8_t required_3dm_sensor_to_vehicle_quaternion[] = {0, 1, 0, 0, 0, 0};
+static const uint8_t required_3dm_sensor_to_vehicle_transform_quaternion[] = {0, 1, 0, 0, 0, 0};
 
-static const struct mip_parameter parameters_3dm_sensor_to_vehicle_dcm[] = {
+static const struct mip_parameter parameters_3dm_sensor_to_vehicle_transform_dcm[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_sensor_to_vehicle_dcm, function), 0, &mip_names_function_selector, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_3dm_sensor_to_vehicle_transform_dcm, function), 0, &mip_names_function_selector,
+     NULL, NULL, NULL, 0},
     {"dcm", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 1, 0,
-     ONE(struct mip_3dm_sensor_to_vehicle_dcm, dcm), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_sensor_to_vehicle_transform_dcm, dcm), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_3dm_sensor_to_vehicle_dcm = {
-    parameters_3dm_sensor_to_vehicle_dcm,
+static const struct mip_record record_3dm_sensor_to_vehicle_transform_dcm = {
+    parameters_3dm_sensor_to_vehicle_transform_dcm,
     2,
-    sizeof(struct mip_3dm_sensor_to_vehicle_dcm),
+    sizeof(struct mip_3dm_sensor_to_vehicle_transform_dcm),
 };
-static const uint8_t required_3dm_sensor_to_vehicle_dcm[] = {0, 1, 0, 0, 0, 0};
+static const uint8_t required_3dm_sensor_to_vehicle_transform_dcm[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_3dm_gps_dynamics_mode[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1708,6 +1708,24 @@ static const struct mip_record record_3dm_message_format_response = {
     sizeof(struct mip_3dm_message_format_response),
 };
 
+static const struct mip_parameter parameters_3dm_device_status_basic_rq1_imu_response[] = {
+    {"model_number", "", MIP_KIND_CONSTANT, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 6238, 0, 0,
+     0, NULL, NULL, NULL, NULL, 0},
+    {"status_selector", "", MIP_KIND_CONSTANT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 1, 0, 0,
+     0, NULL, NULL, NULL, NULL, 0},
+    {"status_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_device_status_basic_rq1_imu_response, status_flags), 0, NULL, NULL, NULL,
+     NULL, 0},
+    {"system_timer", "us", MIP_KIND_NUMBER, MIP_SCALAR_U64, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_device_status_basic_rq1_imu_response, system_timer), 0, NULL, NULL, NULL,
+     NULL, 0},
+};
+static const struct mip_record record_3dm_device_status_basic_rq1_imu_response = {
+    parameters_3dm_device_status_basic_rq1_imu_response,
+    4,
+    sizeof(struct mip_3dm_device_status_basic_rq1_imu_response),
+};
+
 static const struct mip_reading readings_3dm_device_status_basic_response_system_state[] = {
     {"3dm-gx4-45", 0, 0, &mip_names_3dm_gx4_system_state},
     {"3dm-rq1-45-lt", 0, 0, &mip_names_3dm_gx4_system_state},
@@ -1732,23 +1750,23 @@ static const struct mip_record record_3dm_device_status_basic_response = {
     sizeof(struct mip_3dm_device_status_basic_response),
 };
 
-static const struct mip_parameter parameters_3dm_device_status_basic_stateless_response[] = {
+static const struct mip_parameter parameters_3dm_device_status_basic_without_state_response[] = {
     {"model_number", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_device_status_basic_stateless_response, model_number), 0, NULL, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_3dm_device_status_basic_without_state_response, model_number), 0, NULL, NULL,
+     NULL, NULL, 0},
     {"status_selector", "", MIP_KIND_CONSTANT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 1, 0, 0,
      0, NULL, NULL, NULL, NULL, 0},
     {"status_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_device_status_basic_stateless_response, status_flags), 0, NULL, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_3dm_device_status_basic_without_state_response, status_flags), 0, NULL, NULL,
+     NULL, NULL, 0},
     {"system_timer", "ms", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_device_status_basic_stateless_response, system_timer), 0, NULL, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_3dm_device_status_basic_without_state_response, system_timer), 0, NULL, NULL,
+     NULL, NULL, 0},
 };
-static const struct mip_record record_3dm_device_status_basic_stateless_response = {
-    parameters_3dm_device_status_basic_stateless_response,
+static const struct mip_record record_3dm_device_status_basic_without_state_response = {
+    parameters_3dm_device_status_basic_without_state_response,
     4,
-    sizeof(struct mip_3dm_device_status_basic_stateless_response),
+    sizeof(struct mip_3dm_device_status_basic_without_state_response),
 };
 
 static const struct mip_parameter parameters_3dm_device_status_diagnostic_response[] = {
@@ -2201,6 +2219,141 @@ static const struct mip_record record_3dm_device_status_diagnostic_imu_response 
     sizeof(struct mip_3dm_device_status_diagnostic_imu_response),
 };
 
+static const struct mip_parameter parameters_3dm_device_status_diagnostic_gx4_imu_response[] = {
+    {"model_number", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_device_status_diagnostic_gx4_imu_response, model_number), 0, NULL, NULL,
+     NULL, NULL, 0},
+    {"status_selector", "", MIP_KIND_CONSTANT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 2, 0, 0,
+     0, NULL, NULL, NULL, NULL, 0},
+    {"status_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_device_status_diagnostic_gx4_imu_response, status_flags), 0, NULL, NULL,
+     NULL, NULL, 0},
+    {"system_timer", "ms", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_device_status_diagnostic_gx4_imu_response, system_timer), 0, NULL, NULL,
+     NULL, NULL, 0},
+    {"has_mag", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_device_status_diagnostic_gx4_imu_response, has_mag), 0, NULL, NULL, NULL,
+     NULL, 0},
+    {"has_pressure", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_device_status_diagnostic_gx4_imu_response, has_pressure), 0, NULL, NULL,
+     NULL, NULL, 0},
+    {"gyro_range", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_device_status_diagnostic_gx4_imu_response, gyro_range), 0, NULL, NULL, NULL,
+     NULL, 0},
+    {"accel_range", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_device_status_diagnostic_gx4_imu_response, accel_range), 0, NULL, NULL,
+     NULL, NULL, 0},
+    {"mag_range", "", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_device_status_diagnostic_gx4_imu_response, mag_range), 0, NULL, NULL, NULL,
+     NULL, 0},
+    {"pressure_range", "", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_device_status_diagnostic_gx4_imu_response, pressure_range), 0, NULL, NULL,
+     NULL, NULL, 0},
+    {"temperature", "degC", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_device_status_diagnostic_gx4_imu_response, temperature), 0, NULL, NULL,
+     NULL, NULL, 0},
+    {"temperature_last_time", "ms", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_device_status_diagnostic_gx4_imu_response, temperature_last_time), 0, NULL,
+     NULL, NULL, NULL, 0},
+    {"temperature_error", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_device_status_diagnostic_gx4_imu_response, temperature_error), 0, NULL,
+     NULL, NULL, NULL, 0},
+    {"pps_count", "1", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_device_status_diagnostic_gx4_imu_response, pps_count), 0, NULL, NULL, NULL,
+     NULL, 0},
+    {"pps_last_time", "ms", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_device_status_diagnostic_gx4_imu_response, pps_last_time), 0, NULL, NULL,
+     NULL, NULL, 0},
+    {"imu_stream_enabled", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_device_status_diagnostic_gx4_imu_response, imu_stream_enabled), 0, NULL,
+     NULL, NULL, NULL, 0},
+    {"imu_dropped_packets", "1", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_device_status_diagnostic_gx4_imu_response, imu_dropped_packets), 0, NULL,
+     NULL, NULL, NULL, 0},
+    {"comm_port_bytes_written", "byte", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0,
+     0, ONE(struct mip_3dm_device_status_diagnostic_gx4_imu_response, comm_port_bytes_written), 0,
+     NULL, NULL, NULL, NULL, 0},
+    {"comm_port_bytes_read", "byte", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_device_status_diagnostic_gx4_imu_response, comm_port_bytes_read), 0, NULL,
+     NULL, NULL, NULL, 0},
+    {"comm_port_write_overruns", "1", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0,
+     0, ONE(struct mip_3dm_device_status_diagnostic_gx4_imu_response, comm_port_write_overruns), 0,
+     NULL, NULL, NULL, NULL, 0},
+    {"comm_port_read_overruns", "1", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_device_status_diagnostic_gx4_imu_response, comm_port_read_overruns), 0,
+     NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_3dm_device_status_diagnostic_gx4_imu_response = {
+    parameters_3dm_device_status_diagnostic_gx4_imu_response,
+    21,
+    sizeof(struct mip_3dm_device_status_diagnostic_gx4_imu_response),
+};
+
+static const struct mip_parameter parameters_3dm_device_status_diagnostic_rq1_imu_response[] = {
+    {"model_number", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_device_status_diagnostic_rq1_imu_response, model_number), 0, NULL, NULL,
+     NULL, NULL, 0},
+    {"status_selector", "", MIP_KIND_CONSTANT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 2, 0, 0,
+     0, NULL, NULL, NULL, NULL, 0},
+    {"status_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_device_status_diagnostic_rq1_imu_response, status_flags), 0, NULL, NULL,
+     NULL, NULL, 0},
+    {"system_timer", "us", MIP_KIND_NUMBER, MIP_SCALAR_U64, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_device_status_diagnostic_rq1_imu_response, system_timer), 0, NULL, NULL,
+     NULL, NULL, 0},
+    {"temperature", "degC", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_device_status_diagnostic_rq1_imu_response, temperature), 0, NULL, NULL,
+     NULL, NULL, 0},
+    {"temperature_last_time", "ms", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_device_status_diagnostic_rq1_imu_response, temperature_last_time), 0, NULL,
+     NULL, NULL, NULL, 0},
+    {"bad_temperature_sensor_detected", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1,
+     0, 0, 0,
+     ONE(struct mip_3dm_device_status_diagnostic_rq1_imu_response, bad_temperature_sensor_detected),
+     0, NULL, NULL, NULL, NULL, 0},
+    {"cold_temperature_detected", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0,
+     0, ONE(struct mip_3dm_device_status_diagnostic_rq1_imu_response, cold_temperature_detected), 0,
+     NULL, NULL, NULL, NULL, 0},
+    {"bad_voltage_detected", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_device_status_diagnostic_rq1_imu_response, bad_voltage_detected), 0, NULL,
+     NULL, NULL, NULL, 0},
+    {"pps_count", "1", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_device_status_diagnostic_rq1_imu_response, pps_count), 0, NULL, NULL, NULL,
+     NULL, 0},
+    {"pps_last_time", "ms", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_device_status_diagnostic_rq1_imu_response, pps_last_time), 0, NULL, NULL,
+     NULL, NULL, 0},
+    {"imu_stream_enabled", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_device_status_diagnostic_rq1_imu_response, imu_stream_enabled), 0, NULL,
+     NULL, NULL, NULL, 0},
+    {"imu_dropped_packets", "1", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_device_status_diagnostic_rq1_imu_response, imu_dropped_packets), 0, NULL,
+     NULL, NULL, NULL, 0},
+    {"comm_port_state", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_device_status_diagnostic_rq1_imu_response, comm_port_state), 0, NULL, NULL,
+     NULL, NULL, 0},
+    {"comm_port_baud_rate", "Bd", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_device_status_diagnostic_rq1_imu_response, comm_port_baud_rate), 0, NULL,
+     NULL, NULL, NULL, 0},
+    {"comm_port_bytes_written", "byte", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0,
+     0, ONE(struct mip_3dm_device_status_diagnostic_rq1_imu_response, comm_port_bytes_written), 0,
+     NULL, NULL, NULL, NULL, 0},
+    {"comm_port_bytes_read", "byte", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_device_status_diagnostic_rq1_imu_response, comm_port_bytes_read), 0, NULL,
+     NULL, NULL, NULL, 0},
+    {"comm_port_write_overruns", "1", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0,
+     0, ONE(struct mip_3dm_device_status_diagnostic_rq1_imu_response, comm_port_write_overruns), 0,
+     NULL, NULL, NULL, NULL, 0},
+    {"comm_port_read_overruns", "1", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_device_status_diagnostic_rq1_imu_response, comm_port_read_overruns), 0,
+     NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_3dm_device_status_diagnostic_rq1_imu_response = {
+    parameters_3dm_device_status_diagnostic_rq1_imu_response,
+    19,
+    sizeof(struct mip_3dm_device_status_diagnostic_rq1_imu_response),
+};
+
 static const struct mip_parameter parameters_3dm_device_status_basic_gx3_response[] = {
     {"model_number", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_device_status_basic_gx3_response, model_number), 0, NULL, NULL, NULL, NULL,
@@ -2501,38 +2654,44 @@ static const struct mip_record record_3dm_pps_source_control_response = {
     sizeof(struct mip_3dm_pps_source_control_response),
 };
 
-static const struct mip_parameter parameters_3dm_sensor_to_vehicle_euler_response[] = {
+static const struct mip_parameter parameters_3dm_sensor_to_vehicle_transform_euler_response[] = {
     {"roll", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_sensor_to_vehicle_euler_response, roll), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_sensor_to_vehicle_transform_euler_response, roll), 0, NULL, NULL, NULL,
+     NULL, 0},
     {"pitch", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_sensor_to_vehicle_euler_response, pitch), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_sensor_to_vehicle_transform_euler_response, pitch), 0, NULL, NULL, NULL,
+     NULL, 0},
     {"yaw", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_sensor_to_vehicle_euler_response, yaw), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_sensor_to_vehicle_transform_euler_response, yaw), 0, NULL, NULL, NULL, NULL,
+     0},
 };
-static const struct mip_record record_3dm_sensor_to_vehicle_euler_response = {
-    parameters_3dm_sensor_to_vehicle_euler_response,
+static const struct mip_record record_3dm_sensor_to_vehicle_transform_euler_response = {
+    parameters_3dm_sensor_to_vehicle_transform_euler_response,
     3,
-    sizeof(struct mip_3dm_sensor_to_vehicle_euler_response),
+    sizeof(struct mip_3dm_sensor_to_vehicle_transform_euler_response),
 };
 
-static const struct mip_parameter parameters_3dm_sensor_to_vehicle_quaternion_response[] = {
-    {"q", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 4, 0, 0, 0,
-     ONE(struct mip_3dm_sensor_to_vehicle_quaternion_response, q), 0, NULL, NULL, NULL, NULL, 0},
+static const struct mip_parameter parameters_3dm_sensor_to_vehicle_transform_quaternion_response[] =
+    {
+        {"q", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 4, 0, 0, 0,
+         ONE(struct mip_3dm_sensor_to_vehicle_transform_quaternion_response, q), 0, NULL, NULL,
+         NULL, NULL, 0},
 };
-static const struct mip_record record_3dm_sensor_to_vehicle_quaternion_response = {
-    parameters_3dm_sensor_to_vehicle_quaternion_response,
+static const struct mip_record record_3dm_sensor_to_vehicle_transform_quaternion_response = {
+    parameters_3dm_sensor_to_vehicle_transform_quaternion_response,
     1,
-    sizeof(struct mip_3dm_sensor_to_vehicle_quaternion_response),
+    sizeof(struct mip_3dm_sensor_to_vehicle_transform_quaternion_response),
 };
 
-static const struct mip_parameter parameters_3dm_sensor_to_vehicle_dcm_response[] = {
+static const struct mip_parameter parameters_3dm_sensor_to_vehicle_transform_dcm_response[] = {
     {"dcm", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 0, 0,
-     ONE(struct mip_3dm_sensor_to_vehicle_dcm_response, dcm), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_sensor_to_vehicle_transform_dcm_response, dcm), 0, NULL, NULL, NULL, NULL,
+     0},
 };
-static const struct mip_record record_3dm_sensor_to_vehicle_dcm_response = {
-    parameters_3dm_sensor_to_vehicle_dcm_response,
+static const struct mip_record record_3dm_sensor_to_vehicle_transform_dcm_response = {
+    parameters_3dm_sensor_to_vehicle_transform_dcm_response,
     1,
-    sizeof(struct mip_3dm_sensor_to_vehicle_dcm_response),
+    sizeof(struct mip_3dm_sensor_to_vehicle_transform_dcm_response),
 };
 
 static const struct mip_parameter parameters_3dm_get_event_support_response[] = {
@@ -2820,23 +2979,23 @@ static const struct mip_record record_filter_vehicle_dynamics_mode = {
 };
 static const uint8_t required_filter_vehicle_dynamics_mode[] = {0, 1, 0, 0, 0, 0};
 
-static const struct mip_parameter parameters_filter_sensor_to_vehicle_euler[] = {
+static const struct mip_parameter parameters_filter_sensor_to_vehicle_rotation_euler[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_sensor_to_vehicle_euler, function), 0, &mip_names_function_selector,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_sensor_to_vehicle_rotation_euler, function), 0,
+     &mip_names_function_selector, NULL, NULL, NULL, 0},
     {"roll", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_filter_sensor_to_vehicle_euler, roll), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_sensor_to_vehicle_rotation_euler, roll), 0, NULL, NULL, NULL, NULL, 0},
     {"pitch", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_filter_sensor_to_vehicle_euler, pitch), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_sensor_to_vehicle_rotation_euler, pitch), 0, NULL, NULL, NULL, NULL, 0},
     {"yaw", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
-     ONE(struct mip_filter_sensor_to_vehicle_euler, yaw), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_sensor_to_vehicle_rotation_euler, yaw), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_sensor_to_vehicle_euler = {
-    parameters_filter_sensor_to_vehicle_euler,
+static const struct mip_record record_filter_sensor_to_vehicle_rotation_euler = {
+    parameters_filter_sensor_to_vehicle_rotation_euler,
     4,
-    sizeof(struct mip_filter_sensor_to_vehicle_euler),
+    sizeof(struct mip_filter_sensor_to_vehicle_rotation_euler),
 };
-static const uint8_t required_filter_sensor_to_vehicle_euler[] = {0, 3, 0, 0, 0, 0};
+static const uint8_t required_filter_sensor_to_vehicle_rotation_euler[] = {0, 3, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_sensor_to_vehicle_offset[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3390,19 +3549,19 @@ static const struct mip_record record_filter_magnetic_magnitude_source = {
 };
 static const uint8_t required_filter_magnetic_magnitude_source[] = {0, 2, 0, 0, 0, 0};
 
-static const struct mip_parameter parameters_filter_sensor_to_vehicle_dcm[] = {
+static const struct mip_parameter parameters_filter_sensor_to_vehicle_rotation_dcm[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_sensor_to_vehicle_dcm, function), 0, &mip_names_function_selector, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_filter_sensor_to_vehicle_rotation_dcm, function), 0,
+     &mip_names_function_selector, NULL, NULL, NULL, 0},
     {"dcm", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 1, 0,
-     ONE(struct mip_filter_sensor_to_vehicle_dcm, dcm), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_sensor_to_vehicle_rotation_dcm, dcm), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_sensor_to_vehicle_dcm = {
-    parameters_filter_sensor_to_vehicle_dcm,
+static const struct mip_record record_filter_sensor_to_vehicle_rotation_dcm = {
+    parameters_filter_sensor_to_vehicle_rotation_dcm,
     2,
-    sizeof(struct mip_filter_sensor_to_vehicle_dcm),
+    sizeof(struct mip_filter_sensor_to_vehicle_rotation_dcm),
 };
-static const uint8_t required_filter_sensor_to_vehicle_dcm[] = {0, 1, 0, 0, 0, 0};
+static const uint8_t required_filter_sensor_to_vehicle_rotation_dcm[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_sensor_to_vehicle_quaternion[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3594,49 +3753,51 @@ static const struct mip_record record_filter_speed_lever_arm = {
 };
 static const uint8_t required_filter_speed_lever_arm[] = {0, 2, 1, 1, 1, 1};
 
-static const struct mip_parameter parameters_filter_vertical_gyro_constraint[] = {
+static const struct mip_parameter parameters_filter_vertical_gyro_constraint_control[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_vertical_gyro_constraint, function), 0, &mip_names_function_selector,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_vertical_gyro_constraint_control, function), 0,
+     &mip_names_function_selector, NULL, NULL, NULL, 0},
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_filter_vertical_gyro_constraint, enable), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_vertical_gyro_constraint_control, enable), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_vertical_gyro_constraint = {
-    parameters_filter_vertical_gyro_constraint,
+static const struct mip_record record_filter_vertical_gyro_constraint_control = {
+    parameters_filter_vertical_gyro_constraint_control,
     2,
-    sizeof(struct mip_filter_vertical_gyro_constraint),
+    sizeof(struct mip_filter_vertical_gyro_constraint_control),
 };
-static const uint8_t required_filter_vertical_gyro_constraint[] = {0, 1, 0, 0, 0, 0};
+static const uint8_t required_filter_vertical_gyro_constraint_control[] = {0, 1, 0, 0, 0, 0};
 
-static const struct mip_parameter parameters_filter_wheeled_vehicle_constraint[] = {
+static const struct mip_parameter parameters_filter_wheeled_vehicle_constraint_control[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_wheeled_vehicle_constraint, function), 0, &mip_names_function_selector,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_wheeled_vehicle_constraint_control, function), 0,
+     &mip_names_function_selector, NULL, NULL, NULL, 0},
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_filter_wheeled_vehicle_constraint, enable), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_wheeled_vehicle_constraint_control, enable), 0, NULL, NULL, NULL, NULL,
+     0},
 };
-static const struct mip_record record_filter_wheeled_vehicle_constraint = {
-    parameters_filter_wheeled_vehicle_constraint,
+static const struct mip_record record_filter_wheeled_vehicle_constraint_control = {
+    parameters_filter_wheeled_vehicle_constraint_control,
     2,
-    sizeof(struct mip_filter_wheeled_vehicle_constraint),
+    sizeof(struct mip_filter_wheeled_vehicle_constraint_control),
 };
-static const uint8_t required_filter_wheeled_vehicle_constraint[] = {0, 1, 0, 0, 0, 0};
+static const uint8_t required_filter_wheeled_vehicle_constraint_control[] = {0, 1, 0, 0, 0, 0};
 
-static const struct mip_parameter parameters_filter_gnss_antenna_calibration[] = {
+static const struct mip_parameter parameters_filter_gnss_antenna_calibration_control[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_gnss_antenna_calibration, function), 0, &mip_names_function_selector,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_gnss_antenna_calibration_control, function), 0,
+     &mip_names_function_selector, NULL, NULL, NULL, 0},
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_filter_gnss_antenna_calibration, enable), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_gnss_antenna_calibration_control, enable), 0, NULL, NULL, NULL, NULL, 0},
     {"max_offset", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_filter_gnss_antenna_calibration, max_offset), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_gnss_antenna_calibration_control, max_offset), 0, NULL, NULL, NULL, NULL,
+     0},
 };
-static const struct mip_record record_filter_gnss_antenna_calibration = {
-    parameters_filter_gnss_antenna_calibration,
+static const struct mip_record record_filter_gnss_antenna_calibration_control = {
+    parameters_filter_gnss_antenna_calibration_control,
     3,
-    sizeof(struct mip_filter_gnss_antenna_calibration),
+    sizeof(struct mip_filter_gnss_antenna_calibration_control),
 };
-static const uint8_t required_filter_gnss_antenna_calibration[] = {0, 2, 0, 0, 0, 0};
+static const uint8_t required_filter_gnss_antenna_calibration_control[] = {0, 2, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_vehicle_dynamics_mode_response[] = {
     {"mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3649,18 +3810,21 @@ static const struct mip_record record_filter_vehicle_dynamics_mode_response = {
     sizeof(struct mip_filter_vehicle_dynamics_mode_response),
 };
 
-static const struct mip_parameter parameters_filter_sensor_to_vehicle_euler_response[] = {
+static const struct mip_parameter parameters_filter_sensor_to_vehicle_rotation_euler_response[] = {
     {"roll", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_sensor_to_vehicle_euler_response, roll), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_sensor_to_vehicle_rotation_euler_response, roll), 0, NULL, NULL, NULL,
+     NULL, 0},
     {"pitch", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_sensor_to_vehicle_euler_response, pitch), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_sensor_to_vehicle_rotation_euler_response, pitch), 0, NULL, NULL, NULL,
+     NULL, 0},
     {"yaw", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_sensor_to_vehicle_euler_response, yaw), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_sensor_to_vehicle_rotation_euler_response, yaw), 0, NULL, NULL, NULL,
+     NULL, 0},
 };
-static const struct mip_record record_filter_sensor_to_vehicle_euler_response = {
-    parameters_filter_sensor_to_vehicle_euler_response,
+static const struct mip_record record_filter_sensor_to_vehicle_rotation_euler_response = {
+    parameters_filter_sensor_to_vehicle_rotation_euler_response,
     3,
-    sizeof(struct mip_filter_sensor_to_vehicle_euler_response),
+    sizeof(struct mip_filter_sensor_to_vehicle_rotation_euler_response),
 };
 
 static const struct mip_parameter parameters_filter_sensor_to_vehicle_offset_response[] = {
@@ -4028,14 +4192,15 @@ static const struct mip_record record_filter_magnetic_magnitude_source_response 
     sizeof(struct mip_filter_magnetic_magnitude_source_response),
 };
 
-static const struct mip_parameter parameters_filter_sensor_to_vehicle_dcm_response[] = {
+static const struct mip_parameter parameters_filter_sensor_to_vehicle_rotation_dcm_response[] = {
     {"dcm", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 0, 0,
-     ONE(struct mip_filter_sensor_to_vehicle_dcm_response, dcm), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_sensor_to_vehicle_rotation_dcm_response, dcm), 0, NULL, NULL, NULL, NULL,
+     0},
 };
-static const struct mip_record record_filter_sensor_to_vehicle_dcm_response = {
-    parameters_filter_sensor_to_vehicle_dcm_response,
+static const struct mip_record record_filter_sensor_to_vehicle_rotation_dcm_response = {
+    parameters_filter_sensor_to_vehicle_rotation_dcm_response,
     1,
-    sizeof(struct mip_filter_sensor_to_vehicle_dcm_response),
+    sizeof(struct mip_filter_sensor_to_vehicle_rotation_dcm_response),
 };
 
 static const struct mip_parameter parameters_filter_sensor_to_vehicle_quaternion_response[] = {
@@ -4186,40 +4351,41 @@ static const struct mip_record record_filter_speed_lever_arm_response = {
     sizeof(struct mip_filter_speed_lever_arm_response),
 };
 
-static const struct mip_parameter parameters_filter_vertical_gyro_constraint_response[] = {
+static const struct mip_parameter parameters_filter_vertical_gyro_constraint_control_response[] = {
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_vertical_gyro_constraint_response, enable), 0, NULL, NULL, NULL, NULL,
-     0},
-};
-static const struct mip_record record_filter_vertical_gyro_constraint_response = {
-    parameters_filter_vertical_gyro_constraint_response,
-    1,
-    sizeof(struct mip_filter_vertical_gyro_constraint_response),
-};
-
-static const struct mip_parameter parameters_filter_wheeled_vehicle_constraint_response[] = {
-    {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_wheeled_vehicle_constraint_response, enable), 0, NULL, NULL, NULL, NULL,
-     0},
-};
-static const struct mip_record record_filter_wheeled_vehicle_constraint_response = {
-    parameters_filter_wheeled_vehicle_constraint_response,
-    1,
-    sizeof(struct mip_filter_wheeled_vehicle_constraint_response),
-};
-
-static const struct mip_parameter parameters_filter_gnss_antenna_calibration_response[] = {
-    {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_gnss_antenna_calibration_response, enable), 0, NULL, NULL, NULL, NULL,
-     0},
-    {"max_offset", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_gnss_antenna_calibration_response, max_offset), 0, NULL, NULL, NULL,
+     ONE(struct mip_filter_vertical_gyro_constraint_control_response, enable), 0, NULL, NULL, NULL,
      NULL, 0},
 };
-static const struct mip_record record_filter_gnss_antenna_calibration_response = {
-    parameters_filter_gnss_antenna_calibration_response,
+static const struct mip_record record_filter_vertical_gyro_constraint_control_response = {
+    parameters_filter_vertical_gyro_constraint_control_response,
+    1,
+    sizeof(struct mip_filter_vertical_gyro_constraint_control_response),
+};
+
+static const struct mip_parameter parameters_filter_wheeled_vehicle_constraint_control_response[] =
+    {
+        {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+         ONE(struct mip_filter_wheeled_vehicle_constraint_control_response, enable), 0, NULL, NULL,
+         NULL, NULL, 0},
+};
+static const struct mip_record record_filter_wheeled_vehicle_constraint_control_response = {
+    parameters_filter_wheeled_vehicle_constraint_control_response,
+    1,
+    sizeof(struct mip_filter_wheeled_vehicle_constraint_control_response),
+};
+
+static const struct mip_parameter parameters_filter_gnss_antenna_calibration_control_response[] = {
+    {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_gnss_antenna_calibration_control_response, enable), 0, NULL, NULL, NULL,
+     NULL, 0},
+    {"max_offset", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_gnss_antenna_calibration_control_response, max_offset), 0, NULL, NULL,
+     NULL, NULL, 0},
+};
+static const struct mip_record record_filter_gnss_antenna_calibration_control_response = {
+    parameters_filter_gnss_antenna_calibration_control_response,
     2,
-    sizeof(struct mip_filter_gnss_antenna_calibration_response),
+    sizeof(struct mip_filter_gnss_antenna_calibration_control_response),
 };
 
 static const struct mip_record record_gnss_receiver_info = {
@@ -4620,6 +4786,60 @@ static const struct mip_record record_rtk_service_status_response = {
     parameters_rtk_service_status_response,
     4,
     sizeof(struct mip_rtk_service_status_response),
+};
+
+static const struct mip_record record_displacement_get_calibration = {
+    NULL,
+    0,
+    sizeof(struct mip_displacement_get_calibration),
+};
+
+static const struct mip_parameter parameters_displacement_output_rate[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_displacement_output_rate, function), 0, &mip_names_function_selector, NULL,
+     NULL, NULL, 0},
+};
+static const struct mip_record record_displacement_output_rate = {
+    parameters_displacement_output_rate,
+    1,
+    sizeof(struct mip_displacement_output_rate),
+};
+static const uint8_t required_displacement_output_rate[] = {0, 0, 0};
+
+static const struct mip_parameter parameters_displacement_device_time[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_displacement_device_time, function), 0, &mip_names_function_selector, NULL,
+     NULL, NULL, 0},
+    {"time", "ns", MIP_KIND_NUMBER, MIP_SCALAR_U64, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_displacement_device_time, time), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_displacement_device_time = {
+    parameters_displacement_device_time,
+    2,
+    sizeof(struct mip_displacement_device_time),
+};
+static const uint8_t required_displacement_device_time[] = {0, 1};
+
+static const struct mip_parameter parameters_displacement_get_calibration_response[] = {
+    {"slope", "", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_displacement_get_calibration_response, slope), 0, NULL, NULL, NULL, NULL, 0},
+    {"offset", "", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_displacement_get_calibration_response, offset), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_displacement_get_calibration_response = {
+    parameters_displacement_get_calibration_response,
+    2,
+    sizeof(struct mip_displacement_get_calibration_response),
+};
+
+static const struct mip_parameter parameters_displacement_output_rate_response[] = {
+    {"rate", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_displacement_output_rate_response, rate), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_displacement_output_rate_response = {
+    parameters_displacement_output_rate_response,
+    1,
+    sizeof(struct mip_displacement_output_rate_response),
 };
 
 static const struct mip_parameter members_aiding_frame_config_rotation[] = {
@@ -6777,18 +6997,18 @@ static const struct mip_record record_filter_data_antenna_offset_correction = {
     sizeof(struct mip_filter_data_antenna_offset_correction),
 };
 
-static const struct mip_parameter parameters_filter_data_antenna_offset_uncertainty[] = {
+static const struct mip_parameter parameters_filter_data_antenna_offset_correction_uncertainty[] = {
     {"offset_uncertainty", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_filter_data_antenna_offset_uncertainty, offset_uncertainty), 0, NULL, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_filter_data_antenna_offset_correction_uncertainty, offset_uncertainty), 0, NULL,
+     NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_antenna_offset_uncertainty, valid_flags), 0,
+     ONE(struct mip_filter_data_antenna_offset_correction_uncertainty, valid_flags), 0,
      &mip_names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_data_antenna_offset_uncertainty = {
-    parameters_filter_data_antenna_offset_uncertainty,
+static const struct mip_record record_filter_data_antenna_offset_correction_uncertainty = {
+    parameters_filter_data_antenna_offset_correction_uncertainty,
     2,
-    sizeof(struct mip_filter_data_antenna_offset_uncertainty),
+    sizeof(struct mip_filter_data_antenna_offset_correction_uncertainty),
 };
 
 static const struct mip_parameter parameters_filter_data_clock_correction[] = {
@@ -6987,10 +7207,10 @@ static const struct mip_parameter parameters_filter_data_aiding_measurement_summ
      ONE(struct mip_filter_data_aiding_measurement_summary, source), 0, NULL, NULL, NULL, NULL, 0},
     {"type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_aiding_measurement_summary, type), 0,
-     &mip_names_filter_data_aiding_type, NULL, NULL, NULL, 0},
+     &mip_names_filter_data_aiding_measurement_type, NULL, NULL, NULL, 0},
     {"indicator", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_aiding_measurement_summary, indicator), 0,
-     &mip_names_filter_data_aiding_indicator, NULL, NULL, NULL, 0},
+     &mip_names_filter_data_aiding_measurement_indicator, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_aiding_measurement_summary = {
     parameters_filter_data_aiding_measurement_summary,
@@ -7012,19 +7232,21 @@ static const struct mip_record record_filter_data_odometer_scale_factor_error = 
     sizeof(struct mip_filter_data_odometer_scale_factor_error),
 };
 
-static const struct mip_parameter parameters_filter_data_odometer_scale_factor_uncertainty[] = {
-    {"scale_factor_error_uncertainty", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1,
-     0, 0, 0,
-     ONE(struct mip_filter_data_odometer_scale_factor_uncertainty, scale_factor_error_uncertainty),
-     0, NULL, NULL, NULL, NULL, 0},
-    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_odometer_scale_factor_uncertainty, valid_flags), 0,
-     &mip_names_filter_data_valid_flags, NULL, NULL, NULL, 0},
+static const struct mip_parameter parameters_filter_data_odometer_scale_factor_error_uncertainty[] =
+    {
+        {"scale_factor_error_uncertainty", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE,
+         1, 1, 0, 0, 0,
+         ONE(struct mip_filter_data_odometer_scale_factor_error_uncertainty,
+             scale_factor_error_uncertainty),
+         0, NULL, NULL, NULL, NULL, 0},
+        {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+         ONE(struct mip_filter_data_odometer_scale_factor_error_uncertainty, valid_flags), 0,
+         &mip_names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_data_odometer_scale_factor_uncertainty = {
-    parameters_filter_data_odometer_scale_factor_uncertainty,
+static const struct mip_record record_filter_data_odometer_scale_factor_error_uncertainty = {
+    parameters_filter_data_odometer_scale_factor_error_uncertainty,
     2,
-    sizeof(struct mip_filter_data_odometer_scale_factor_uncertainty),
+    sizeof(struct mip_filter_data_odometer_scale_factor_error_uncertainty),
 };
 
 static const struct mip_parameter parameters_filter_data_gnss_dual_antenna_status[] = {
@@ -7066,21 +7288,21 @@ static const struct mip_record record_filter_data_aiding_frame_config_error = {
     sizeof(struct mip_filter_data_aiding_frame_config_error),
 };
 
-static const struct mip_parameter parameters_filter_data_aiding_frame_error_uncertainty[] = {
+static const struct mip_parameter parameters_filter_data_aiding_frame_config_error_uncertainty[] = {
     {"frame_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_aiding_frame_error_uncertainty, frame_id), 0, NULL, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_filter_data_aiding_frame_config_error_uncertainty, frame_id), 0, NULL, NULL,
+     NULL, NULL, 0},
     {"translation_uncertainty", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0,
-     0, ONE(struct mip_filter_data_aiding_frame_error_uncertainty, translation_uncertainty), 0,
-     NULL, NULL, NULL, NULL, 0},
+     0, ONE(struct mip_filter_data_aiding_frame_config_error_uncertainty, translation_uncertainty),
+     0, NULL, NULL, NULL, NULL, 0},
     {"attitude_uncertainty", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0,
-     0, ONE(struct mip_filter_data_aiding_frame_error_uncertainty, attitude_uncertainty), 0, NULL,
-     NULL, NULL, NULL, 0},
+     0, ONE(struct mip_filter_data_aiding_frame_config_error_uncertainty, attitude_uncertainty), 0,
+     NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_data_aiding_frame_error_uncertainty = {
-    parameters_filter_data_aiding_frame_error_uncertainty,
+static const struct mip_record record_filter_data_aiding_frame_config_error_uncertainty = {
+    parameters_filter_data_aiding_frame_config_error_uncertainty,
     3,
-    sizeof(struct mip_filter_data_aiding_frame_error_uncertainty),
+    sizeof(struct mip_filter_data_aiding_frame_config_error_uncertainty),
 };
 
 static const struct mip_parameter parameters_displacement_data_displacement_raw[] = {
@@ -7103,10 +7325,23 @@ static const struct mip_record record_displacement_data_displacement = {
     sizeof(struct mip_displacement_data_displacement),
 };
 
+static const struct mip_parameter parameters_displacement_data_timestamp[] = {
+    {"flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_displacement_data_timestamp, flags), 0,
+     &mip_names_displacement_data_timestamp_flags, NULL, NULL, NULL, 0},
+    {"time", "ns", MIP_KIND_NUMBER, MIP_SCALAR_U64, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_displacement_data_timestamp, time), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_displacement_data_timestamp = {
+    parameters_displacement_data_timestamp,
+    2,
+    sizeof(struct mip_displacement_data_timestamp),
+};
+
 static const struct mip_reading readings_system_data_built_in_test_result[] = {
     {"3dm-cv7-ahrs", 0, 0, &mip_names_cv7_inertial_bit},
     {"3dm-cv7-ar", 0, 0, &mip_names_cv7_inertial_bit},
-    {"3dm-cv7-gnss-ins", 0, 0, &mip_names_cv7_continuous_bit},
+    {"3dm-cv7-gnss-ins", 0, 0, &mip_names_cv7_continuous_built_in_test},
     {"3dm-cv7-ins", 0, 0, &mip_names_cv7_inertial_bit},
     {"3dm-cx7-ahrs", 0, 0, &mip_names_cv7_inertial_bit},
     {"3dm-cx7-ar", 0, 0, &mip_names_cv7_inertial_bit},
@@ -7362,16 +7597,20 @@ const struct mip_reflection mip_reflections[] = {
      offsetof(struct mip_3dm_event_action_config, present)},
     {&mip_3dm_device_settings_codec, &record_3dm_device_settings, true, false,
      required_3dm_device_settings, sizeof(required_3dm_device_settings), 0},
-    {&mip_3dm_sensor_to_vehicle_euler_codec, &record_3dm_sensor_to_vehicle_euler, true, true,
-     required_3dm_sensor_to_vehicle_euler, sizeof(required_3dm_sensor_to_vehicle_euler),
-     offsetof(struct mip_3dm_sensor_to_vehicle_euler, present)},
-    {&mip_3dm_sensor_to_vehicle_quaternion_codec, &record_3dm_sensor_to_vehicle_quaternion, true,
-     true, required_3dm_sensor_to_vehicle_quaternion,
-     sizeof(required_3dm_sensor_to_vehicle_quaternion),
-     offsetof(struct mip_3dm_sensor_to_vehicle_quaternion, present)},
-    {&mip_3dm_sensor_to_vehicle_dcm_codec, &record_3dm_sensor_to_vehicle_dcm, true, true,
-     required_3dm_sensor_to_vehicle_dcm, sizeof(required_3dm_sensor_to_vehicle_dcm),
-     offsetof(struct mip_3dm_sensor_to_vehicle_dcm, present)},
+    {&mip_3dm_sensor_to_vehicle_transform_euler_codec,
+     &record_3dm_sensor_to_vehicle_transform_euler, true, true,
+     required_3dm_sensor_to_vehicle_transform_euler,
+     sizeof(required_3dm_sensor_to_vehicle_transform_euler),
+     offsetof(struct mip_3dm_sensor_to_vehicle_transform_euler, present)},
+    {&mip_3dm_sensor_to_vehicle_transform_quaternion_codec,
+     &record_3dm_sensor_to_vehicle_transform_quaternion, true, true,
+     required_3dm_sensor_to_vehicle_transform_quaternion,
+     sizeof(required_3dm_sensor_to_vehicle_transform_quaternion),
+     offsetof(struct mip_3dm_sensor_to_vehicle_transform_quaternion, present)},
+    {&mip_3dm_sensor_to_vehicle_transform_dcm_codec, &record_3dm_sensor_to_vehicle_transform_dcm,
+     true, true, required_3dm_sensor_to_vehicle_transform_dcm,
+     sizeof(required_3dm_sensor_to_vehicle_transform_dcm),
+     offsetof(struct mip_3dm_sensor_to_vehicle_transform_dcm, present)},
     {&mip_3dm_gps_dynamics_mode_codec, &record_3dm_gps_dynamics_mode, true, true,
      required_3dm_gps_dynamics_mode, sizeof(required_3dm_gps_dynamics_mode),
      offsetof(struct mip_3dm_gps_dynamics_mode, present)},
@@ -7457,10 +7696,12 @@ const struct mip_reflection mip_reflections[] = {
      0, 0},
     {&mip_3dm_message_format_response_codec, &record_3dm_message_format_response, false, false,
      NULL, 0, 0},
+    {&mip_3dm_device_status_basic_rq1_imu_response_codec,
+     &record_3dm_device_status_basic_rq1_imu_response, false, false, NULL, 0, 0},
     {&mip_3dm_device_status_basic_response_codec, &record_3dm_device_status_basic_response, false,
      false, NULL, 0, 0},
-    {&mip_3dm_device_status_basic_stateless_response_codec,
-     &record_3dm_device_status_basic_stateless_response, false, false, NULL, 0, 0},
+    {&mip_3dm_device_status_basic_without_state_response_codec,
+     &record_3dm_device_status_basic_without_state_response, false, false, NULL, 0, 0},
     {&mip_3dm_device_status_diagnostic_response_codec,
      &record_3dm_device_status_diagnostic_response, false, false, NULL, 0, 0},
     {&mip_3dm_device_status_diagnostic_gnss_response_codec,
@@ -7473,6 +7714,10 @@ const struct mip_reflection mip_reflections[] = {
      &record_3dm_device_status_diagnostic_gx4_response, false, false, NULL, 0, 0},
     {&mip_3dm_device_status_diagnostic_imu_response_codec,
      &record_3dm_device_status_diagnostic_imu_response, false, false, NULL, 0, 0},
+    {&mip_3dm_device_status_diagnostic_gx4_imu_response_codec,
+     &record_3dm_device_status_diagnostic_gx4_imu_response, false, false, NULL, 0, 0},
+    {&mip_3dm_device_status_diagnostic_rq1_imu_response_codec,
+     &record_3dm_device_status_diagnostic_rq1_imu_response, false, false, NULL, 0, 0},
     {&mip_3dm_device_status_basic_gx3_response_codec, &record_3dm_device_status_basic_gx3_response,
      false, false, NULL, 0, 0},
     {&mip_3dm_device_status_diagnostic_gx3_response_codec,
@@ -7501,12 +7746,12 @@ const struct mip_reflection mip_reflections[] = {
      false, NULL, 0, 0},
     {&mip_3dm_pps_source_control_response_codec, &record_3dm_pps_source_control_response, false,
      false, NULL, 0, 0},
-    {&mip_3dm_sensor_to_vehicle_euler_response_codec, &record_3dm_sensor_to_vehicle_euler_response,
-     false, false, NULL, 0, 0},
-    {&mip_3dm_sensor_to_vehicle_quaternion_response_codec,
-     &record_3dm_sensor_to_vehicle_quaternion_response, false, false, NULL, 0, 0},
-    {&mip_3dm_sensor_to_vehicle_dcm_response_codec, &record_3dm_sensor_to_vehicle_dcm_response,
-     false, false, NULL, 0, 0},
+    {&mip_3dm_sensor_to_vehicle_transform_euler_response_codec,
+     &record_3dm_sensor_to_vehicle_transform_euler_response, false, false, NULL, 0, 0},
+    {&mip_3dm_sensor_to_vehicle_transform_quaternion_response_codec,
+     &record_3dm_sensor_to_vehicle_transform_quaternion_response, false, false, NULL, 0, 0},
+    {&mip_3dm_sensor_to_vehicle_transform_dcm_response_codec,
+     &record_3dm_sensor_to_vehicle_transform_dcm_response, false, false, NULL, 0, 0},
     {&mip_3dm_get_event_support_response_codec, &record_3dm_get_event_support_response, false,
      false, NULL, 0, 0},
     {&mip_3dm_event_control_response_codec, &record_3dm_event_control_response, false, false, NULL,
@@ -7541,9 +7786,11 @@ const struct mip_reflection mip_reflections[] = {
     {&mip_filter_vehicle_dynamics_mode_codec, &record_filter_vehicle_dynamics_mode, true, true,
      required_filter_vehicle_dynamics_mode, sizeof(required_filter_vehicle_dynamics_mode),
      offsetof(struct mip_filter_vehicle_dynamics_mode, present)},
-    {&mip_filter_sensor_to_vehicle_euler_codec, &record_filter_sensor_to_vehicle_euler, true, true,
-     required_filter_sensor_to_vehicle_euler, sizeof(required_filter_sensor_to_vehicle_euler),
-     offsetof(struct mip_filter_sensor_to_vehicle_euler, present)},
+    {&mip_filter_sensor_to_vehicle_rotation_euler_codec,
+     &record_filter_sensor_to_vehicle_rotation_euler, true, true,
+     required_filter_sensor_to_vehicle_rotation_euler,
+     sizeof(required_filter_sensor_to_vehicle_rotation_euler),
+     offsetof(struct mip_filter_sensor_to_vehicle_rotation_euler, present)},
     {&mip_filter_sensor_to_vehicle_offset_codec, &record_filter_sensor_to_vehicle_offset, true,
      true, required_filter_sensor_to_vehicle_offset,
      sizeof(required_filter_sensor_to_vehicle_offset),
@@ -7644,9 +7891,11 @@ const struct mip_reflection mip_reflections[] = {
      true, required_filter_magnetic_magnitude_source,
      sizeof(required_filter_magnetic_magnitude_source),
      offsetof(struct mip_filter_magnetic_magnitude_source, present)},
-    {&mip_filter_sensor_to_vehicle_dcm_codec, &record_filter_sensor_to_vehicle_dcm, true, true,
-     required_filter_sensor_to_vehicle_dcm, sizeof(required_filter_sensor_to_vehicle_dcm),
-     offsetof(struct mip_filter_sensor_to_vehicle_dcm, present)},
+    {&mip_filter_sensor_to_vehicle_rotation_dcm_codec,
+     &record_filter_sensor_to_vehicle_rotation_dcm, true, true,
+     required_filter_sensor_to_vehicle_rotation_dcm,
+     sizeof(required_filter_sensor_to_vehicle_rotation_dcm),
+     offsetof(struct mip_filter_sensor_to_vehicle_rotation_dcm, present)},
     {&mip_filter_sensor_to_vehicle_quaternion_codec, &record_filter_sensor_to_vehicle_quaternion,
      true, true, required_filter_sensor_to_vehicle_quaternion,
      sizeof(required_filter_sensor_to_vehicle_quaternion),
@@ -7680,22 +7929,25 @@ const struct mip_reflection mip_reflections[] = {
     {&mip_filter_speed_lever_arm_codec, &record_filter_speed_lever_arm, true, true,
      required_filter_speed_lever_arm, sizeof(required_filter_speed_lever_arm),
      offsetof(struct mip_filter_speed_lever_arm, present)},
-    {&mip_filter_vertical_gyro_constraint_codec, &record_filter_vertical_gyro_constraint, true,
-     true, required_filter_vertical_gyro_constraint,
-     sizeof(required_filter_vertical_gyro_constraint),
-     offsetof(struct mip_filter_vertical_gyro_constraint, present)},
-    {&mip_filter_wheeled_vehicle_constraint_codec, &record_filter_wheeled_vehicle_constraint, true,
-     true, required_filter_wheeled_vehicle_constraint,
-     sizeof(required_filter_wheeled_vehicle_constraint),
-     offsetof(struct mip_filter_wheeled_vehicle_constraint, present)},
-    {&mip_filter_gnss_antenna_calibration_codec, &record_filter_gnss_antenna_calibration, true,
-     true, required_filter_gnss_antenna_calibration,
-     sizeof(required_filter_gnss_antenna_calibration),
-     offsetof(struct mip_filter_gnss_antenna_calibration, present)},
+    {&mip_filter_vertical_gyro_constraint_control_codec,
+     &record_filter_vertical_gyro_constraint_control, true, true,
+     required_filter_vertical_gyro_constraint_control,
+     sizeof(required_filter_vertical_gyro_constraint_control),
+     offsetof(struct mip_filter_vertical_gyro_constraint_control, present)},
+    {&mip_filter_wheeled_vehicle_constraint_control_codec,
+     &record_filter_wheeled_vehicle_constraint_control, true, true,
+     required_filter_wheeled_vehicle_constraint_control,
+     sizeof(required_filter_wheeled_vehicle_constraint_control),
+     offsetof(struct mip_filter_wheeled_vehicle_constraint_control, present)},
+    {&mip_filter_gnss_antenna_calibration_control_codec,
+     &record_filter_gnss_antenna_calibration_control, true, true,
+     required_filter_gnss_antenna_calibration_control,
+     sizeof(required_filter_gnss_antenna_calibration_control),
+     offsetof(struct mip_filter_gnss_antenna_calibration_control, present)},
     {&mip_filter_vehicle_dynamics_mode_response_codec,
      &record_filter_vehicle_dynamics_mode_response, false, false, NULL, 0, 0},
-    {&mip_filter_sensor_to_vehicle_euler_response_codec,
-     &record_filter_sensor_to_vehicle_euler_response, false, false, NULL, 0, 0},
+    {&mip_filter_sensor_to_vehicle_rotation_euler_response_codec,
+     &record_filter_sensor_to_vehicle_rotation_euler_response, false, false, NULL, 0, 0},
     {&mip_filter_sensor_to_vehicle_offset_response_codec,
      &record_filter_sensor_to_vehicle_offset_response, false, false, NULL, 0, 0},
     {&mip_filter_antenna_offset_response_codec, &record_filter_antenna_offset_response, false,
@@ -7752,8 +8004,8 @@ const struct mip_reflection mip_reflections[] = {
      &record_filter_magnetic_inclination_source_response, false, false, NULL, 0, 0},
     {&mip_filter_magnetic_magnitude_source_response_codec,
      &record_filter_magnetic_magnitude_source_response, false, false, NULL, 0, 0},
-    {&mip_filter_sensor_to_vehicle_dcm_response_codec,
-     &record_filter_sensor_to_vehicle_dcm_response, false, false, NULL, 0, 0},
+    {&mip_filter_sensor_to_vehicle_rotation_dcm_response_codec,
+     &record_filter_sensor_to_vehicle_rotation_dcm_response, false, false, NULL, 0, 0},
     {&mip_filter_sensor_to_vehicle_quaternion_response_codec,
      &record_filter_sensor_to_vehicle_quaternion_response, false, false, NULL, 0, 0},
     {&mip_filter_aiding_measurement_enable_response_codec,
@@ -7772,12 +8024,12 @@ const struct mip_reflection mip_reflections[] = {
      &record_filter_reference_point_lever_arm_response, false, false, NULL, 0, 0},
     {&mip_filter_speed_lever_arm_response_codec, &record_filter_speed_lever_arm_response, false,
      false, NULL, 0, 0},
-    {&mip_filter_vertical_gyro_constraint_response_codec,
-     &record_filter_vertical_gyro_constraint_response, false, false, NULL, 0, 0},
-    {&mip_filter_wheeled_vehicle_constraint_response_codec,
-     &record_filter_wheeled_vehicle_constraint_response, false, false, NULL, 0, 0},
-    {&mip_filter_gnss_antenna_calibration_response_codec,
-     &record_filter_gnss_antenna_calibration_response, false, false, NULL, 0, 0},
+    {&mip_filter_vertical_gyro_constraint_control_response_codec,
+     &record_filter_vertical_gyro_constraint_control_response, false, false, NULL, 0, 0},
+    {&mip_filter_wheeled_vehicle_constraint_control_response_codec,
+     &record_filter_wheeled_vehicle_constraint_control_response, false, false, NULL, 0, 0},
+    {&mip_filter_gnss_antenna_calibration_control_response_codec,
+     &record_filter_gnss_antenna_calibration_control_response, false, false, NULL, 0, 0},
     {&mip_gnss_receiver_info_codec, &record_gnss_receiver_info, false, false, NULL, 0, 0},
     {&mip_gnss_signal_config_codec, &record_gnss_signal_config, true, true,
      required_gnss_signal_config, sizeof(required_gnss_signal_config),
@@ -7830,6 +8082,17 @@ const struct mip_reflection mip_reflections[] = {
      &record_rtk_get_modem_firmware_version_response, false, false, NULL, 0, 0},
     {&mip_rtk_service_status_response_codec, &record_rtk_service_status_response, false, false,
      NULL, 0, 0},
+    {&mip_displacement_get_calibration_codec, &record_displacement_get_calibration, false, false,
+     NULL, 0, 0},
+    {&mip_displacement_output_rate_codec, &record_displacement_output_rate, true, false,
+     required_displacement_output_rate, sizeof(required_displacement_output_rate), 0},
+    {&mip_displacement_device_time_codec, &record_displacement_device_time, true, true,
+     required_displacement_device_time, sizeof(required_displacement_device_time),
+     offsetof(struct mip_displacement_device_time, present)},
+    {&mip_displacement_get_calibration_response_codec,
+     &record_displacement_get_calibration_response, false, false, NULL, 0, 0},
+    {&mip_displacement_output_rate_response_codec, &record_displacement_output_rate_response, false,
+     false, NULL, 0, 0},
     {&mip_aiding_frame_config_codec, &record_aiding_frame_config, true, true,
      required_aiding_frame_config, sizeof(required_aiding_frame_config),
      offsetof(struct mip_aiding_frame_config, present)},
@@ -8004,8 +8267,8 @@ const struct mip_reflection mip_reflections[] = {
      false, NULL, 0, 0},
     {&mip_filter_data_antenna_offset_correction_codec,
      &record_filter_data_antenna_offset_correction, false, false, NULL, 0, 0},
-    {&mip_filter_data_antenna_offset_uncertainty_codec,
-     &record_filter_data_antenna_offset_uncertainty, false, false, NULL, 0, 0},
+    {&mip_filter_data_antenna_offset_correction_uncertainty_codec,
+     &record_filter_data_antenna_offset_correction_uncertainty, false, false, NULL, 0, 0},
     {&mip_filter_data_clock_correction_codec, &record_filter_data_clock_correction, false, false,
      NULL, 0, 0},
     {&mip_filter_data_clock_correction_uncertainty_codec,
@@ -8034,18 +8297,20 @@ const struct mip_reflection mip_reflections[] = {
      &record_filter_data_aiding_measurement_summary, false, false, NULL, 0, 0},
     {&mip_filter_data_odometer_scale_factor_error_codec,
      &record_filter_data_odometer_scale_factor_error, false, false, NULL, 0, 0},
-    {&mip_filter_data_odometer_scale_factor_uncertainty_codec,
-     &record_filter_data_odometer_scale_factor_uncertainty, false, false, NULL, 0, 0},
+    {&mip_filter_data_odometer_scale_factor_error_uncertainty_codec,
+     &record_filter_data_odometer_scale_factor_error_uncertainty, false, false, NULL, 0, 0},
     {&mip_filter_data_gnss_dual_antenna_status_codec, &record_filter_data_gnss_dual_antenna_status,
      false, false, NULL, 0, 0},
     {&mip_filter_data_aiding_frame_config_error_codec,
      &record_filter_data_aiding_frame_config_error, false, false, NULL, 0, 0},
-    {&mip_filter_data_aiding_frame_error_uncertainty_codec,
-     &record_filter_data_aiding_frame_error_uncertainty, false, false, NULL, 0, 0},
+    {&mip_filter_data_aiding_frame_config_error_uncertainty_codec,
+     &record_filter_data_aiding_frame_config_error_uncertainty, false, false, NULL, 0, 0},
     {&mip_displacement_data_displacement_raw_codec, &record_displacement_data_displacement_raw,
      false, false, NULL, 0, 0},
     {&mip_displacement_data_displacement_codec, &record_displacement_data_displacement, false,
      false, NULL, 0, 0},
+    {&mip_displacement_data_timestamp_codec, &record_displacement_data_timestamp, false, false,
+     NULL, 0, 0},
     {&mip_system_data_built_in_test_codec, &record_system_data_built_in_test, false, false, NULL, 0,
      0},
     {&mip_system_data_time_sync_status_codec, &record_system_data_time_sync_status, false, false,

@@ -13,7 +13,7 @@ const struct mip_codec mip_rtk_get_status_flags_codec = {0x0F,
                                                          0,
                                                          sizeof(struct mip_rtk_get_status_flags),
                                                          0,
-                                                         false,
+                                                         0,
                                                          program_get_status_flags,
                                                          NULL};
 
@@ -44,7 +44,7 @@ const struct mip_codec mip_rtk_get_status_flags_response_codec = {
     4,
     sizeof(struct mip_rtk_get_status_flags_response),
     0,
-    sizeof(struct mip_rtk_get_status_flags_response) >= 8,
+    MIP_SHAPE(0, 1, 0),
     program_get_status_flags_response,
     NULL};
 
@@ -53,7 +53,7 @@ static const uint8_t program_get_imei[] = {
 };
 
 const struct mip_codec mip_rtk_get_imei_codec = {
-    0x0F, 0x02, MIP_COMMAND, 0, sizeof(struct mip_rtk_get_imei), 0, false, program_get_imei, NULL};
+    0x0F, 0x02, MIP_COMMAND, 0, sizeof(struct mip_rtk_get_imei), 0, 0, program_get_imei, NULL};
 
 static const struct mip_response responses_get_imei[] = {
     {NULL, NULL, 0x82, false},
@@ -81,7 +81,7 @@ const struct mip_codec mip_rtk_get_imei_response_codec = {0x0F,
                                                           0,
                                                           sizeof(struct mip_rtk_get_imei_response),
                                                           0,
-                                                          false,
+                                                          0,
                                                           program_get_imei_response,
                                                           &mip_program};
 
@@ -90,7 +90,7 @@ static const uint8_t program_get_imsi[] = {
 };
 
 const struct mip_codec mip_rtk_get_imsi_codec = {
-    0x0F, 0x03, MIP_COMMAND, 0, sizeof(struct mip_rtk_get_imsi), 0, false, program_get_imsi, NULL};
+    0x0F, 0x03, MIP_COMMAND, 0, sizeof(struct mip_rtk_get_imsi), 0, 0, program_get_imsi, NULL};
 
 static const struct mip_response responses_get_imsi[] = {
     {NULL, NULL, 0x83, false},
@@ -118,7 +118,7 @@ const struct mip_codec mip_rtk_get_imsi_response_codec = {0x0F,
                                                           0,
                                                           sizeof(struct mip_rtk_get_imsi_response),
                                                           0,
-                                                          false,
+                                                          0,
                                                           program_get_imsi_response,
                                                           &mip_program};
 
@@ -127,8 +127,7 @@ static const uint8_t program_get_iccid[] = {
 };
 
 const struct mip_codec mip_rtk_get_iccid_codec = {
-    0x0F, 0x04,  MIP_COMMAND,       0,   sizeof(struct mip_rtk_get_iccid),
-    0,    false, program_get_iccid, NULL};
+    0x0F, 0x04, MIP_COMMAND, 0, sizeof(struct mip_rtk_get_iccid), 0, 0, program_get_iccid, NULL};
 
 static const struct mip_response responses_get_iccid[] = {
     {NULL, NULL, 0x84, false},
@@ -157,7 +156,7 @@ const struct mip_codec mip_rtk_get_iccid_response_codec = {
     0,
     sizeof(struct mip_rtk_get_iccid_response),
     0,
-    false,
+    0,
     program_get_iccid_response,
     &mip_program};
 
@@ -166,7 +165,7 @@ static const uint8_t program_get_rssi[] = {
 };
 
 const struct mip_codec mip_rtk_get_rssi_codec = {
-    0x0F, 0x05, MIP_COMMAND, 0, sizeof(struct mip_rtk_get_rssi), 0, false, program_get_rssi, NULL};
+    0x0F, 0x05, MIP_COMMAND, 0, sizeof(struct mip_rtk_get_rssi), 0, 0, program_get_rssi, NULL};
 
 static const struct mip_response responses_get_rssi[] = {
     {NULL, NULL, 0x85, false},
@@ -195,7 +194,7 @@ const struct mip_codec mip_rtk_get_rssi_response_codec = {0x0F,
                                                           9,
                                                           sizeof(struct mip_rtk_get_rssi_response),
                                                           0,
-                                                          false,
+                                                          0,
                                                           program_get_rssi_response,
                                                           NULL};
 
@@ -213,7 +212,7 @@ const struct mip_codec mip_rtk_connected_device_type_codec = {
     0,
     sizeof(struct mip_rtk_connected_device_type),
     0,
-    false,
+    0,
     program_connected_device_type,
     &mip_program};
 
@@ -246,7 +245,7 @@ const struct mip_codec mip_rtk_connected_device_type_response_codec = {
     1,
     sizeof(struct mip_rtk_connected_device_type_response),
     0,
-    sizeof(struct mip_rtk_connected_device_type_response) >= 8,
+    0,
     program_connected_device_type_response,
     NULL};
 
@@ -261,7 +260,7 @@ const struct mip_codec mip_rtk_get_activation_code_codec = {
     0,
     sizeof(struct mip_rtk_get_activation_code),
     0,
-    false,
+    0,
     program_get_activation_code,
     NULL};
 
@@ -293,7 +292,7 @@ const struct mip_codec mip_rtk_get_activation_code_response_codec = {
     0,
     sizeof(struct mip_rtk_get_activation_code_response),
     0,
-    false,
+    0,
     program_get_activation_code_response,
     &mip_program};
 
@@ -308,7 +307,7 @@ const struct mip_codec mip_rtk_get_modem_firmware_version_codec = {
     0,
     sizeof(struct mip_rtk_get_modem_firmware_version),
     0,
-    false,
+    0,
     program_get_modem_firmware_version,
     NULL};
 
@@ -340,7 +339,7 @@ const struct mip_codec mip_rtk_get_modem_firmware_version_response_codec = {
     0,
     sizeof(struct mip_rtk_get_modem_firmware_version_response),
     0,
-    false,
+    0,
     program_get_modem_firmware_version_response,
     &mip_program};
 
@@ -355,7 +354,7 @@ const struct mip_codec mip_rtk_service_status_codec = {0x0F,
                                                        8,
                                                        sizeof(struct mip_rtk_service_status),
                                                        0,
-                                                       sizeof(struct mip_rtk_service_status) >= 8,
+                                                       MIP_SHAPE(0, 2, 0),
                                                        program_service_status,
                                                        NULL};
 
@@ -388,7 +387,7 @@ const struct mip_codec mip_rtk_service_status_response_codec = {
     17,
     sizeof(struct mip_rtk_service_status_response),
     0,
-    false,
+    0,
     program_service_status_response,
     NULL};
 
@@ -397,15 +396,9 @@ static const uint8_t program_erase_storage[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_rtk_erase_storage_codec = {0x0F,
-                                                      0x20,
-                                                      MIP_COMMAND,
-                                                      1,
-                                                      sizeof(struct mip_rtk_erase_storage),
-                                                      0,
-                                                      sizeof(struct mip_rtk_erase_storage) >= 8,
-                                                      program_erase_storage,
-                                                      NULL};
+const struct mip_codec mip_rtk_erase_storage_codec = {
+    0x0F, 0x20, MIP_COMMAND,           1,   sizeof(struct mip_rtk_erase_storage),
+    0,    0,    program_erase_storage, NULL};
 
 const struct mip_exchange mip_rtk_erase_storage_exchange = {0x0F, 0x20, 0, false, 0, NULL};
 
@@ -419,8 +412,8 @@ static const uint8_t program_led_control[] = {
 };
 
 const struct mip_codec mip_rtk_led_control_codec = {
-    0x0F, 0x21,  MIP_COMMAND,         11,  sizeof(struct mip_rtk_led_control),
-    0,    false, program_led_control, NULL};
+    0x0F, 0x21, MIP_COMMAND,         11,  sizeof(struct mip_rtk_led_control),
+    0,    0,    program_led_control, NULL};
 
 const struct mip_exchange mip_rtk_led_control_exchange = {0x0F, 0x21, 0, false, 0, NULL};
 
@@ -437,7 +430,7 @@ const struct mip_codec mip_rtk_modem_hard_reset_codec = {0x0F,
                                                          0,
                                                          sizeof(struct mip_rtk_modem_hard_reset),
                                                          0,
-                                                         false,
+                                                         0,
                                                          program_modem_hard_reset,
                                                          NULL};
 

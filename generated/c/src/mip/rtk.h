@@ -410,7 +410,7 @@ struct mip_rtk_get_rssi_response {
     mip_bool valid;
     /** Received signal strength. Valid if valid is true. Uncertain: The unit; dBm is likely. */
     int32_t rssi;
-    /** Signal quality. Valid if valid is true. Uncertain: The unit. */
+    /** Quality of the modem's radio signal. Valid if valid is true. Uncertain: The unit. */
     int32_t signal_quality;
 };
 
@@ -454,7 +454,10 @@ struct mip_rtk_connected_device_type {
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
-    /** Type of the device. A value of enum mip_rtk_connected_device. Required for write. */
+    /**
+     * Device that the modem is connected to. A value of enum mip_rtk_connected_device. Required for
+     * write.
+     */
     uint8_t device_type;
 };
 
@@ -482,8 +485,8 @@ MIP_CHECKED static inline mip_error mip_rtk_connected_device_type_encode(
 } /**
    * Apply the new setting. Fills the structure and returns its address.
    *
-   * - device_type: Type of the device. A value of enum mip_rtk_connected_device. Required for
-   * write.
+   * - device_type: Device that the modem is connected to. A value of enum mip_rtk_connected_device.
+   *   Required for write.
    */
 static inline struct mip_rtk_connected_device_type *mip_rtk_connected_device_type_write(
     struct mip_rtk_connected_device_type *command, enum mip_rtk_connected_device device_type) {
@@ -529,7 +532,7 @@ mip_rtk_connected_device_type_default(struct mip_rtk_connected_device_type *comm
  * - mip-sdk-4: Connected device type (0x0F,0x06)
  */
 struct mip_rtk_connected_device_type_response {
-    /** Type of the device. A value of enum mip_rtk_connected_device. */
+    /** Device that the modem is connected to. A value of enum mip_rtk_connected_device. */
     uint8_t device_type;
 };
 
@@ -558,7 +561,7 @@ MIP_CHECKED static inline mip_error mip_rtk_connected_device_type_response_encod
 /**
  * Get activation code: command (0x0F,0x07).
  *
- * Gets the activation code.
+ * Reads the code with which the modem is activated for its service.
  *
  * No device is certain to support it. Also called `get_act_code`. Answered by
  * mip_rtk_get_activation_code_response. Known only from the MicroStrain MIP SDK.
@@ -600,7 +603,7 @@ MIP_CHECKED static inline mip_error mip_rtk_get_activation_code_encode(
  * - mip-sdk-4: Get Act Code (0x0F,0x07)
  */
 struct mip_rtk_get_activation_code_response {
-    /** Activation code. */
+    /** Code with which the modem is activated for its service. */
     char activation_code[33];
 };
 
@@ -750,7 +753,7 @@ MIP_CHECKED static inline mip_error mip_rtk_service_status_encode(
 struct mip_rtk_service_status_response {
     /** State of the service. */
     mip_rtk_service_flags flags;
-    /** Bytes received. Unit: byte. */
+    /** Bytes of corrections that the service has sent. Unit: byte. */
     uint32_t received_bytes;
     /** Bytes of the last transfer. Unit: byte. */
     uint32_t last_bytes;

@@ -13,7 +13,7 @@ const struct mip_codec mip_sensor_raw_accel_codec = {0x80,
                                                      12,
                                                      sizeof(struct mip_sensor_raw_accel),
                                                      0,
-                                                     sizeof(struct mip_sensor_raw_accel) >= 8,
+                                                     MIP_SHAPE(0, 3, 0),
                                                      program_raw_accel,
                                                      NULL};
 
@@ -28,7 +28,7 @@ const struct mip_codec mip_sensor_raw_gyro_codec = {0x80,
                                                     12,
                                                     sizeof(struct mip_sensor_raw_gyro),
                                                     0,
-                                                    sizeof(struct mip_sensor_raw_gyro) >= 8,
+                                                    MIP_SHAPE(0, 3, 0),
                                                     program_raw_gyro,
                                                     NULL};
 
@@ -43,7 +43,7 @@ const struct mip_codec mip_sensor_raw_mag_codec = {0x80,
                                                    12,
                                                    sizeof(struct mip_sensor_raw_mag),
                                                    0,
-                                                   sizeof(struct mip_sensor_raw_mag) >= 8,
+                                                   MIP_SHAPE(0, 3, 0),
                                                    program_raw_mag,
                                                    NULL};
 
@@ -58,7 +58,7 @@ const struct mip_codec mip_sensor_scaled_accel_codec = {0x80,
                                                         12,
                                                         sizeof(struct mip_sensor_scaled_accel),
                                                         0,
-                                                        sizeof(struct mip_sensor_scaled_accel) >= 8,
+                                                        MIP_SHAPE(0, 3, 0),
                                                         program_scaled_accel,
                                                         NULL};
 
@@ -73,7 +73,7 @@ const struct mip_codec mip_sensor_scaled_gyro_codec = {0x80,
                                                        12,
                                                        sizeof(struct mip_sensor_scaled_gyro),
                                                        0,
-                                                       sizeof(struct mip_sensor_scaled_gyro) >= 8,
+                                                       MIP_SHAPE(0, 3, 0),
                                                        program_scaled_gyro,
                                                        NULL};
 
@@ -88,7 +88,7 @@ const struct mip_codec mip_sensor_scaled_mag_codec = {0x80,
                                                       12,
                                                       sizeof(struct mip_sensor_scaled_mag),
                                                       0,
-                                                      sizeof(struct mip_sensor_scaled_mag) >= 8,
+                                                      MIP_SHAPE(0, 3, 0),
                                                       program_scaled_mag,
                                                       NULL};
 
@@ -103,7 +103,7 @@ const struct mip_codec mip_sensor_delta_theta_codec = {0x80,
                                                        12,
                                                        sizeof(struct mip_sensor_delta_theta),
                                                        0,
-                                                       sizeof(struct mip_sensor_delta_theta) >= 8,
+                                                       MIP_SHAPE(0, 3, 0),
                                                        program_delta_theta,
                                                        NULL};
 
@@ -112,16 +112,15 @@ static const uint8_t program_delta_velocity[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_sensor_delta_velocity_codec = {
-    0x80,
-    0x08,
-    MIP_DATA,
-    12,
-    sizeof(struct mip_sensor_delta_velocity),
-    0,
-    sizeof(struct mip_sensor_delta_velocity) >= 8,
-    program_delta_velocity,
-    NULL};
+const struct mip_codec mip_sensor_delta_velocity_codec = {0x80,
+                                                          0x08,
+                                                          MIP_DATA,
+                                                          12,
+                                                          sizeof(struct mip_sensor_delta_velocity),
+                                                          0,
+                                                          MIP_SHAPE(0, 3, 0),
+                                                          program_delta_velocity,
+                                                          NULL};
 
 static const uint8_t program_comp_orientation_matrix[] = {
     MIP_32_BITS(9, MIP_AT(struct mip_sensor_comp_orientation_matrix, m)),
@@ -135,7 +134,7 @@ const struct mip_codec mip_sensor_comp_orientation_matrix_codec = {
     36,
     sizeof(struct mip_sensor_comp_orientation_matrix),
     0,
-    sizeof(struct mip_sensor_comp_orientation_matrix) >= 8,
+    MIP_SHAPE(0, 9, 0),
     program_comp_orientation_matrix,
     NULL};
 
@@ -151,7 +150,7 @@ const struct mip_codec mip_sensor_comp_quaternion_codec = {
     16,
     sizeof(struct mip_sensor_comp_quaternion),
     0,
-    sizeof(struct mip_sensor_comp_quaternion) >= 8,
+    MIP_SHAPE(0, 4, 0),
     program_comp_quaternion,
     NULL};
 
@@ -167,7 +166,7 @@ const struct mip_codec mip_sensor_comp_orientation_update_matrix_codec = {
     36,
     sizeof(struct mip_sensor_comp_orientation_update_matrix),
     0,
-    sizeof(struct mip_sensor_comp_orientation_update_matrix) >= 8,
+    MIP_SHAPE(0, 9, 0),
     program_comp_orientation_update_matrix,
     NULL};
 
@@ -183,7 +182,7 @@ const struct mip_codec mip_sensor_comp_euler_angles_codec = {
     12,
     sizeof(struct mip_sensor_comp_euler_angles),
     0,
-    sizeof(struct mip_sensor_comp_euler_angles) >= 8,
+    MIP_SHAPE(0, 3, 0),
     program_comp_euler_angles,
     NULL};
 
@@ -199,7 +198,7 @@ const struct mip_codec mip_sensor_orientation_raw_temperature_codec = {
     8,
     sizeof(struct mip_sensor_orientation_raw_temperature),
     0,
-    sizeof(struct mip_sensor_orientation_raw_temperature) >= 8,
+    MIP_SHAPE(0, 0, 4),
     program_orientation_raw_temperature,
     NULL};
 
@@ -215,7 +214,7 @@ const struct mip_codec mip_sensor_internal_timestamp_codec = {
     4,
     sizeof(struct mip_sensor_internal_timestamp),
     0,
-    sizeof(struct mip_sensor_internal_timestamp) >= 8,
+    MIP_SHAPE(0, 1, 0),
     program_internal_timestamp,
     NULL};
 
@@ -231,7 +230,7 @@ const struct mip_codec mip_sensor_pps_timestamp_codec = {0x80,
                                                          0,
                                                          sizeof(struct mip_sensor_pps_timestamp),
                                                          0,
-                                                         false,
+                                                         0,
                                                          program_pps_timestamp,
                                                          &mip_layout};
 
@@ -249,7 +248,7 @@ const struct mip_codec mip_sensor_pps_timestamp_with_flags_codec = {
     0,
     sizeof(struct mip_sensor_pps_timestamp_with_flags),
     0,
-    false,
+    0,
     program_pps_timestamp_with_flags,
     &mip_layout};
 
@@ -264,7 +263,7 @@ const struct mip_codec mip_sensor_north_vector_codec = {0x80,
                                                         12,
                                                         sizeof(struct mip_sensor_north_vector),
                                                         0,
-                                                        sizeof(struct mip_sensor_north_vector) >= 8,
+                                                        MIP_SHAPE(0, 3, 0),
                                                         program_north_vector,
                                                         NULL};
 
@@ -279,7 +278,7 @@ const struct mip_codec mip_sensor_up_vector_codec = {0x80,
                                                      12,
                                                      sizeof(struct mip_sensor_up_vector),
                                                      0,
-                                                     sizeof(struct mip_sensor_up_vector) >= 8,
+                                                     MIP_SHAPE(0, 3, 0),
                                                      program_up_vector,
                                                      NULL};
 
@@ -295,8 +294,7 @@ const struct mip_codec mip_sensor_gps_timestamp_codec = {0x80,
                                                          12,
                                                          sizeof(struct mip_sensor_gps_timestamp),
                                                          0,
-                                                         sizeof(struct mip_sensor_gps_timestamp) >=
-                                                             8,
+                                                         MIP_SHAPE(1, 0, 2),
                                                          program_gps_timestamp,
                                                          NULL};
 
@@ -312,7 +310,7 @@ const struct mip_codec mip_sensor_temperature_statistics_codec = {
     12,
     sizeof(struct mip_sensor_temperature_statistics),
     0,
-    sizeof(struct mip_sensor_temperature_statistics) >= 8,
+    MIP_SHAPE(0, 3, 0),
     program_temperature_statistics,
     NULL};
 
@@ -327,7 +325,7 @@ const struct mip_codec mip_sensor_raw_pressure_codec = {0x80,
                                                         4,
                                                         sizeof(struct mip_sensor_raw_pressure),
                                                         0,
-                                                        sizeof(struct mip_sensor_raw_pressure) >= 8,
+                                                        MIP_SHAPE(0, 1, 0),
                                                         program_raw_pressure,
                                                         NULL};
 
@@ -343,7 +341,7 @@ const struct mip_codec mip_sensor_scaled_pressure_codec = {
     4,
     sizeof(struct mip_sensor_scaled_pressure),
     0,
-    sizeof(struct mip_sensor_scaled_pressure) >= 8,
+    MIP_SHAPE(0, 1, 0),
     program_scaled_pressure,
     NULL};
 
@@ -359,7 +357,7 @@ const struct mip_codec mip_sensor_overrange_status_codec = {
     2,
     sizeof(struct mip_sensor_overrange_status),
     0,
-    sizeof(struct mip_sensor_overrange_status) >= 8,
+    MIP_SHAPE(0, 0, 1),
     program_overrange_status,
     NULL};
 
@@ -375,6 +373,6 @@ const struct mip_codec mip_sensor_odometer_codec = {0x80,
                                                     10,
                                                     sizeof(struct mip_sensor_odometer),
                                                     0,
-                                                    sizeof(struct mip_sensor_odometer) >= 8,
+                                                    MIP_SHAPE(0, 2, 1),
                                                     program_odometer,
                                                     NULL};

@@ -55,7 +55,7 @@ typedef uint16_t mip_sensor_overrange_flags;
 #define MIP_SENSOR_OVERRANGE_FLAGS_PRESSURE 0x1000U
 /** Whether the odometer values are valid. */
 typedef uint16_t mip_sensor_odometer_flags;
-/** Bit 0. The odometer is configured. */
+/** Bit 0. Set if an odometer is configured; its values are then valid. */
 #define MIP_SENSOR_ODOMETER_FLAGS_ODOMETER 0x0001U
 
 /**

@@ -7,30 +7,18 @@ static const uint8_t program_event_source[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_shared_event_source_codec = {0xFF,
-                                                        0xD0,
-                                                        MIP_DATA,
-                                                        1,
-                                                        sizeof(struct mip_shared_event_source),
-                                                        0,
-                                                        sizeof(struct mip_shared_event_source) >= 8,
-                                                        program_event_source,
-                                                        NULL};
+const struct mip_codec mip_shared_event_source_codec = {
+    0xFF, 0xD0, MIP_DATA, 1, sizeof(struct mip_shared_event_source), 0, 0, program_event_source,
+    NULL};
 
 static const uint8_t program_ticks[] = {
     MIP_32_BITS(1, MIP_AT(struct mip_shared_ticks, ticks)),
     MIP_END,
 };
 
-const struct mip_codec mip_shared_ticks_codec = {0xFF,
-                                                 0xD1,
-                                                 MIP_DATA,
-                                                 4,
-                                                 sizeof(struct mip_shared_ticks),
-                                                 0,
-                                                 sizeof(struct mip_shared_ticks) >= 8,
-                                                 program_ticks,
-                                                 NULL};
+const struct mip_codec mip_shared_ticks_codec = {
+    0xFF,          0xD1, MIP_DATA, 4, sizeof(struct mip_shared_ticks), 0, MIP_SHAPE(0, 1, 0),
+    program_ticks, NULL};
 
 static const uint8_t program_delta_ticks[] = {
     MIP_32_BITS(1, MIP_AT(struct mip_shared_delta_ticks, ticks)),
@@ -43,7 +31,7 @@ const struct mip_codec mip_shared_delta_ticks_codec = {0xFF,
                                                        4,
                                                        sizeof(struct mip_shared_delta_ticks),
                                                        0,
-                                                       sizeof(struct mip_shared_delta_ticks) >= 8,
+                                                       MIP_SHAPE(0, 1, 0),
                                                        program_delta_ticks,
                                                        NULL};
 
@@ -59,8 +47,7 @@ const struct mip_codec mip_shared_gps_timestamp_codec = {0xFF,
                                                          12,
                                                          sizeof(struct mip_shared_gps_timestamp),
                                                          0,
-                                                         sizeof(struct mip_shared_gps_timestamp) >=
-                                                             8,
+                                                         MIP_SHAPE(1, 0, 2),
                                                          program_gps_timestamp,
                                                          NULL};
 
@@ -75,7 +62,7 @@ const struct mip_codec mip_shared_delta_time_codec = {0xFF,
                                                       8,
                                                       sizeof(struct mip_shared_delta_time),
                                                       0,
-                                                      sizeof(struct mip_shared_delta_time) >= 8,
+                                                      MIP_SHAPE(1, 0, 0),
                                                       program_delta_time,
                                                       NULL};
 
@@ -91,7 +78,7 @@ const struct mip_codec mip_shared_reference_timestamp_codec = {
     8,
     sizeof(struct mip_shared_reference_timestamp),
     0,
-    sizeof(struct mip_shared_reference_timestamp) >= 8,
+    MIP_SHAPE(1, 0, 0),
     program_reference_timestamp,
     NULL};
 
@@ -107,7 +94,7 @@ const struct mip_codec mip_shared_reference_time_delta_codec = {
     8,
     sizeof(struct mip_shared_reference_time_delta),
     0,
-    sizeof(struct mip_shared_reference_time_delta) >= 8,
+    MIP_SHAPE(1, 0, 0),
     program_reference_time_delta,
     NULL};
 
@@ -124,7 +111,7 @@ const struct mip_codec mip_shared_external_timestamp_codec = {
     10,
     sizeof(struct mip_shared_external_timestamp),
     0,
-    sizeof(struct mip_shared_external_timestamp) >= 8,
+    MIP_SHAPE(1, 0, 1),
     program_external_timestamp,
     NULL};
 
@@ -141,6 +128,6 @@ const struct mip_codec mip_shared_external_time_delta_codec = {
     10,
     sizeof(struct mip_shared_external_time_delta),
     0,
-    sizeof(struct mip_shared_external_time_delta) >= 8,
+    MIP_SHAPE(1, 0, 1),
     program_external_time_delta,
     NULL};

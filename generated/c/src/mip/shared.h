@@ -93,7 +93,7 @@ MIP_CHECKED static inline mip_error mip_shared_event_source_encode(
  * - mip-sdk-4: Ticks (0xFF,0xD1)
  */
 struct mip_shared_ticks {
-    /** Ticks. Unit: 1. */
+    /** Base periods since the device started, modulo 2^32. Unit: 1. */
     uint32_t ticks;
 };
 
@@ -131,7 +131,7 @@ MIP_CHECKED static inline mip_error mip_shared_ticks_encode(const struct mip_sha
  * - mip-sdk-4: Delta ticks (0xFF,0xD2)
  */
 struct mip_shared_delta_ticks {
-    /** Ticks. Unit: 1. */
+    /** Base periods since the previous field of this kind. Unit: 1. */
     uint32_t ticks;
 };
 

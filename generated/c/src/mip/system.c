@@ -21,7 +21,7 @@ const struct mip_codec mip_system_interface_control_codec = {
     0,
     sizeof(struct mip_system_interface_control),
     0,
-    false,
+    0,
     program_interface_control,
     &mip_program};
 
@@ -55,7 +55,7 @@ const struct mip_codec mip_system_interface_control_response_codec = {
     9,
     sizeof(struct mip_system_interface_control_response),
     0,
-    false,
+    0,
     program_interface_control_response,
     NULL};
 
@@ -67,8 +67,8 @@ static const uint8_t program_comm_mode[] = {
 };
 
 const struct mip_codec mip_system_comm_mode_codec = {
-    0x7F, 0x10,  MIP_COMMAND,       0,           sizeof(struct mip_system_comm_mode),
-    0,    false, program_comm_mode, &mip_program};
+    0x7F, 0x10, MIP_COMMAND,       0,           sizeof(struct mip_system_comm_mode),
+    0,    0,    program_comm_mode, &mip_program};
 
 static const uint8_t asked_comm_mode_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_comm_mode[] = {
@@ -98,6 +98,6 @@ const struct mip_codec mip_system_comm_mode_response_codec = {
     1,
     sizeof(struct mip_system_comm_mode_response),
     0,
-    sizeof(struct mip_system_comm_mode_response) >= 8,
+    0,
     program_comm_mode_response,
     NULL};

@@ -30,7 +30,7 @@ extern "C" {
  * - mip-sdk-4: Interface Control (0x7F,0x02)
  */
 typedef uint32_t mip_system_comm_protocols;
-/** Bit 0. MIP. */
+/** Bit 0. */
 #define MIP_SYSTEM_COMM_PROTOCOLS_MIP UINT32_C(0x00000001)
 /** Bit 8. NMEA-0183. */
 #define MIP_SYSTEM_COMM_PROTOCOLS_NMEA UINT32_C(0x00000100)

@@ -14,7 +14,7 @@ const struct mip_codec mip_system_data_built_in_test_codec = {
     16,
     sizeof(struct mip_system_data_built_in_test),
     0,
-    sizeof(struct mip_system_data_built_in_test) >= 8,
+    0,
     program_built_in_test,
     NULL};
 
@@ -30,7 +30,7 @@ const struct mip_codec mip_system_data_time_sync_status_codec = {
     2,
     sizeof(struct mip_system_data_time_sync_status),
     0,
-    sizeof(struct mip_system_data_time_sync_status) >= 8,
+    0,
     program_time_sync_status,
     NULL};
 
@@ -40,15 +40,8 @@ static const uint8_t program_gpio_state[] = {
 };
 
 const struct mip_codec mip_system_data_gpio_state_codec = {
-    0xA0,
-    0x03,
-    MIP_DATA,
-    1,
-    sizeof(struct mip_system_data_gpio_state),
-    0,
-    sizeof(struct mip_system_data_gpio_state) >= 8,
-    program_gpio_state,
-    NULL};
+    0xA0, 0x03, MIP_DATA,           1,   sizeof(struct mip_system_data_gpio_state),
+    0,    0,    program_gpio_state, NULL};
 
 static const uint8_t program_gpio_analog_value[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_system_data_gpio_analog_value, gpio_id)),
@@ -63,6 +56,6 @@ const struct mip_codec mip_system_data_gpio_analog_value_codec = {
     5,
     sizeof(struct mip_system_data_gpio_analog_value),
     0,
-    false,
+    0,
     program_gpio_analog_value,
     NULL};

@@ -26,13 +26,13 @@ extern "C" {
 
 /** Level of each GPIO pin, set for high. Bits of pins that do not exist read 0. */
 typedef uint8_t mip_system_data_gpio_pin_states;
-/** Bit 0. GPIO pin 1. */
+/** Bit 0. GPIO pin 1 is high. */
 #define MIP_SYSTEM_DATA_GPIO_PIN_STATES_PIN_1 0x01U
-/** Bit 1. GPIO pin 2. */
+/** Bit 1. GPIO pin 2 is high. */
 #define MIP_SYSTEM_DATA_GPIO_PIN_STATES_PIN_2 0x02U
-/** Bit 2. GPIO pin 3. */
+/** Bit 2. GPIO pin 3 is high. */
 #define MIP_SYSTEM_DATA_GPIO_PIN_STATES_PIN_3 0x04U
-/** Bit 3. GPIO pin 4. */
+/** Bit 3. GPIO pin 4 is high. */
 #define MIP_SYSTEM_DATA_GPIO_PIN_STATES_PIN_4 0x08U
 
 /**
@@ -61,7 +61,7 @@ struct mip_system_data_built_in_test {
      * Flags, defined by each device, least significant byte first: bit 8 is bit 0 of the second
      * byte. On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
      * 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of mip_cv7_inertial_bit.
-     * On the 3DM-CV7-GNSS/INS: values of mip_cv7_continuous_bit.
+     * On the 3DM-CV7-GNSS/INS: values of mip_cv7_continuous_built_in_test.
      */
     uint8_t result[16];
 };

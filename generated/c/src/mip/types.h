@@ -67,445 +67,462 @@ typedef uint32_t mip_cv7_built_in_test;
 
 /**
  * Flags of the continuous built-in test of the 3DM-CV7-GNSS/INS: bits 0-31 system, 32-63 inertial
- * sensors, 64-95 navigation, 96-127 GNSS. Full name: cv7_continuous_built_in_test.
+ * sensors, 64-95 navigation, 96-127 GNSS.
  *
  * - 3dm-cv7-gnss-ins: Continuous Built-in Test
  */
-struct mip_cv7_continuous_bit {
+struct mip_cv7_continuous_built_in_test {
     /** Least significant byte first. */
     uint8_t bytes[16];
 };
 
 /** Bit 0. The system clock does not work properly. */
-static inline bool
-mip_cv7_continuous_bit_get_system_clock_failure(const struct mip_cv7_continuous_bit *flags) {
+static inline bool mip_cv7_continuous_built_in_test_get_system_clock_failure(
+    const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 0, 1);
 }
 /** Sets it. */
-static inline void
-mip_cv7_continuous_bit_set_system_clock_failure(struct mip_cv7_continuous_bit *flags, bool value) {
+static inline void mip_cv7_continuous_built_in_test_set_system_clock_failure(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 0, 1, value);
 }
 
 /** Bit 1. The supply voltage is out of range, or an internal supply has failed. */
-static inline bool
-mip_cv7_continuous_bit_get_power_fault(const struct mip_cv7_continuous_bit *flags) {
+static inline bool mip_cv7_continuous_built_in_test_get_power_fault(
+    const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 1, 1);
 }
 /** Sets it. */
-static inline void mip_cv7_continuous_bit_set_power_fault(struct mip_cv7_continuous_bit *flags,
-                                                          bool value) {
+static inline void mip_cv7_continuous_built_in_test_set_power_fault(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 1, 1, value);
 }
 
 /** Bit 4. The firmware encountered an unexpected condition. */
-static inline bool
-mip_cv7_continuous_bit_get_firmware_fault(const struct mip_cv7_continuous_bit *flags) {
+static inline bool mip_cv7_continuous_built_in_test_get_firmware_fault(
+    const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 4, 1);
 }
 /** Sets it. */
-static inline void mip_cv7_continuous_bit_set_firmware_fault(struct mip_cv7_continuous_bit *flags,
-                                                             bool value) {
+static inline void mip_cv7_continuous_built_in_test_set_firmware_fault(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 4, 1, value);
 }
 
 /** Bit 5. The processor cannot keep up. */
-static inline bool
-mip_cv7_continuous_bit_get_timing_overload(const struct mip_cv7_continuous_bit *flags) {
+static inline bool mip_cv7_continuous_built_in_test_get_timing_overload(
+    const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 5, 1);
 }
 /** Sets it. */
-static inline void mip_cv7_continuous_bit_set_timing_overload(struct mip_cv7_continuous_bit *flags,
-                                                              bool value) {
+static inline void mip_cv7_continuous_built_in_test_set_timing_overload(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 5, 1, value);
 }
 
 /** Bit 6. A data buffer was full and data may be lost. */
-static inline bool
-mip_cv7_continuous_bit_get_buffer_overrun(const struct mip_cv7_continuous_bit *flags) {
+static inline bool mip_cv7_continuous_built_in_test_get_buffer_overrun(
+    const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 6, 1);
 }
 /** Sets it. */
-static inline void mip_cv7_continuous_bit_set_buffer_overrun(struct mip_cv7_continuous_bit *flags,
-                                                             bool value) {
+static inline void mip_cv7_continuous_built_in_test_set_buffer_overrun(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 6, 1, value);
 }
 
 /** Bit 16. The inertial sensor subsystem is not running or did not start. */
-static inline bool
-mip_cv7_continuous_bit_get_imu_process_fault(const struct mip_cv7_continuous_bit *flags) {
+static inline bool mip_cv7_continuous_built_in_test_get_imu_process_fault(
+    const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 16, 1);
 }
 /** Sets it. */
-static inline void
-mip_cv7_continuous_bit_set_imu_process_fault(struct mip_cv7_continuous_bit *flags, bool value) {
+static inline void mip_cv7_continuous_built_in_test_set_imu_process_fault(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 16, 1, value);
 }
 
 /** Bit 17. The processing of sensor data took too long. */
-static inline bool mip_cv7_continuous_bit_get_imu_data_process_time_exceeded(
-    const struct mip_cv7_continuous_bit *flags) {
+static inline bool mip_cv7_continuous_built_in_test_get_imu_data_process_time_exceeded(
+    const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 17, 1);
 }
 /** Sets it. */
-static inline void mip_cv7_continuous_bit_set_imu_data_process_time_exceeded(
-    struct mip_cv7_continuous_bit *flags, bool value) {
+static inline void mip_cv7_continuous_built_in_test_set_imu_data_process_time_exceeded(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 17, 1, value);
 }
 
 /** Bit 18. Sensor data is not produced at its base rate. */
-static inline bool
-mip_cv7_continuous_bit_get_imu_data_rate_error(const struct mip_cv7_continuous_bit *flags) {
+static inline bool mip_cv7_continuous_built_in_test_get_imu_data_rate_error(
+    const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 18, 1);
 }
 /** Sets it. */
-static inline void
-mip_cv7_continuous_bit_set_imu_data_rate_error(struct mip_cv7_continuous_bit *flags, bool value) {
+static inline void mip_cv7_continuous_built_in_test_set_imu_data_rate_error(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 18, 1, value);
 }
 
 /** Bit 19. The inertial sensor subsystem produces no data. */
-static inline bool
-mip_cv7_continuous_bit_get_imu_stall(const struct mip_cv7_continuous_bit *flags) {
+static inline bool mip_cv7_continuous_built_in_test_get_imu_stall(
+    const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 19, 1);
 }
 /** Sets it. */
-static inline void mip_cv7_continuous_bit_set_imu_stall(struct mip_cv7_continuous_bit *flags,
-                                                        bool value) {
+static inline void mip_cv7_continuous_built_in_test_set_imu_stall(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 19, 1, value);
 }
 
 /** Bits 20 to 23. Any of these faults: the filter does not work normally. Overlaps other bits. */
-static inline uint8_t
-mip_cv7_continuous_bit_get_filter_process_fault(const struct mip_cv7_continuous_bit *flags) {
+static inline uint8_t mip_cv7_continuous_built_in_test_get_filter_process_fault(
+    const struct mip_cv7_continuous_built_in_test *flags) {
     return (uint8_t)mip_get_bits(flags->bytes, 20, 4);
 }
 /** Sets it. */
-static inline void mip_cv7_continuous_bit_set_filter_process_fault(
-    struct mip_cv7_continuous_bit *flags, uint8_t value) {
+static inline void mip_cv7_continuous_built_in_test_set_filter_process_fault(
+    struct mip_cv7_continuous_built_in_test *flags, uint8_t value) {
     mip_set_bits(flags->bytes, 20, 4, value);
 }
 
 /** Bit 20. Fault of the major cycle of the filter; bits 22 and 23 say which fault. */
-static inline bool
-mip_cv7_continuous_bit_get_filter_major_cycle_fault(const struct mip_cv7_continuous_bit *flags) {
+static inline bool mip_cv7_continuous_built_in_test_get_filter_major_cycle_fault(
+    const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 20, 1);
 }
 /** Sets it. */
-static inline void mip_cv7_continuous_bit_set_filter_major_cycle_fault(
-    struct mip_cv7_continuous_bit *flags, bool value) {
+static inline void mip_cv7_continuous_built_in_test_set_filter_major_cycle_fault(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 20, 1, value);
 }
 
 /** Bit 21. Fault of the minor cycle of the filter; bits 22 and 23 say which fault. */
-static inline bool
-mip_cv7_continuous_bit_get_filter_minor_cycle_fault(const struct mip_cv7_continuous_bit *flags) {
+static inline bool mip_cv7_continuous_built_in_test_get_filter_minor_cycle_fault(
+    const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 21, 1);
 }
 /** Sets it. */
-static inline void mip_cv7_continuous_bit_set_filter_minor_cycle_fault(
-    struct mip_cv7_continuous_bit *flags, bool value) {
+static inline void mip_cv7_continuous_built_in_test_set_filter_minor_cycle_fault(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 21, 1, value);
 }
 
 /** Bit 22. A filter process misses its base rate; bits 20 and 21 say which. */
-static inline bool
-mip_cv7_continuous_bit_get_filter_data_rate_error(const struct mip_cv7_continuous_bit *flags) {
+static inline bool mip_cv7_continuous_built_in_test_get_filter_data_rate_error(
+    const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 22, 1);
 }
 /** Sets it. */
-static inline void mip_cv7_continuous_bit_set_filter_data_rate_error(
-    struct mip_cv7_continuous_bit *flags, bool value) {
+static inline void mip_cv7_continuous_built_in_test_set_filter_data_rate_error(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 22, 1, value);
 }
 
 /** Bit 23. A filter process produces no data; bits 20 and 21 say which. */
-static inline bool
-mip_cv7_continuous_bit_get_filter_process_stall(const struct mip_cv7_continuous_bit *flags) {
+static inline bool mip_cv7_continuous_built_in_test_get_filter_process_stall(
+    const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 23, 1);
 }
 /** Sets it. */
-static inline void
-mip_cv7_continuous_bit_set_filter_process_stall(struct mip_cv7_continuous_bit *flags, bool value) {
+static inline void mip_cv7_continuous_built_in_test_set_filter_process_stall(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 23, 1, value);
 }
 
 /** Bits 24 to 27. Any of these faults: GNSS does not work normally. Overlaps other bits. */
-static inline uint8_t
-mip_cv7_continuous_bit_get_gnss_subsystem_fault(const struct mip_cv7_continuous_bit *flags) {
+static inline uint8_t mip_cv7_continuous_built_in_test_get_gnss_subsystem_fault(
+    const struct mip_cv7_continuous_built_in_test *flags) {
     return (uint8_t)mip_get_bits(flags->bytes, 24, 4);
 }
 /** Sets it. */
-static inline void mip_cv7_continuous_bit_set_gnss_subsystem_fault(
-    struct mip_cv7_continuous_bit *flags, uint8_t value) {
+static inline void mip_cv7_continuous_built_in_test_set_gnss_subsystem_fault(
+    struct mip_cv7_continuous_built_in_test *flags, uint8_t value) {
     mip_set_bits(flags->bytes, 24, 4, value);
 }
 
 /** Bit 24. The main GNSS process did not run in time. */
-static inline bool
-mip_cv7_continuous_bit_get_gnss_main_process_fault(const struct mip_cv7_continuous_bit *flags) {
+static inline bool mip_cv7_continuous_built_in_test_get_gnss_main_process_fault(
+    const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 24, 1);
 }
 /** Sets it. */
-static inline void mip_cv7_continuous_bit_set_gnss_main_process_fault(
-    struct mip_cv7_continuous_bit *flags, bool value) {
+static inline void mip_cv7_continuous_built_in_test_set_gnss_main_process_fault(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 24, 1, value);
 }
 
 /** Bit 25. No data from internal receiver 1 in time. Concerns mip_gnss_data_fix_info. */
-static inline bool
-mip_cv7_continuous_bit_get_gnss_receiver_1_stall(const struct mip_cv7_continuous_bit *flags) {
+static inline bool mip_cv7_continuous_built_in_test_get_gnss_receiver_1_stall(
+    const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 25, 1);
 }
 /** Sets it. */
-static inline void
-mip_cv7_continuous_bit_set_gnss_receiver_1_stall(struct mip_cv7_continuous_bit *flags, bool value) {
+static inline void mip_cv7_continuous_built_in_test_set_gnss_receiver_1_stall(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 25, 1, value);
 }
 
 /** Bit 26. No data from internal receiver 2 in time. Concerns mip_gnss_data_fix_info. */
-static inline bool
-mip_cv7_continuous_bit_get_gnss_receiver_2_stall(const struct mip_cv7_continuous_bit *flags) {
+static inline bool mip_cv7_continuous_built_in_test_get_gnss_receiver_2_stall(
+    const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 26, 1);
 }
 /** Sets it. */
-static inline void
-mip_cv7_continuous_bit_set_gnss_receiver_2_stall(struct mip_cv7_continuous_bit *flags, bool value) {
+static inline void mip_cv7_continuous_built_in_test_set_gnss_receiver_2_stall(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 26, 1, value);
 }
 
 /** Bit 33. No communication with the inertial sensors. */
-static inline bool
-mip_cv7_continuous_bit_get_imu_comm_fault(const struct mip_cv7_continuous_bit *flags) {
+static inline bool mip_cv7_continuous_built_in_test_get_imu_comm_fault(
+    const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 33, 1);
 }
 /** Sets it. */
-static inline void mip_cv7_continuous_bit_set_imu_comm_fault(struct mip_cv7_continuous_bit *flags,
-                                                             bool value) {
+static inline void mip_cv7_continuous_built_in_test_set_imu_comm_fault(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 33, 1, value);
 }
 
 /** Bit 34. Inertial sensor processes take longer than their time slot. */
-static inline bool
-mip_cv7_continuous_bit_get_imu_timing_overrun(const struct mip_cv7_continuous_bit *flags) {
+static inline bool mip_cv7_continuous_built_in_test_get_imu_timing_overrun(
+    const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 34, 1);
 }
 /** Sets it. */
-static inline void
-mip_cv7_continuous_bit_set_imu_timing_overrun(struct mip_cv7_continuous_bit *flags, bool value) {
+static inline void mip_cv7_continuous_built_in_test_set_imu_timing_overrun(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 34, 1, value);
 }
 
 /** Bit 36. Fault of the accelerometer calibration. Concerns mip_sensor_scaled_accel. */
-static inline bool
-mip_cv7_continuous_bit_get_imu_calibration_error_accel(const struct mip_cv7_continuous_bit *flags) {
+static inline bool mip_cv7_continuous_built_in_test_get_imu_calibration_error_accel(
+    const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 36, 1);
 }
 /** Sets it. */
-static inline void mip_cv7_continuous_bit_set_imu_calibration_error_accel(
-    struct mip_cv7_continuous_bit *flags, bool value) {
+static inline void mip_cv7_continuous_built_in_test_set_imu_calibration_error_accel(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 36, 1, value);
 }
 
 /** Bit 37. Fault of the gyroscope calibration. Concerns mip_sensor_scaled_gyro. */
-static inline bool
-mip_cv7_continuous_bit_get_imu_calibration_error_gyro(const struct mip_cv7_continuous_bit *flags) {
+static inline bool mip_cv7_continuous_built_in_test_get_imu_calibration_error_gyro(
+    const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 37, 1);
 }
 /** Sets it. */
-static inline void mip_cv7_continuous_bit_set_imu_calibration_error_gyro(
-    struct mip_cv7_continuous_bit *flags, bool value) {
+static inline void mip_cv7_continuous_built_in_test_set_imu_calibration_error_gyro(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 37, 1, value);
 }
 
 /** Bit 38. Fault of the magnetometer calibration. Concerns mip_sensor_scaled_mag. */
-static inline bool
-mip_cv7_continuous_bit_get_imu_calibration_error_mag(const struct mip_cv7_continuous_bit *flags) {
+static inline bool mip_cv7_continuous_built_in_test_get_imu_calibration_error_mag(
+    const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 38, 1);
 }
 /** Sets it. */
-static inline void mip_cv7_continuous_bit_set_imu_calibration_error_mag(
-    struct mip_cv7_continuous_bit *flags, bool value) {
+static inline void mip_cv7_continuous_built_in_test_set_imu_calibration_error_mag(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 38, 1, value);
 }
 
 /** Bit 40. The accelerometer failed to initialize. Concerns mip_sensor_scaled_accel. */
-static inline bool
-mip_cv7_continuous_bit_get_accel_general_fault(const struct mip_cv7_continuous_bit *flags) {
+static inline bool mip_cv7_continuous_built_in_test_get_accel_general_fault(
+    const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 40, 1);
 }
 /** Sets it. */
-static inline void
-mip_cv7_continuous_bit_set_accel_general_fault(struct mip_cv7_continuous_bit *flags, bool value) {
+static inline void mip_cv7_continuous_built_in_test_set_accel_general_fault(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 40, 1, value);
 }
 
-/** Bit 41. An axis is near or outside the selected range. Concerns mip_sensor_scaled_accel. */
-static inline bool
-mip_cv7_continuous_bit_get_accel_over_range(const struct mip_cv7_continuous_bit *flags) {
+/**
+ * Bit 41. The acceleration along an axis is near or outside the selected range. Concerns
+ * mip_sensor_scaled_accel.
+ */
+static inline bool mip_cv7_continuous_built_in_test_get_accel_over_range(
+    const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 41, 1);
 }
 /** Sets it. */
-static inline void mip_cv7_continuous_bit_set_accel_over_range(struct mip_cv7_continuous_bit *flags,
-                                                               bool value) {
+static inline void mip_cv7_continuous_built_in_test_set_accel_over_range(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 41, 1, value);
 }
 
 /**
- * Bit 42. The self test failed; updated by the commanded test. Concerns mip_sensor_scaled_accel.
+ * Bit 42. The accelerometer self-test failed; the commanded built-in test updates this bit.
+ * Concerns mip_sensor_scaled_accel.
  */
-static inline bool
-mip_cv7_continuous_bit_get_accel_self_test_fail(const struct mip_cv7_continuous_bit *flags) {
+static inline bool mip_cv7_continuous_built_in_test_get_accel_self_test_fail(
+    const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 42, 1);
 }
 /** Sets it. */
-static inline void
-mip_cv7_continuous_bit_set_accel_self_test_fail(struct mip_cv7_continuous_bit *flags, bool value) {
+static inline void mip_cv7_continuous_built_in_test_set_accel_self_test_fail(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 42, 1, value);
 }
 
 /** Bit 44. The gyroscope failed to initialize. Concerns mip_sensor_scaled_gyro. */
-static inline bool
-mip_cv7_continuous_bit_get_gyro_general_fault(const struct mip_cv7_continuous_bit *flags) {
+static inline bool mip_cv7_continuous_built_in_test_get_gyro_general_fault(
+    const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 44, 1);
 }
 /** Sets it. */
-static inline void
-mip_cv7_continuous_bit_set_gyro_general_fault(struct mip_cv7_continuous_bit *flags, bool value) {
+static inline void mip_cv7_continuous_built_in_test_set_gyro_general_fault(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 44, 1, value);
 }
 
-/** Bit 45. An axis is near or outside the selected range. Concerns mip_sensor_scaled_gyro. */
-static inline bool
-mip_cv7_continuous_bit_get_gyro_over_range(const struct mip_cv7_continuous_bit *flags) {
+/**
+ * Bit 45. The angular rate about an axis is near or outside the selected range. Concerns
+ * mip_sensor_scaled_gyro.
+ */
+static inline bool mip_cv7_continuous_built_in_test_get_gyro_over_range(
+    const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 45, 1);
 }
 /** Sets it. */
-static inline void mip_cv7_continuous_bit_set_gyro_over_range(struct mip_cv7_continuous_bit *flags,
-                                                              bool value) {
+static inline void mip_cv7_continuous_built_in_test_set_gyro_over_range(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 45, 1, value);
 }
 
-/** Bit 46. The self test failed; updated by the commanded test. Concerns mip_sensor_scaled_gyro. */
-static inline bool
-mip_cv7_continuous_bit_get_gyro_self_test_fail(const struct mip_cv7_continuous_bit *flags) {
+/**
+ * Bit 46. The gyroscope self-test failed; the commanded built-in test updates this bit. Concerns
+ * mip_sensor_scaled_gyro.
+ */
+static inline bool mip_cv7_continuous_built_in_test_get_gyro_self_test_fail(
+    const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 46, 1);
 }
 /** Sets it. */
-static inline void
-mip_cv7_continuous_bit_set_gyro_self_test_fail(struct mip_cv7_continuous_bit *flags, bool value) {
+static inline void mip_cv7_continuous_built_in_test_set_gyro_self_test_fail(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 46, 1, value);
 }
 
 /** Bit 48. The magnetometer failed to initialize. Concerns mip_sensor_scaled_mag. */
-static inline bool
-mip_cv7_continuous_bit_get_mag_general_fault(const struct mip_cv7_continuous_bit *flags) {
+static inline bool mip_cv7_continuous_built_in_test_get_mag_general_fault(
+    const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 48, 1);
 }
 /** Sets it. */
-static inline void
-mip_cv7_continuous_bit_set_mag_general_fault(struct mip_cv7_continuous_bit *flags, bool value) {
+static inline void mip_cv7_continuous_built_in_test_set_mag_general_fault(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 48, 1, value);
 }
 
-/** Bit 49. An axis is near or outside the supported range. Concerns mip_sensor_scaled_mag. */
-static inline bool
-mip_cv7_continuous_bit_get_mag_over_range(const struct mip_cv7_continuous_bit *flags) {
+/**
+ * Bit 49. The magnetic field along an axis is near or outside the supported range. Concerns
+ * mip_sensor_scaled_mag.
+ */
+static inline bool mip_cv7_continuous_built_in_test_get_mag_over_range(
+    const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 49, 1);
 }
 /** Sets it. */
-static inline void mip_cv7_continuous_bit_set_mag_over_range(struct mip_cv7_continuous_bit *flags,
-                                                             bool value) {
+static inline void mip_cv7_continuous_built_in_test_set_mag_over_range(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 49, 1, value);
 }
 
-/** Bit 50. The self test failed; updated by the commanded test. Concerns mip_sensor_scaled_mag. */
-static inline bool
-mip_cv7_continuous_bit_get_mag_self_test_fail(const struct mip_cv7_continuous_bit *flags) {
+/**
+ * Bit 50. The magnetometer self-test failed; the commanded built-in test updates this bit. Concerns
+ * mip_sensor_scaled_mag.
+ */
+static inline bool mip_cv7_continuous_built_in_test_get_mag_self_test_fail(
+    const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 50, 1);
 }
 /** Sets it. */
-static inline void
-mip_cv7_continuous_bit_set_mag_self_test_fail(struct mip_cv7_continuous_bit *flags, bool value) {
+static inline void mip_cv7_continuous_built_in_test_set_mag_self_test_fail(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 50, 1, value);
 }
 
 /** Bit 52. The pressure sensor failed to initialize. Concerns mip_sensor_scaled_pressure. */
-static inline bool mip_cv7_continuous_bit_get_pressure_sensor_general_fault(
-    const struct mip_cv7_continuous_bit *flags) {
+static inline bool mip_cv7_continuous_built_in_test_get_pressure_sensor_general_fault(
+    const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 52, 1);
 }
 /** Sets it. */
-static inline void mip_cv7_continuous_bit_set_pressure_sensor_general_fault(
-    struct mip_cv7_continuous_bit *flags, bool value) {
+static inline void mip_cv7_continuous_built_in_test_set_pressure_sensor_general_fault(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 52, 1, value);
 }
 
 /** Bit 53. The pressure is outside the supported range. Concerns mip_sensor_scaled_pressure. */
-static inline bool
-mip_cv7_continuous_bit_get_pressure_sensor_over_range(const struct mip_cv7_continuous_bit *flags) {
+static inline bool mip_cv7_continuous_built_in_test_get_pressure_sensor_over_range(
+    const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 53, 1);
 }
 /** Sets it. */
-static inline void mip_cv7_continuous_bit_set_pressure_sensor_over_range(
-    struct mip_cv7_continuous_bit *flags, bool value) {
+static inline void mip_cv7_continuous_built_in_test_set_pressure_sensor_over_range(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 53, 1, value);
 }
 
 /**
- * Bit 54. The self test failed; updated by the commanded test. Concerns mip_sensor_scaled_pressure.
+ * Bit 54. The pressure sensor self-test failed; the commanded built-in test updates this bit.
+ * Concerns mip_sensor_scaled_pressure.
  */
-static inline bool mip_cv7_continuous_bit_get_pressure_sensor_self_test_fail(
-    const struct mip_cv7_continuous_bit *flags) {
+static inline bool mip_cv7_continuous_built_in_test_get_pressure_sensor_self_test_fail(
+    const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 54, 1);
 }
 /** Sets it. */
-static inline void mip_cv7_continuous_bit_set_pressure_sensor_self_test_fail(
-    struct mip_cv7_continuous_bit *flags, bool value) {
+static inline void mip_cv7_continuous_built_in_test_set_pressure_sensor_self_test_fail(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 54, 1, value);
 }
 
 /** Bit 56. The device has lost its factory configuration. */
-static inline bool
-mip_cv7_continuous_bit_get_factory_bits_invalid(const struct mip_cv7_continuous_bit *flags) {
+static inline bool mip_cv7_continuous_built_in_test_get_factory_bits_invalid(
+    const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 56, 1);
 }
 /** Sets it. */
-static inline void
-mip_cv7_continuous_bit_set_factory_bits_invalid(struct mip_cv7_continuous_bit *flags, bool value) {
+static inline void mip_cv7_continuous_built_in_test_set_factory_bits_invalid(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 56, 1, value);
 }
 
 /** Bit 66. Filter processes take longer than their time slot. */
-static inline bool
-mip_cv7_continuous_bit_get_filter_timing_overrun(const struct mip_cv7_continuous_bit *flags) {
+static inline bool mip_cv7_continuous_built_in_test_get_filter_timing_overrun(
+    const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 66, 1);
 }
 /** Sets it. */
-static inline void
-mip_cv7_continuous_bit_set_filter_timing_overrun(struct mip_cv7_continuous_bit *flags, bool value) {
+static inline void mip_cv7_continuous_built_in_test_set_filter_timing_overrun(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 66, 1, value);
 }
 
 /** Bit 67. Filter processes are skipped. */
-static inline bool
-mip_cv7_continuous_bit_get_filter_timing_underrun(const struct mip_cv7_continuous_bit *flags) {
+static inline bool mip_cv7_continuous_built_in_test_get_filter_timing_underrun(
+    const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 67, 1);
 }
 /** Sets it. */
-static inline void mip_cv7_continuous_bit_set_filter_timing_underrun(
-    struct mip_cv7_continuous_bit *flags, bool value) {
+static inline void mip_cv7_continuous_built_in_test_set_filter_timing_underrun(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 67, 1, value);
 }
 
 /** Bit 105. No communication with internal receiver 1. Concerns mip_gnss_data_fix_info. */
-static inline bool
-mip_cv7_continuous_bit_get_receiver_1_fault(const struct mip_cv7_continuous_bit *flags) {
+static inline bool mip_cv7_continuous_built_in_test_get_receiver_1_fault(
+    const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 105, 1);
 }
 /** Sets it. */
-static inline void mip_cv7_continuous_bit_set_receiver_1_fault(struct mip_cv7_continuous_bit *flags,
-                                                               bool value) {
+static inline void mip_cv7_continuous_built_in_test_set_receiver_1_fault(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 105, 1, value);
 }
 
@@ -513,24 +530,24 @@ static inline void mip_cv7_continuous_bit_set_receiver_1_fault(struct mip_cv7_co
  * Bit 108. Internal receiver 1 has no valid solution; usually for lack of a sky view. Concerns
  * mip_gnss_data_fix_info.
  */
-static inline bool
-mip_cv7_continuous_bit_get_receiver_1_no_solution(const struct mip_cv7_continuous_bit *flags) {
+static inline bool mip_cv7_continuous_built_in_test_get_receiver_1_no_solution(
+    const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 108, 1);
 }
 /** Sets it. */
-static inline void mip_cv7_continuous_bit_set_receiver_1_no_solution(
-    struct mip_cv7_continuous_bit *flags, bool value) {
+static inline void mip_cv7_continuous_built_in_test_set_receiver_1_no_solution(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 108, 1, value);
 }
 
 /** Bit 110. No communication with internal receiver 2. Concerns mip_gnss_data_fix_info. */
-static inline bool
-mip_cv7_continuous_bit_get_receiver_2_fault(const struct mip_cv7_continuous_bit *flags) {
+static inline bool mip_cv7_continuous_built_in_test_get_receiver_2_fault(
+    const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 110, 1);
 }
 /** Sets it. */
-static inline void mip_cv7_continuous_bit_set_receiver_2_fault(struct mip_cv7_continuous_bit *flags,
-                                                               bool value) {
+static inline void mip_cv7_continuous_built_in_test_set_receiver_2_fault(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 110, 1, value);
 }
 
@@ -538,20 +555,21 @@ static inline void mip_cv7_continuous_bit_set_receiver_2_fault(struct mip_cv7_co
  * Bit 113. Internal receiver 2 has no valid solution; usually for lack of a sky view. Concerns
  * mip_gnss_data_fix_info.
  */
-static inline bool
-mip_cv7_continuous_bit_get_receiver_2_no_solution(const struct mip_cv7_continuous_bit *flags) {
+static inline bool mip_cv7_continuous_built_in_test_get_receiver_2_no_solution(
+    const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 113, 1);
 }
 /** Sets it. */
-static inline void mip_cv7_continuous_bit_set_receiver_2_no_solution(
-    struct mip_cv7_continuous_bit *flags, bool value) {
+static inline void mip_cv7_continuous_built_in_test_set_receiver_2_no_solution(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 113, 1, value);
 }
 
 /**
  * Flags of the continuous built-in test of devices of generation 7 without a GNSS receiver: bits
  * 0-31 system, 32-63 inertial sensors, 64-95 navigation. Full name:
- * cv7_inertial_continuous_built_in_test.
+ * cv7_inertial_continuous_built_in_test. Uncertain: What the bits mean. The sources have numbers
+ * and names only; the descriptions are those of the 3DM-CV7-GNSS/INS where the names are the same.
  *
  * - ros-driver: Built-in test of the CV7
  * - mscl: Continuous built-in test
@@ -561,7 +579,7 @@ struct mip_cv7_inertial_bit {
     uint8_t bytes[16];
 };
 
-/** Bit 0. The system clock failed. */
+/** Bit 0. The system clock does not work properly. */
 static inline bool
 mip_cv7_inertial_bit_get_system_clock_failure(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 0, 1);
@@ -572,7 +590,7 @@ static inline void mip_cv7_inertial_bit_set_system_clock_failure(struct mip_cv7_
     mip_set_bits(flags->bytes, 0, 1, value);
 }
 
-/** Bit 1. Power supply fault. */
+/** Bit 1. The supply voltage is out of range, or an internal supply has failed. */
 static inline bool mip_cv7_inertial_bit_get_power_fault(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 1, 1);
 }
@@ -582,7 +600,7 @@ static inline void mip_cv7_inertial_bit_set_power_fault(struct mip_cv7_inertial_
     mip_set_bits(flags->bytes, 1, 1, value);
 }
 
-/** Bit 4. Firmware fault. */
+/** Bit 4. The firmware encountered an unexpected condition. */
 static inline bool
 mip_cv7_inertial_bit_get_firmware_fault(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 4, 1);
@@ -604,7 +622,7 @@ static inline void mip_cv7_inertial_bit_set_timing_overload(struct mip_cv7_inert
     mip_set_bits(flags->bytes, 5, 1, value);
 }
 
-/** Bit 6. A data buffer overflowed; data may be lost. */
+/** Bit 6. A data buffer was full and data may be lost. */
 static inline bool
 mip_cv7_inertial_bit_get_buffer_overrun(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 6, 1);
@@ -615,7 +633,7 @@ static inline void mip_cv7_inertial_bit_set_buffer_overrun(struct mip_cv7_inerti
     mip_set_bits(flags->bytes, 6, 1, value);
 }
 
-/** Bit 16. The inertial sensor process failed. */
+/** Bit 16. The inertial sensor subsystem is not running or did not start. */
 static inline bool
 mip_cv7_inertial_bit_get_imu_process_fault(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 16, 1);
@@ -723,7 +741,7 @@ static inline void mip_cv7_inertial_bit_set_imu_comm_fault(struct mip_cv7_inerti
     mip_set_bits(flags->bytes, 33, 1, value);
 }
 
-/** Bit 34. An inertial sensor cycle exceeded its time slot. */
+/** Bit 34. Inertial sensor processes take longer than their time slot. */
 static inline bool
 mip_cv7_inertial_bit_get_imu_timing_overrun(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 34, 1);
@@ -734,7 +752,7 @@ static inline void mip_cv7_inertial_bit_set_imu_timing_overrun(struct mip_cv7_in
     mip_set_bits(flags->bytes, 34, 1, value);
 }
 
-/** Bit 36. Accelerometer calibration error. Concerns mip_sensor_scaled_accel. */
+/** Bit 36. Fault of the accelerometer calibration. Concerns mip_sensor_scaled_accel. */
 static inline bool
 mip_cv7_inertial_bit_get_imu_calibration_error_accel(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 36, 1);
@@ -745,7 +763,7 @@ static inline void mip_cv7_inertial_bit_set_imu_calibration_error_accel(
     mip_set_bits(flags->bytes, 36, 1, value);
 }
 
-/** Bit 37. Gyroscope calibration error. Concerns mip_sensor_scaled_gyro. */
+/** Bit 37. Fault of the gyroscope calibration. Concerns mip_sensor_scaled_gyro. */
 static inline bool
 mip_cv7_inertial_bit_get_imu_calibration_error_gyro(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 37, 1);
@@ -756,7 +774,7 @@ static inline void mip_cv7_inertial_bit_set_imu_calibration_error_gyro(
     mip_set_bits(flags->bytes, 37, 1, value);
 }
 
-/** Bit 38. Magnetometer calibration error. Concerns mip_sensor_scaled_mag. */
+/** Bit 38. Fault of the magnetometer calibration. Concerns mip_sensor_scaled_mag. */
 static inline bool
 mip_cv7_inertial_bit_get_imu_calibration_error_mag(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 38, 1);
@@ -767,7 +785,7 @@ mip_cv7_inertial_bit_set_imu_calibration_error_mag(struct mip_cv7_inertial_bit *
     mip_set_bits(flags->bytes, 38, 1, value);
 }
 
-/** Bit 40. Accelerometer fault. Concerns mip_sensor_scaled_accel. */
+/** Bit 40. The accelerometer failed to initialize. Concerns mip_sensor_scaled_accel. */
 static inline bool
 mip_cv7_inertial_bit_get_accel_general_fault(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 40, 1);
@@ -779,7 +797,8 @@ static inline void mip_cv7_inertial_bit_set_accel_general_fault(struct mip_cv7_i
 }
 
 /**
- * Bit 41. The accelerometer measures near or beyond its range. Concerns mip_sensor_scaled_accel.
+ * Bit 41. The acceleration along an axis is near or outside the selected range. Concerns
+ * mip_sensor_scaled_accel.
  */
 static inline bool
 mip_cv7_inertial_bit_get_accel_over_range(const struct mip_cv7_inertial_bit *flags) {
@@ -791,7 +810,10 @@ static inline void mip_cv7_inertial_bit_set_accel_over_range(struct mip_cv7_iner
     mip_set_bits(flags->bytes, 41, 1, value);
 }
 
-/** Bit 42. The accelerometer self-test failed. Concerns mip_sensor_scaled_accel. */
+/**
+ * Bit 42. The accelerometer self-test failed; the commanded built-in test updates this bit.
+ * Concerns mip_sensor_scaled_accel.
+ */
 static inline bool
 mip_cv7_inertial_bit_get_accel_self_test_fail(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 42, 1);
@@ -802,7 +824,7 @@ static inline void mip_cv7_inertial_bit_set_accel_self_test_fail(struct mip_cv7_
     mip_set_bits(flags->bytes, 42, 1, value);
 }
 
-/** Bit 44. Gyroscope fault. Concerns mip_sensor_scaled_gyro. */
+/** Bit 44. The gyroscope failed to initialize. Concerns mip_sensor_scaled_gyro. */
 static inline bool
 mip_cv7_inertial_bit_get_gyro_general_fault(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 44, 1);
@@ -813,7 +835,10 @@ static inline void mip_cv7_inertial_bit_set_gyro_general_fault(struct mip_cv7_in
     mip_set_bits(flags->bytes, 44, 1, value);
 }
 
-/** Bit 45. The gyroscope measures near or beyond its range. Concerns mip_sensor_scaled_gyro. */
+/**
+ * Bit 45. The angular rate about an axis is near or outside the selected range. Concerns
+ * mip_sensor_scaled_gyro.
+ */
 static inline bool
 mip_cv7_inertial_bit_get_gyro_over_range(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 45, 1);
@@ -824,7 +849,10 @@ static inline void mip_cv7_inertial_bit_set_gyro_over_range(struct mip_cv7_inert
     mip_set_bits(flags->bytes, 45, 1, value);
 }
 
-/** Bit 46. The gyroscope self-test failed. Concerns mip_sensor_scaled_gyro. */
+/**
+ * Bit 46. The gyroscope self-test failed; the commanded built-in test updates this bit. Concerns
+ * mip_sensor_scaled_gyro.
+ */
 static inline bool
 mip_cv7_inertial_bit_get_gyro_self_test_fail(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 46, 1);
@@ -835,7 +863,7 @@ static inline void mip_cv7_inertial_bit_set_gyro_self_test_fail(struct mip_cv7_i
     mip_set_bits(flags->bytes, 46, 1, value);
 }
 
-/** Bit 48. Magnetometer fault. Concerns mip_sensor_scaled_mag. */
+/** Bit 48. The magnetometer failed to initialize. Concerns mip_sensor_scaled_mag. */
 static inline bool
 mip_cv7_inertial_bit_get_mag_general_fault(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 48, 1);
@@ -846,7 +874,10 @@ static inline void mip_cv7_inertial_bit_set_mag_general_fault(struct mip_cv7_ine
     mip_set_bits(flags->bytes, 48, 1, value);
 }
 
-/** Bit 49. The magnetometer measures near or beyond its range. Concerns mip_sensor_scaled_mag. */
+/**
+ * Bit 49. The magnetic field along an axis is near or outside the supported range. Concerns
+ * mip_sensor_scaled_mag.
+ */
 static inline bool
 mip_cv7_inertial_bit_get_mag_over_range(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 49, 1);
@@ -857,7 +888,10 @@ static inline void mip_cv7_inertial_bit_set_mag_over_range(struct mip_cv7_inerti
     mip_set_bits(flags->bytes, 49, 1, value);
 }
 
-/** Bit 50. The magnetometer self-test failed. Concerns mip_sensor_scaled_mag. */
+/**
+ * Bit 50. The magnetometer self-test failed; the commanded built-in test updates this bit. Concerns
+ * mip_sensor_scaled_mag.
+ */
 static inline bool
 mip_cv7_inertial_bit_get_mag_self_test_fail(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 50, 1);
@@ -868,7 +902,7 @@ static inline void mip_cv7_inertial_bit_set_mag_self_test_fail(struct mip_cv7_in
     mip_set_bits(flags->bytes, 50, 1, value);
 }
 
-/** Bit 52. Pressure sensor fault. Concerns mip_sensor_scaled_pressure. */
+/** Bit 52. The pressure sensor failed to initialize. Concerns mip_sensor_scaled_pressure. */
 static inline bool
 mip_cv7_inertial_bit_get_pressure_sensor_general_fault(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 52, 1);
@@ -879,10 +913,7 @@ static inline void mip_cv7_inertial_bit_set_pressure_sensor_general_fault(
     mip_set_bits(flags->bytes, 52, 1, value);
 }
 
-/**
- * Bit 53. The pressure sensor measures near or beyond its range. Concerns
- * mip_sensor_scaled_pressure.
- */
+/** Bit 53. The pressure is outside the supported range. Concerns mip_sensor_scaled_pressure. */
 static inline bool
 mip_cv7_inertial_bit_get_pressure_sensor_over_range(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 53, 1);
@@ -893,7 +924,10 @@ static inline void mip_cv7_inertial_bit_set_pressure_sensor_over_range(
     mip_set_bits(flags->bytes, 53, 1, value);
 }
 
-/** Bit 54. The pressure sensor self-test failed. Concerns mip_sensor_scaled_pressure. */
+/**
+ * Bit 54. The pressure sensor self-test failed; the commanded built-in test updates this bit.
+ * Concerns mip_sensor_scaled_pressure.
+ */
 static inline bool
 mip_cv7_inertial_bit_get_pressure_sensor_self_test_fail(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 54, 1);
@@ -904,7 +938,7 @@ static inline void mip_cv7_inertial_bit_set_pressure_sensor_self_test_fail(
     mip_set_bits(flags->bytes, 54, 1, value);
 }
 
-/** Bit 56. Factory settings are invalid. */
+/** Bit 56. The device has lost its factory configuration. */
 static inline bool
 mip_cv7_inertial_bit_get_factory_bits_invalid(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 56, 1);
@@ -915,7 +949,7 @@ static inline void mip_cv7_inertial_bit_set_factory_bits_invalid(struct mip_cv7_
     mip_set_bits(flags->bytes, 56, 1, value);
 }
 
-/** Bit 64. Filter fault. */
+/** Bit 64. The filter does not work normally. */
 static inline bool mip_cv7_inertial_bit_get_filter_fault(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 64, 1);
 }
@@ -925,7 +959,7 @@ static inline void mip_cv7_inertial_bit_set_filter_fault(struct mip_cv7_inertial
     mip_set_bits(flags->bytes, 64, 1, value);
 }
 
-/** Bit 66. A filter cycle exceeded its time slot. */
+/** Bit 66. Filter processes take longer than their time slot. */
 static inline bool
 mip_cv7_inertial_bit_get_filter_timing_overrun(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 66, 1);
@@ -936,7 +970,7 @@ mip_cv7_inertial_bit_set_filter_timing_overrun(struct mip_cv7_inertial_bit *flag
     mip_set_bits(flags->bytes, 66, 1, value);
 }
 
-/** Bit 67. A filter cycle started too late. */
+/** Bit 67. Filter processes are skipped. */
 static inline bool
 mip_cv7_inertial_bit_get_filter_timing_underrun(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 67, 1);
@@ -949,458 +983,563 @@ mip_cv7_inertial_bit_set_filter_timing_underrun(struct mip_cv7_inertial_bit *fla
 
 /**
  * Flags of the continuous built-in test of the 3DM-GQ7: bits 0-31 system, 32-63 inertial sensors,
- * 64-95 navigation, 96-127 GNSS. Full name: gq7_continuous_built_in_test.
+ * 64-95 navigation, 96-127 GNSS. Uncertain: What the bits mean. The sources have numbers and names
+ * only; the descriptions are those of the 3DM-CV7-GNSS/INS where the names are the same.
  *
  * - ros-driver: Built-in test of the GQ7
  * - mscl: Continuous built-in test
  */
-struct mip_gq7_bit {
+struct mip_gq7_continuous_built_in_test {
     /** Least significant byte first. */
     uint8_t bytes[16];
 };
 
-/** Bit 0. The system clock failed. */
-static inline bool mip_gq7_bit_get_system_clock_failure(const struct mip_gq7_bit *flags) {
+/** Bit 0. The system clock does not work properly. */
+static inline bool mip_gq7_continuous_built_in_test_get_system_clock_failure(
+    const struct mip_gq7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 0, 1);
 }
 /** Sets it. */
-static inline void mip_gq7_bit_set_system_clock_failure(struct mip_gq7_bit *flags, bool value) {
+static inline void mip_gq7_continuous_built_in_test_set_system_clock_failure(
+    struct mip_gq7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 0, 1, value);
 }
 
-/** Bit 1. Power supply fault. */
-static inline bool mip_gq7_bit_get_power_fault(const struct mip_gq7_bit *flags) {
+/** Bit 1. The supply voltage is out of range, or an internal supply has failed. */
+static inline bool mip_gq7_continuous_built_in_test_get_power_fault(
+    const struct mip_gq7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 1, 1);
 }
 /** Sets it. */
-static inline void mip_gq7_bit_set_power_fault(struct mip_gq7_bit *flags, bool value) {
+static inline void mip_gq7_continuous_built_in_test_set_power_fault(
+    struct mip_gq7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 1, 1, value);
 }
 
-/** Bit 4. Firmware fault. */
-static inline bool mip_gq7_bit_get_firmware_fault(const struct mip_gq7_bit *flags) {
+/** Bit 4. The firmware encountered an unexpected condition. */
+static inline bool mip_gq7_continuous_built_in_test_get_firmware_fault(
+    const struct mip_gq7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 4, 1);
 }
 /** Sets it. */
-static inline void mip_gq7_bit_set_firmware_fault(struct mip_gq7_bit *flags, bool value) {
+static inline void mip_gq7_continuous_built_in_test_set_firmware_fault(
+    struct mip_gq7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 4, 1, value);
 }
 
 /** Bit 5. The processor cannot keep up. */
-static inline bool mip_gq7_bit_get_timing_overload(const struct mip_gq7_bit *flags) {
+static inline bool mip_gq7_continuous_built_in_test_get_timing_overload(
+    const struct mip_gq7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 5, 1);
 }
 /** Sets it. */
-static inline void mip_gq7_bit_set_timing_overload(struct mip_gq7_bit *flags, bool value) {
+static inline void mip_gq7_continuous_built_in_test_set_timing_overload(
+    struct mip_gq7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 5, 1, value);
 }
 
-/** Bit 6. A data buffer overflowed; data may be lost. */
-static inline bool mip_gq7_bit_get_buffer_overrun(const struct mip_gq7_bit *flags) {
+/** Bit 6. A data buffer was full and data may be lost. */
+static inline bool mip_gq7_continuous_built_in_test_get_buffer_overrun(
+    const struct mip_gq7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 6, 1);
 }
 /** Sets it. */
-static inline void mip_gq7_bit_set_buffer_overrun(struct mip_gq7_bit *flags, bool value) {
+static inline void mip_gq7_continuous_built_in_test_set_buffer_overrun(
+    struct mip_gq7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 6, 1, value);
 }
 
 /** Bits 16 to 19. System to inertial sensor processor link faults. */
-static inline uint8_t mip_gq7_bit_get_imu_ipc_fault(const struct mip_gq7_bit *flags) {
+static inline uint8_t mip_gq7_continuous_built_in_test_get_imu_ipc_fault(
+    const struct mip_gq7_continuous_built_in_test *flags) {
     return (uint8_t)mip_get_bits(flags->bytes, 16, 4);
 }
 /** Sets it. */
-static inline void mip_gq7_bit_set_imu_ipc_fault(struct mip_gq7_bit *flags, uint8_t value) {
+static inline void mip_gq7_continuous_built_in_test_set_imu_ipc_fault(
+    struct mip_gq7_continuous_built_in_test *flags, uint8_t value) {
     mip_set_bits(flags->bytes, 16, 4, value);
 }
 
 /** Bits 20 to 23. System to filter processor link faults. */
-static inline uint8_t mip_gq7_bit_get_filter_ipc_fault(const struct mip_gq7_bit *flags) {
+static inline uint8_t mip_gq7_continuous_built_in_test_get_filter_ipc_fault(
+    const struct mip_gq7_continuous_built_in_test *flags) {
     return (uint8_t)mip_get_bits(flags->bytes, 20, 4);
 }
 /** Sets it. */
-static inline void mip_gq7_bit_set_filter_ipc_fault(struct mip_gq7_bit *flags, uint8_t value) {
+static inline void mip_gq7_continuous_built_in_test_set_filter_ipc_fault(
+    struct mip_gq7_continuous_built_in_test *flags, uint8_t value) {
     mip_set_bits(flags->bytes, 20, 4, value);
 }
 
 /** Bits 24 to 27. System to GNSS processor link faults. */
-static inline uint8_t mip_gq7_bit_get_gnss_ipc_fault(const struct mip_gq7_bit *flags) {
+static inline uint8_t mip_gq7_continuous_built_in_test_get_gnss_ipc_fault(
+    const struct mip_gq7_continuous_built_in_test *flags) {
     return (uint8_t)mip_get_bits(flags->bytes, 24, 4);
 }
 /** Sets it. */
-static inline void mip_gq7_bit_set_gnss_ipc_fault(struct mip_gq7_bit *flags, uint8_t value) {
+static inline void mip_gq7_continuous_built_in_test_set_gnss_ipc_fault(
+    struct mip_gq7_continuous_built_in_test *flags, uint8_t value) {
     mip_set_bits(flags->bytes, 24, 4, value);
 }
 
 /** Bit 32. The inertial sensor clock failed. */
-static inline bool mip_gq7_bit_get_imu_clock_fault(const struct mip_gq7_bit *flags) {
+static inline bool mip_gq7_continuous_built_in_test_get_imu_clock_fault(
+    const struct mip_gq7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 32, 1);
 }
 /** Sets it. */
-static inline void mip_gq7_bit_set_imu_clock_fault(struct mip_gq7_bit *flags, bool value) {
+static inline void mip_gq7_continuous_built_in_test_set_imu_clock_fault(
+    struct mip_gq7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 32, 1, value);
 }
 
 /** Bit 33. No communication with the inertial sensors. */
-static inline bool mip_gq7_bit_get_imu_comm_fault(const struct mip_gq7_bit *flags) {
+static inline bool mip_gq7_continuous_built_in_test_get_imu_comm_fault(
+    const struct mip_gq7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 33, 1);
 }
 /** Sets it. */
-static inline void mip_gq7_bit_set_imu_comm_fault(struct mip_gq7_bit *flags, bool value) {
+static inline void mip_gq7_continuous_built_in_test_set_imu_comm_fault(
+    struct mip_gq7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 33, 1, value);
 }
 
-/** Bit 34. An inertial sensor cycle exceeded its time slot. */
-static inline bool mip_gq7_bit_get_imu_timing_overrun(const struct mip_gq7_bit *flags) {
+/** Bit 34. Inertial sensor processes take longer than their time slot. */
+static inline bool mip_gq7_continuous_built_in_test_get_imu_timing_overrun(
+    const struct mip_gq7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 34, 1);
 }
 /** Sets it. */
-static inline void mip_gq7_bit_set_imu_timing_overrun(struct mip_gq7_bit *flags, bool value) {
+static inline void mip_gq7_continuous_built_in_test_set_imu_timing_overrun(
+    struct mip_gq7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 34, 1, value);
 }
 
-/** Bit 36. Accelerometer calibration error. Concerns mip_sensor_scaled_accel. */
-static inline bool mip_gq7_bit_get_imu_calibration_error_accel(const struct mip_gq7_bit *flags) {
+/** Bit 36. Fault of the accelerometer calibration. Concerns mip_sensor_scaled_accel. */
+static inline bool mip_gq7_continuous_built_in_test_get_imu_calibration_error_accel(
+    const struct mip_gq7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 36, 1);
 }
 /** Sets it. */
-static inline void mip_gq7_bit_set_imu_calibration_error_accel(struct mip_gq7_bit *flags,
-                                                               bool value) {
+static inline void mip_gq7_continuous_built_in_test_set_imu_calibration_error_accel(
+    struct mip_gq7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 36, 1, value);
 }
 
-/** Bit 37. Gyroscope calibration error. Concerns mip_sensor_scaled_gyro. */
-static inline bool mip_gq7_bit_get_imu_calibration_error_gyro(const struct mip_gq7_bit *flags) {
+/** Bit 37. Fault of the gyroscope calibration. Concerns mip_sensor_scaled_gyro. */
+static inline bool mip_gq7_continuous_built_in_test_get_imu_calibration_error_gyro(
+    const struct mip_gq7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 37, 1);
 }
 /** Sets it. */
-static inline void mip_gq7_bit_set_imu_calibration_error_gyro(struct mip_gq7_bit *flags,
-                                                              bool value) {
+static inline void mip_gq7_continuous_built_in_test_set_imu_calibration_error_gyro(
+    struct mip_gq7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 37, 1, value);
 }
 
-/** Bit 38. Magnetometer calibration error. Concerns mip_sensor_scaled_mag. */
-static inline bool mip_gq7_bit_get_imu_calibration_error_mag(const struct mip_gq7_bit *flags) {
+/** Bit 38. Fault of the magnetometer calibration. Concerns mip_sensor_scaled_mag. */
+static inline bool mip_gq7_continuous_built_in_test_get_imu_calibration_error_mag(
+    const struct mip_gq7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 38, 1);
 }
 /** Sets it. */
-static inline void mip_gq7_bit_set_imu_calibration_error_mag(struct mip_gq7_bit *flags,
-                                                             bool value) {
+static inline void mip_gq7_continuous_built_in_test_set_imu_calibration_error_mag(
+    struct mip_gq7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 38, 1, value);
 }
 
-/** Bit 40. Accelerometer fault. Concerns mip_sensor_scaled_accel. */
-static inline bool mip_gq7_bit_get_accel_general_fault(const struct mip_gq7_bit *flags) {
+/** Bit 40. The accelerometer failed to initialize. Concerns mip_sensor_scaled_accel. */
+static inline bool mip_gq7_continuous_built_in_test_get_accel_general_fault(
+    const struct mip_gq7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 40, 1);
 }
 /** Sets it. */
-static inline void mip_gq7_bit_set_accel_general_fault(struct mip_gq7_bit *flags, bool value) {
+static inline void mip_gq7_continuous_built_in_test_set_accel_general_fault(
+    struct mip_gq7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 40, 1, value);
 }
 
 /**
- * Bit 41. The accelerometer measures near or beyond its range. Concerns mip_sensor_scaled_accel.
+ * Bit 41. The acceleration along an axis is near or outside the selected range. Concerns
+ * mip_sensor_scaled_accel.
  */
-static inline bool mip_gq7_bit_get_accel_over_range(const struct mip_gq7_bit *flags) {
+static inline bool mip_gq7_continuous_built_in_test_get_accel_over_range(
+    const struct mip_gq7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 41, 1);
 }
 /** Sets it. */
-static inline void mip_gq7_bit_set_accel_over_range(struct mip_gq7_bit *flags, bool value) {
+static inline void mip_gq7_continuous_built_in_test_set_accel_over_range(
+    struct mip_gq7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 41, 1, value);
 }
 
-/** Bit 42. The accelerometer self-test failed. Concerns mip_sensor_scaled_accel. */
-static inline bool mip_gq7_bit_get_accel_self_test_fail(const struct mip_gq7_bit *flags) {
+/**
+ * Bit 42. The accelerometer self-test failed; the commanded built-in test updates this bit.
+ * Concerns mip_sensor_scaled_accel.
+ */
+static inline bool mip_gq7_continuous_built_in_test_get_accel_self_test_fail(
+    const struct mip_gq7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 42, 1);
 }
 /** Sets it. */
-static inline void mip_gq7_bit_set_accel_self_test_fail(struct mip_gq7_bit *flags, bool value) {
+static inline void mip_gq7_continuous_built_in_test_set_accel_self_test_fail(
+    struct mip_gq7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 42, 1, value);
 }
 
-/** Bit 44. Gyroscope fault. Concerns mip_sensor_scaled_gyro. */
-static inline bool mip_gq7_bit_get_gyro_general_fault(const struct mip_gq7_bit *flags) {
+/** Bit 44. The gyroscope failed to initialize. Concerns mip_sensor_scaled_gyro. */
+static inline bool mip_gq7_continuous_built_in_test_get_gyro_general_fault(
+    const struct mip_gq7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 44, 1);
 }
 /** Sets it. */
-static inline void mip_gq7_bit_set_gyro_general_fault(struct mip_gq7_bit *flags, bool value) {
+static inline void mip_gq7_continuous_built_in_test_set_gyro_general_fault(
+    struct mip_gq7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 44, 1, value);
 }
 
-/** Bit 45. The gyroscope measures near or beyond its range. Concerns mip_sensor_scaled_gyro. */
-static inline bool mip_gq7_bit_get_gyro_over_range(const struct mip_gq7_bit *flags) {
+/**
+ * Bit 45. The angular rate about an axis is near or outside the selected range. Concerns
+ * mip_sensor_scaled_gyro.
+ */
+static inline bool mip_gq7_continuous_built_in_test_get_gyro_over_range(
+    const struct mip_gq7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 45, 1);
 }
 /** Sets it. */
-static inline void mip_gq7_bit_set_gyro_over_range(struct mip_gq7_bit *flags, bool value) {
+static inline void mip_gq7_continuous_built_in_test_set_gyro_over_range(
+    struct mip_gq7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 45, 1, value);
 }
 
-/** Bit 46. The gyroscope self-test failed. Concerns mip_sensor_scaled_gyro. */
-static inline bool mip_gq7_bit_get_gyro_self_test_fail(const struct mip_gq7_bit *flags) {
+/**
+ * Bit 46. The gyroscope self-test failed; the commanded built-in test updates this bit. Concerns
+ * mip_sensor_scaled_gyro.
+ */
+static inline bool mip_gq7_continuous_built_in_test_get_gyro_self_test_fail(
+    const struct mip_gq7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 46, 1);
 }
 /** Sets it. */
-static inline void mip_gq7_bit_set_gyro_self_test_fail(struct mip_gq7_bit *flags, bool value) {
+static inline void mip_gq7_continuous_built_in_test_set_gyro_self_test_fail(
+    struct mip_gq7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 46, 1, value);
 }
 
-/** Bit 48. Magnetometer fault. Concerns mip_sensor_scaled_mag. */
-static inline bool mip_gq7_bit_get_mag_general_fault(const struct mip_gq7_bit *flags) {
+/** Bit 48. The magnetometer failed to initialize. Concerns mip_sensor_scaled_mag. */
+static inline bool mip_gq7_continuous_built_in_test_get_mag_general_fault(
+    const struct mip_gq7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 48, 1);
 }
 /** Sets it. */
-static inline void mip_gq7_bit_set_mag_general_fault(struct mip_gq7_bit *flags, bool value) {
+static inline void mip_gq7_continuous_built_in_test_set_mag_general_fault(
+    struct mip_gq7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 48, 1, value);
 }
 
-/** Bit 49. The magnetometer measures near or beyond its range. Concerns mip_sensor_scaled_mag. */
-static inline bool mip_gq7_bit_get_mag_over_range(const struct mip_gq7_bit *flags) {
+/**
+ * Bit 49. The magnetic field along an axis is near or outside the supported range. Concerns
+ * mip_sensor_scaled_mag.
+ */
+static inline bool mip_gq7_continuous_built_in_test_get_mag_over_range(
+    const struct mip_gq7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 49, 1);
 }
 /** Sets it. */
-static inline void mip_gq7_bit_set_mag_over_range(struct mip_gq7_bit *flags, bool value) {
+static inline void mip_gq7_continuous_built_in_test_set_mag_over_range(
+    struct mip_gq7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 49, 1, value);
 }
 
-/** Bit 50. The magnetometer self-test failed. Concerns mip_sensor_scaled_mag. */
-static inline bool mip_gq7_bit_get_mag_self_test_fail(const struct mip_gq7_bit *flags) {
+/**
+ * Bit 50. The magnetometer self-test failed; the commanded built-in test updates this bit. Concerns
+ * mip_sensor_scaled_mag.
+ */
+static inline bool mip_gq7_continuous_built_in_test_get_mag_self_test_fail(
+    const struct mip_gq7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 50, 1);
 }
 /** Sets it. */
-static inline void mip_gq7_bit_set_mag_self_test_fail(struct mip_gq7_bit *flags, bool value) {
+static inline void mip_gq7_continuous_built_in_test_set_mag_self_test_fail(
+    struct mip_gq7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 50, 1, value);
 }
 
-/** Bit 52. Pressure sensor fault. Concerns mip_sensor_scaled_pressure. */
-static inline bool mip_gq7_bit_get_pressure_sensor_general_fault(const struct mip_gq7_bit *flags) {
+/** Bit 52. The pressure sensor failed to initialize. Concerns mip_sensor_scaled_pressure. */
+static inline bool mip_gq7_continuous_built_in_test_get_pressure_sensor_general_fault(
+    const struct mip_gq7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 52, 1);
 }
 /** Sets it. */
-static inline void mip_gq7_bit_set_pressure_sensor_general_fault(struct mip_gq7_bit *flags,
-                                                                 bool value) {
+static inline void mip_gq7_continuous_built_in_test_set_pressure_sensor_general_fault(
+    struct mip_gq7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 52, 1, value);
 }
 
-/**
- * Bit 53. The pressure sensor measures near or beyond its range. Concerns
- * mip_sensor_scaled_pressure.
- */
-static inline bool mip_gq7_bit_get_pressure_sensor_over_range(const struct mip_gq7_bit *flags) {
+/** Bit 53. The pressure is outside the supported range. Concerns mip_sensor_scaled_pressure. */
+static inline bool mip_gq7_continuous_built_in_test_get_pressure_sensor_over_range(
+    const struct mip_gq7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 53, 1);
 }
 /** Sets it. */
-static inline void mip_gq7_bit_set_pressure_sensor_over_range(struct mip_gq7_bit *flags,
-                                                              bool value) {
+static inline void mip_gq7_continuous_built_in_test_set_pressure_sensor_over_range(
+    struct mip_gq7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 53, 1, value);
 }
 
-/** Bit 54. The pressure sensor self-test failed. Concerns mip_sensor_scaled_pressure. */
-static inline bool mip_gq7_bit_get_pressure_sensor_self_test_fail(const struct mip_gq7_bit *flags) {
+/**
+ * Bit 54. The pressure sensor self-test failed; the commanded built-in test updates this bit.
+ * Concerns mip_sensor_scaled_pressure.
+ */
+static inline bool mip_gq7_continuous_built_in_test_get_pressure_sensor_self_test_fail(
+    const struct mip_gq7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 54, 1);
 }
 /** Sets it. */
-static inline void mip_gq7_bit_set_pressure_sensor_self_test_fail(struct mip_gq7_bit *flags,
-                                                                  bool value) {
+static inline void mip_gq7_continuous_built_in_test_set_pressure_sensor_self_test_fail(
+    struct mip_gq7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 54, 1, value);
 }
 
 /** Bit 64. The filter clock failed. */
-static inline bool mip_gq7_bit_get_filter_clock_fault(const struct mip_gq7_bit *flags) {
+static inline bool mip_gq7_continuous_built_in_test_get_filter_clock_fault(
+    const struct mip_gq7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 64, 1);
 }
 /** Sets it. */
-static inline void mip_gq7_bit_set_filter_clock_fault(struct mip_gq7_bit *flags, bool value) {
+static inline void mip_gq7_continuous_built_in_test_set_filter_clock_fault(
+    struct mip_gq7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 64, 1, value);
 }
 
 /** Bit 65. Filter processor fault. */
-static inline bool mip_gq7_bit_get_filter_hardware_fault(const struct mip_gq7_bit *flags) {
+static inline bool mip_gq7_continuous_built_in_test_get_filter_hardware_fault(
+    const struct mip_gq7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 65, 1);
 }
 /** Sets it. */
-static inline void mip_gq7_bit_set_filter_hardware_fault(struct mip_gq7_bit *flags, bool value) {
+static inline void mip_gq7_continuous_built_in_test_set_filter_hardware_fault(
+    struct mip_gq7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 65, 1, value);
 }
 
-/** Bit 66. A filter cycle exceeded its time slot. */
-static inline bool mip_gq7_bit_get_filter_timing_overrun(const struct mip_gq7_bit *flags) {
+/** Bit 66. Filter processes take longer than their time slot. */
+static inline bool mip_gq7_continuous_built_in_test_get_filter_timing_overrun(
+    const struct mip_gq7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 66, 1);
 }
 /** Sets it. */
-static inline void mip_gq7_bit_set_filter_timing_overrun(struct mip_gq7_bit *flags, bool value) {
+static inline void mip_gq7_continuous_built_in_test_set_filter_timing_overrun(
+    struct mip_gq7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 66, 1, value);
 }
 
-/** Bit 67. A filter cycle started too late. */
-static inline bool mip_gq7_bit_get_filter_timing_underrun(const struct mip_gq7_bit *flags) {
+/** Bit 67. Filter processes are skipped. */
+static inline bool mip_gq7_continuous_built_in_test_get_filter_timing_underrun(
+    const struct mip_gq7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 67, 1);
 }
 /** Sets it. */
-static inline void mip_gq7_bit_set_filter_timing_underrun(struct mip_gq7_bit *flags, bool value) {
+static inline void mip_gq7_continuous_built_in_test_set_filter_timing_underrun(
+    struct mip_gq7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 67, 1, value);
 }
 
 /** Bits 68 to 71. Filter communication errors. */
-static inline uint8_t mip_gq7_bit_get_filter_comm_error(const struct mip_gq7_bit *flags) {
+static inline uint8_t mip_gq7_continuous_built_in_test_get_filter_comm_error(
+    const struct mip_gq7_continuous_built_in_test *flags) {
     return (uint8_t)mip_get_bits(flags->bytes, 68, 4);
 }
 /** Sets it. */
-static inline void mip_gq7_bit_set_filter_comm_error(struct mip_gq7_bit *flags, uint8_t value) {
+static inline void mip_gq7_continuous_built_in_test_set_filter_comm_error(
+    struct mip_gq7_continuous_built_in_test *flags, uint8_t value) {
     mip_set_bits(flags->bytes, 68, 4, value);
 }
 
 /** Bit 96. The GNSS processor clock failed. */
-static inline bool mip_gq7_bit_get_gnss_clock_fault(const struct mip_gq7_bit *flags) {
+static inline bool mip_gq7_continuous_built_in_test_get_gnss_clock_fault(
+    const struct mip_gq7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 96, 1);
 }
 /** Sets it. */
-static inline void mip_gq7_bit_set_gnss_clock_fault(struct mip_gq7_bit *flags, bool value) {
+static inline void mip_gq7_continuous_built_in_test_set_gnss_clock_fault(
+    struct mip_gq7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 96, 1, value);
 }
 
 /** Bit 97. GNSS processor fault. */
-static inline bool mip_gq7_bit_get_gnss_hardware_fault(const struct mip_gq7_bit *flags) {
+static inline bool mip_gq7_continuous_built_in_test_get_gnss_hardware_fault(
+    const struct mip_gq7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 97, 1);
 }
 /** Sets it. */
-static inline void mip_gq7_bit_set_gnss_hardware_fault(struct mip_gq7_bit *flags, bool value) {
+static inline void mip_gq7_continuous_built_in_test_set_gnss_hardware_fault(
+    struct mip_gq7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 97, 1, value);
 }
 
 /** Bits 98 to 100. GNSS processor communication errors. */
-static inline uint8_t mip_gq7_bit_get_gnss_comm_error(const struct mip_gq7_bit *flags) {
+static inline uint8_t mip_gq7_continuous_built_in_test_get_gnss_comm_error(
+    const struct mip_gq7_continuous_built_in_test *flags) {
     return (uint8_t)mip_get_bits(flags->bytes, 98, 3);
 }
 /** Sets it. */
-static inline void mip_gq7_bit_set_gnss_comm_error(struct mip_gq7_bit *flags, uint8_t value) {
+static inline void mip_gq7_continuous_built_in_test_set_gnss_comm_error(
+    struct mip_gq7_continuous_built_in_test *flags, uint8_t value) {
     mip_set_bits(flags->bytes, 98, 3, value);
 }
 
 /** Bit 101. GPS time fault. Concerns mip_gnss_data_gps_time. */
-static inline bool mip_gq7_bit_get_gps_time_fault(const struct mip_gq7_bit *flags) {
+static inline bool mip_gq7_continuous_built_in_test_get_gps_time_fault(
+    const struct mip_gq7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 101, 1);
 }
 /** Sets it. */
-static inline void mip_gq7_bit_set_gps_time_fault(struct mip_gq7_bit *flags, bool value) {
+static inline void mip_gq7_continuous_built_in_test_set_gps_time_fault(
+    struct mip_gq7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 101, 1, value);
 }
 
 /** Bit 102. A GNSS processor cycle exceeded its time slot. */
-static inline bool mip_gq7_bit_get_gnss_timing_overrun(const struct mip_gq7_bit *flags) {
+static inline bool mip_gq7_continuous_built_in_test_get_gnss_timing_overrun(
+    const struct mip_gq7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 102, 1);
 }
 /** Sets it. */
-static inline void mip_gq7_bit_set_gnss_timing_overrun(struct mip_gq7_bit *flags, bool value) {
+static inline void mip_gq7_continuous_built_in_test_set_gnss_timing_overrun(
+    struct mip_gq7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 102, 1, value);
 }
 
 /** Bit 104. Receiver 1 power supply fault. Concerns mip_gnss_data_fix_info. */
-static inline bool mip_gq7_bit_get_receiver_1_power_fault(const struct mip_gq7_bit *flags) {
+static inline bool mip_gq7_continuous_built_in_test_get_receiver_1_power_fault(
+    const struct mip_gq7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 104, 1);
 }
 /** Sets it. */
-static inline void mip_gq7_bit_set_receiver_1_power_fault(struct mip_gq7_bit *flags, bool value) {
+static inline void mip_gq7_continuous_built_in_test_set_receiver_1_power_fault(
+    struct mip_gq7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 104, 1, value);
 }
 
-/** Bit 105. Receiver 1 fault. Concerns mip_gnss_data_fix_info. */
-static inline bool mip_gq7_bit_get_receiver_1_fault(const struct mip_gq7_bit *flags) {
+/** Bit 105. No communication with internal receiver 1. Concerns mip_gnss_data_fix_info. */
+static inline bool mip_gq7_continuous_built_in_test_get_receiver_1_fault(
+    const struct mip_gq7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 105, 1);
 }
 /** Sets it. */
-static inline void mip_gq7_bit_set_receiver_1_fault(struct mip_gq7_bit *flags, bool value) {
+static inline void mip_gq7_continuous_built_in_test_set_receiver_1_fault(
+    struct mip_gq7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 105, 1, value);
 }
 
 /** Bit 106. Antenna 1 is shorted. Concerns mip_gnss_data_hardware_status. */
-static inline bool mip_gq7_bit_get_antenna_1_shorted(const struct mip_gq7_bit *flags) {
+static inline bool mip_gq7_continuous_built_in_test_get_antenna_1_shorted(
+    const struct mip_gq7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 106, 1);
 }
 /** Sets it. */
-static inline void mip_gq7_bit_set_antenna_1_shorted(struct mip_gq7_bit *flags, bool value) {
+static inline void mip_gq7_continuous_built_in_test_set_antenna_1_shorted(
+    struct mip_gq7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 106, 1, value);
 }
 
 /** Bit 107. Antenna 1 is not connected. Concerns mip_gnss_data_hardware_status. */
-static inline bool mip_gq7_bit_get_antenna_1_open(const struct mip_gq7_bit *flags) {
+static inline bool mip_gq7_continuous_built_in_test_get_antenna_1_open(
+    const struct mip_gq7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 107, 1);
 }
 /** Sets it. */
-static inline void mip_gq7_bit_set_antenna_1_open(struct mip_gq7_bit *flags, bool value) {
+static inline void mip_gq7_continuous_built_in_test_set_antenna_1_open(
+    struct mip_gq7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 107, 1, value);
 }
 
 /** Bit 108. Receiver 1 has no solution. Concerns mip_gnss_data_fix_info. */
-static inline bool mip_gq7_bit_get_receiver_1_solution_fault(const struct mip_gq7_bit *flags) {
+static inline bool mip_gq7_continuous_built_in_test_get_receiver_1_solution_fault(
+    const struct mip_gq7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 108, 1);
 }
 /** Sets it. */
-static inline void mip_gq7_bit_set_receiver_1_solution_fault(struct mip_gq7_bit *flags,
-                                                             bool value) {
+static inline void mip_gq7_continuous_built_in_test_set_receiver_1_solution_fault(
+    struct mip_gq7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 108, 1, value);
 }
 
 /** Bit 109. Receiver 2 power supply fault. Concerns mip_gnss_data_fix_info. */
-static inline bool mip_gq7_bit_get_receiver_2_power_fault(const struct mip_gq7_bit *flags) {
+static inline bool mip_gq7_continuous_built_in_test_get_receiver_2_power_fault(
+    const struct mip_gq7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 109, 1);
 }
 /** Sets it. */
-static inline void mip_gq7_bit_set_receiver_2_power_fault(struct mip_gq7_bit *flags, bool value) {
+static inline void mip_gq7_continuous_built_in_test_set_receiver_2_power_fault(
+    struct mip_gq7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 109, 1, value);
 }
 
-/** Bit 110. Receiver 2 fault. Concerns mip_gnss_data_fix_info. */
-static inline bool mip_gq7_bit_get_receiver_2_fault(const struct mip_gq7_bit *flags) {
+/** Bit 110. No communication with internal receiver 2. Concerns mip_gnss_data_fix_info. */
+static inline bool mip_gq7_continuous_built_in_test_get_receiver_2_fault(
+    const struct mip_gq7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 110, 1);
 }
 /** Sets it. */
-static inline void mip_gq7_bit_set_receiver_2_fault(struct mip_gq7_bit *flags, bool value) {
+static inline void mip_gq7_continuous_built_in_test_set_receiver_2_fault(
+    struct mip_gq7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 110, 1, value);
 }
 
 /** Bit 111. Antenna 2 is shorted. Concerns mip_gnss_data_hardware_status. */
-static inline bool mip_gq7_bit_get_antenna_2_shorted(const struct mip_gq7_bit *flags) {
+static inline bool mip_gq7_continuous_built_in_test_get_antenna_2_shorted(
+    const struct mip_gq7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 111, 1);
 }
 /** Sets it. */
-static inline void mip_gq7_bit_set_antenna_2_shorted(struct mip_gq7_bit *flags, bool value) {
+static inline void mip_gq7_continuous_built_in_test_set_antenna_2_shorted(
+    struct mip_gq7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 111, 1, value);
 }
 
 /** Bit 112. Antenna 2 is not connected. Concerns mip_gnss_data_hardware_status. */
-static inline bool mip_gq7_bit_get_antenna_2_open(const struct mip_gq7_bit *flags) {
+static inline bool mip_gq7_continuous_built_in_test_get_antenna_2_open(
+    const struct mip_gq7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 112, 1);
 }
 /** Sets it. */
-static inline void mip_gq7_bit_set_antenna_2_open(struct mip_gq7_bit *flags, bool value) {
+static inline void mip_gq7_continuous_built_in_test_set_antenna_2_open(
+    struct mip_gq7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 112, 1, value);
 }
 
 /** Bit 113. Receiver 2 has no solution. Concerns mip_gnss_data_fix_info. */
-static inline bool mip_gq7_bit_get_receiver_2_solution_fault(const struct mip_gq7_bit *flags) {
+static inline bool mip_gq7_continuous_built_in_test_get_receiver_2_solution_fault(
+    const struct mip_gq7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 113, 1);
 }
 /** Sets it. */
-static inline void mip_gq7_bit_set_receiver_2_solution_fault(struct mip_gq7_bit *flags,
-                                                             bool value) {
+static inline void mip_gq7_continuous_built_in_test_set_receiver_2_solution_fault(
+    struct mip_gq7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 113, 1, value);
 }
 
 /** Bit 114. RTCM communication fault. Concerns mip_gnss_data_rtk_corrections_status. */
-static inline bool mip_gq7_bit_get_rtcm_comm_fault(const struct mip_gq7_bit *flags) {
+static inline bool mip_gq7_continuous_built_in_test_get_rtcm_comm_fault(
+    const struct mip_gq7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 114, 1);
 }
 /** Sets it. */
-static inline void mip_gq7_bit_set_rtcm_comm_fault(struct mip_gq7_bit *flags, bool value) {
+static inline void mip_gq7_continuous_built_in_test_set_rtcm_comm_fault(
+    struct mip_gq7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 114, 1, value);
 }
 
 /** Bit 115. RTK modem fault. Concerns mip_rtk_get_status_flags. */
-static inline bool mip_gq7_bit_get_rtk_dongle_fault(const struct mip_gq7_bit *flags) {
+static inline bool mip_gq7_continuous_built_in_test_get_rtk_dongle_fault(
+    const struct mip_gq7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 115, 1);
 }
 /** Sets it. */
-static inline void mip_gq7_bit_set_rtk_dongle_fault(struct mip_gq7_bit *flags, bool value) {
+static inline void mip_gq7_continuous_built_in_test_set_rtk_dongle_fault(
+    struct mip_gq7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 115, 1, value);
 }
 
@@ -1470,7 +1609,7 @@ MIP_API const char *mip_event_trigger_mode_name(uint8_t value);
 typedef uint8_t mip_event_trigger_status;
 /** Bit 0. Active now, by its condition or by a test mode. */
 #define MIP_EVENT_TRIGGER_STATUS_ACTIVE 0x01U
-/** Bit 1. Enabled. */
+/** Bit 1. The trigger is enabled. */
 #define MIP_EVENT_TRIGGER_STATUS_ENABLED 0x02U
 /** Bit 2. In a test mode. */
 #define MIP_EVENT_TRIGGER_STATUS_TEST 0x04U
@@ -1692,13 +1831,13 @@ struct mip_event_action_message {
 enum mip_gnss_constellation MIP_ENUM_8 {
     /** Not known. */
     MIP_GNSS_CONSTELLATION_UNKNOWN = 0,
-    /** GPS. */
+    /** The value `gps`. */
     MIP_GNSS_CONSTELLATION_GPS = 1,
-    /** GLONASS. */
+    /** The value `glonass`. */
     MIP_GNSS_CONSTELLATION_GLONASS = 2,
-    /** Galileo. */
+    /** The value `galileo`. */
     MIP_GNSS_CONSTELLATION_GALILEO = 3,
-    /** BeiDou. */
+    /** The value `beidou`. */
     MIP_GNSS_CONSTELLATION_BEIDOU = 4,
     /** Satellite based augmentation. */
     MIP_GNSS_CONSTELLATION_SBAS = 5
@@ -1717,7 +1856,7 @@ enum mip_gnss_fix_type MIP_ENUM_8 {
     MIP_GNSS_FIX_TYPE_FIX_3D = 0,
     /** Fix in two dimensions. */
     MIP_GNSS_FIX_TYPE_FIX_2D = 1,
-    /** Time only. */
+    /** The receiver computes the time, but no position. */
     MIP_GNSS_FIX_TYPE_FIX_TIME_ONLY = 2,
     /** No fix. */
     MIP_GNSS_FIX_TYPE_FIX_NONE = 3,
@@ -1727,7 +1866,7 @@ enum mip_gnss_fix_type MIP_ENUM_8 {
     MIP_GNSS_FIX_TYPE_FIX_RTK_FLOAT = 5,
     /** RTK fix with integer ambiguities. */
     MIP_GNSS_FIX_TYPE_FIX_RTK_FIXED = 6,
-    /** Differential fix. */
+    /** The position uses differential corrections. */
     MIP_GNSS_FIX_TYPE_FIX_DIFFERENTIAL = 7
 };
 
@@ -1870,7 +2009,7 @@ enum mip_gnss_signal MIP_ENUM_8 {
     MIP_GNSS_SIGNAL_BEIDOU_B2Q = 167,
     /** BeiDou B2 I+Q. */
     MIP_GNSS_SIGNAL_BEIDOU_B2IQ = 168,
-    /** BeiDou B2a. */
+    /** The value `beidou_b2a`. */
     MIP_GNSS_SIGNAL_BEIDOU_B2A = 169
 };
 
@@ -2112,7 +2251,7 @@ typedef uint32_t mip_rtk_status_flags;
  * vendor treats it as negative.
  */
 #define MIP_RTK_STATUS_FLAGS_RSSI UINT32_C(0x0000FF00)
-/** Bits 16 to 19. Signal quality. */
+/** Bits 16 to 19. Quality of the modem's radio signal. */
 #define MIP_RTK_STATUS_FLAGS_SIGNAL_QUALITY UINT32_C(0x000F0000)
 /** Bits 20 to 23. Changes of the cell tower. */
 #define MIP_RTK_STATUS_FLAGS_TOWER_CHANGE_INDICATOR UINT32_C(0x00F00000)
@@ -2170,7 +2309,7 @@ static inline void mip_rtk_status_flags_set_rssi(mip_rtk_status_flags *flags, ui
     *flags = (mip_rtk_status_flags)((*flags & ~mask) | (bits & mask));
 }
 
-/** Bits 16 to 19. Signal quality. */
+/** Bits 16 to 19. Quality of the modem's radio signal. */
 static inline uint8_t mip_rtk_status_flags_get_signal_quality(mip_rtk_status_flags flags) {
     const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_SIGNAL_QUALITY;
     return (uint8_t)(bits >> 16);
@@ -2227,7 +2366,7 @@ typedef uint32_t mip_rtk_status_flags_legacy;
 #define MIP_RTK_STATUS_FLAGS_LEGACY_PLATFORM_STATUS_CODE UINT32_C(0x00003800)
 /** Bits 14 to 15. Reason of the last reset. */
 #define MIP_RTK_STATUS_FLAGS_LEGACY_RESET_CODE UINT32_C(0x0000C000)
-/** Bits 16 to 19. Signal quality. */
+/** Bits 16 to 19. Quality of the modem's radio signal. */
 #define MIP_RTK_STATUS_FLAGS_LEGACY_SIGNAL_QUALITY UINT32_C(0x000F0000)
 /** Bits 20 to 25. Received signal strength. */
 #define MIP_RTK_STATUS_FLAGS_LEGACY_RSSI UINT32_C(0x03F00000)
@@ -2308,7 +2447,7 @@ static inline void mip_rtk_status_flags_legacy_set_reset_code(mip_rtk_status_fla
     *flags = (mip_rtk_status_flags_legacy)((*flags & ~mask) | (bits & mask));
 }
 
-/** Bits 16 to 19. Signal quality. */
+/** Bits 16 to 19. Quality of the modem's radio signal. */
 static inline uint8_t
 mip_rtk_status_flags_legacy_get_signal_quality(mip_rtk_status_flags_legacy flags) {
     const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_LEGACY_SIGNAL_QUALITY;

@@ -57,8 +57,8 @@ inline flag_names names_of(cv7_built_in_test) {
     return {::mip_names_cv7_built_in_test};
 }
 
-/** mip_cv7_continuous_bit: cv7_continuous_built_in_test */
-using cv7_continuous_built_in_test = ::mip_cv7_continuous_bit;
+/** mip_cv7_continuous_built_in_test: cv7_continuous_built_in_test */
+using cv7_continuous_built_in_test = ::mip_cv7_continuous_built_in_test;
 /** Its bits: the first one, and 256 times how many. */
 enum class cv7_continuous_built_in_test_bits : std::uint16_t {
     system_clock_failure = 0 | 1 << 8,
@@ -105,7 +105,7 @@ enum class cv7_continuous_built_in_test_bits : std::uint16_t {
     receiver_2_no_solution = 113 | 1 << 8,
 };
 inline bit_names names_of(cv7_continuous_built_in_test_bits) {
-    return {::mip_names_cv7_continuous_bit};
+    return {::mip_names_cv7_continuous_built_in_test};
 }
 
 /** mip_cv7_inertial_bit: cv7_inertial_continuous_built_in_test */
@@ -152,8 +152,8 @@ inline bit_names names_of(cv7_inertial_continuous_built_in_test_bits) {
     return {::mip_names_cv7_inertial_bit};
 }
 
-/** mip_gq7_bit: gq7_continuous_built_in_test */
-using gq7_continuous_built_in_test = ::mip_gq7_bit;
+/** mip_gq7_continuous_built_in_test: gq7_continuous_built_in_test */
+using gq7_continuous_built_in_test = ::mip_gq7_continuous_built_in_test;
 /** Its bits: the first one, and 256 times how many. */
 enum class gq7_continuous_built_in_test_bits : std::uint16_t {
     system_clock_failure = 0 | 1 << 8,
@@ -206,7 +206,7 @@ enum class gq7_continuous_built_in_test_bits : std::uint16_t {
     rtk_dongle_fault = 115 | 1 << 8,
 };
 inline bit_names names_of(gq7_continuous_built_in_test_bits) {
-    return {::mip_names_gq7_bit};
+    return {::mip_names_gq7_continuous_built_in_test};
 }
 
 /** mip_event_trigger_type: event_trigger_type */

@@ -57,7 +57,7 @@ TYPES: dict[str, Info] = {
     "LegacyDataStream": EnumInfo("3dm.legacy_data_stream", mip_3dm.LegacyDataStream),
     "Gx4SystemState": EnumInfo("3dm.gx4_system_state", mip_3dm.Gx4SystemState),
     "PollImuData": FieldInfo(
-        "3dm.poll_imu_data", mip_3dm.PollImuData, devices=("3dm-cx5-10", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-45"),
+        "3dm.poll_imu_data", mip_3dm.PollImuData, devices=("3dm-cx5-10", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx4-imu", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-45", "3dm-rq1-imu"),
         parameters=(
             Parameter("suppress_ack", "suppress_ack", "scalar", scalar="bool"),
             Parameter("num_descriptors", "num_descriptors", "counter", scalar="u8", counts="descriptors"),
@@ -89,7 +89,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "GetImuBaseRate": FieldInfo(
-        "3dm.get_imu_base_rate", mip_3dm.GetImuBaseRate, devices=("3dm-cx5-10", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-35"),
+        "3dm.get_imu_base_rate", mip_3dm.GetImuBaseRate, devices=("3dm-cx5-10", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx4-imu", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-35", "3dm-rq1-imu"),
         parameters=(
         ),
     ),
@@ -99,7 +99,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "ImuMessageFormat": FieldInfo(
-        "3dm.imu_message_format", mip_3dm.ImuMessageFormat, functions=("write", "read", "save", "load", "default"), devices=("3dm-cx5-10", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25"),
+        "3dm.imu_message_format", mip_3dm.ImuMessageFormat, functions=("write", "read", "save", "load", "default"), devices=("3dm-cx5-10", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx4-imu", "3dm-gx5-10", "3dm-gx5-25", "3dm-rq1-imu"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("num_descriptors", "num_descriptors", "counter", scalar="u8", counts="descriptors", required=("write",)),
@@ -329,41 +329,41 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "AccelBias": FieldInfo(
-        "3dm.accel_bias", mip_3dm.AccelBias, functions=("write", "read", "save", "load", "default", "apply"), devices=("3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-45"), advanced=True,
+        "3dm.accel_bias", mip_3dm.AccelBias, functions=("write", "read", "save", "load", "default", "apply"), devices=("3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx4-imu", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-45", "3dm-rq1-imu"), advanced=True,
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("bias", "bias", "array", scalar="float", elements=("x", "y", "z"), units=("g",), frame="sensor", required=("write", "apply")),
         ),
     ),
     "GyroBias": FieldInfo(
-        "3dm.gyro_bias", mip_3dm.GyroBias, functions=("write", "read", "save", "load", "default", "apply"), devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-15", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-35", "3dm-gx5-45"), advanced=True,
+        "3dm.gyro_bias", mip_3dm.GyroBias, functions=("write", "read", "save", "load", "default", "apply"), devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-15", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx4-imu", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-imu"), advanced=True,
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("bias", "bias", "array", scalar="float", elements=("x", "y", "z"), units=("rad/s",), frame="sensor", required=("write", "apply")),
         ),
     ),
     "CaptureGyroBias": FieldInfo(
-        "3dm.capture_gyro_bias", mip_3dm.CaptureGyroBias, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gq7", "3dm-gx5-15", "3dm-gx5-35", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-45"),
+        "3dm.capture_gyro_bias", mip_3dm.CaptureGyroBias, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gq7", "3dm-gx5-15", "3dm-gx5-35", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx4-imu", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-45", "3dm-rq1-imu"),
         parameters=(
             Parameter("averaging_time_ms", "averaging_time_ms", "scalar", scalar="u16", units=("ms",), minimum=1000, maximum=30000),
         ),
     ),
     "MagHardIronOffset": FieldInfo(
-        "3dm.mag_hard_iron_offset", mip_3dm.MagHardIronOffset, functions=("write", "read", "save", "load", "default", "apply"), devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-25", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-35"),
+        "3dm.mag_hard_iron_offset", mip_3dm.MagHardIronOffset, functions=("write", "read", "save", "load", "default", "apply"), devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-25", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx4-imu", "3dm-gx5-25", "3dm-gx5-35"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("offset", "offset", "array", scalar="float", elements=("x", "y", "z"), units=("gauss",), frame="sensor", required=("write", "apply"), variants=(Variant("device", ("3dm-gx5-45",), {"default": (0, 0, 0)}),)),
         ),
     ),
     "MagSoftIronMatrix": FieldInfo(
-        "3dm.mag_soft_iron_matrix", mip_3dm.MagSoftIronMatrix, functions=("write", "read", "save", "load", "default", "apply"), devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-35", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-25", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-45"),
+        "3dm.mag_soft_iron_matrix", mip_3dm.MagSoftIronMatrix, functions=("write", "read", "save", "load", "default", "apply"), devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-35", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-25", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx4-imu", "3dm-gx5-25", "3dm-gx5-45"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("matrix", "matrix", "array", scalar="float", elements=("m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33"), units=("1",), frame="sensor", required=("write", "apply")),
         ),
     ),
     "ConingScullingEnable": FieldInfo(
-        "3dm.coning_sculling_enable", mip_3dm.ConingScullingEnable, functions=("write", "read", "save", "load", "default"), devices=("3dm-gq4-45", "3dm-gx5-15", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-35", "3dm-gx5-45"),
+        "3dm.coning_sculling_enable", mip_3dm.ConingScullingEnable, functions=("write", "read", "save", "load", "default"), devices=("3dm-gq4-45", "3dm-gx5-15", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx4-imu", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-imu"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("enable", "enable", "scalar", scalar="bool", default=True, required=("write",)),
@@ -472,14 +472,14 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "DeviceStatus": FieldInfo(
-        "3dm.device_status", mip_3dm.DeviceStatus, devices=("3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25"), advanced=True,
+        "3dm.device_status", mip_3dm.DeviceStatus, devices=("3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx4-imu", "3dm-gx5-10", "3dm-gx5-25", "3dm-rq1-imu"), advanced=True,
         parameters=(
             Parameter("model_number", "model_number", "scalar", scalar="u16", variants=(Variant("device", ("3dm-gx5-15",), {"constant": 6254}), Variant("device", ("3dm-gx5-35",), {"constant": 6252}), Variant("device", ("3dm-gx5-45",), {"constant": 6251}),)),
             Parameter("status_selector", "status_selector", "scalar", scalar="u8", type=mip_3dm.DeviceStatusSelector),
         ),
     ),
     "ImuMessageFormatResponse": FieldInfo(
-        "3dm.imu_message_format_response", mip_3dm.ImuMessageFormatResponse, devices=("3dm-cx5-10", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25"),
+        "3dm.imu_message_format_response", mip_3dm.ImuMessageFormatResponse, devices=("3dm-cx5-10", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx4-imu", "3dm-gx5-10", "3dm-gx5-25", "3dm-rq1-imu"),
         parameters=(
             Parameter("num_descriptors", "num_descriptors", "counter", scalar="u8", counts="descriptors"),
             Parameter("descriptors", "descriptors", "array", length="num_descriptors", fields_of="sensor", type=types.DescriptorRate),
@@ -500,7 +500,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "GetImuBaseRateResponse": FieldInfo(
-        "3dm.get_imu_base_rate_response", mip_3dm.GetImuBaseRateResponse, devices=("3dm-cx5-10", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-35"),
+        "3dm.get_imu_base_rate_response", mip_3dm.GetImuBaseRateResponse, devices=("3dm-cx5-10", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx4-imu", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-35", "3dm-rq1-imu"),
         parameters=(
             Parameter("rate", "rate", "scalar", scalar="u16", units=("Hz",)),
         ),
@@ -589,6 +589,15 @@ TYPES: dict[str, Info] = {
             Parameter("descriptors", "descriptors", "array", length="num_descriptors", fields_of="descriptor_set", type=types.DescriptorRate),
         ),
     ),
+    "DeviceStatusBasicRq1ImuResponse": FieldInfo(
+        "3dm.device_status_basic_rq1_imu_response", mip_3dm.DeviceStatusBasicRq1ImuResponse, perhaps=("3dm-rq1-imu",),
+        parameters=(
+            Parameter("model_number", "model_number", "constant", scalar="u16", constant=6238),
+            Parameter("status_selector", "status_selector", "constant", scalar="u8", constant=1),
+            Parameter("status_flags", "status_flags", "scalar", scalar="u32"),
+            Parameter("system_timer", "system_timer", "scalar", scalar="u64", units=("us",)),
+        ),
+    ),
     "DeviceStatusBasicResponse": FieldInfo(
         "3dm.device_status_basic_response", mip_3dm.DeviceStatusBasicResponse, devices=("3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx4-45", "3dm-gx5-25"),
         parameters=(
@@ -600,7 +609,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "DeviceStatusBasicWithoutStateResponse": FieldInfo(
-        "3dm.device_status_basic_without_state_response", mip_3dm.DeviceStatusBasicWithoutStateResponse, perhaps=("3dm-cl5-10", "3dm-cv5-10", "3dm-cx5-10", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx5-10"),
+        "3dm.device_status_basic_without_state_response", mip_3dm.DeviceStatusBasicWithoutStateResponse, perhaps=("3dm-cl5-10", "3dm-cv5-10", "3dm-cx5-10", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-imu", "3dm-gx5-10"),
         parameters=(
             Parameter("model_number", "model_number", "scalar", scalar="u16"),
             Parameter("status_selector", "status_selector", "constant", scalar="u8", constant=1),
@@ -774,6 +783,56 @@ TYPES: dict[str, Info] = {
             Parameter("comm_port_read_overruns", "comm_port_read_overruns", "scalar", scalar="u32", units=("1",)),
         ),
     ),
+    "DeviceStatusDiagnosticGx4ImuResponse": FieldInfo(
+        "3dm.device_status_diagnostic_gx4_imu_response", mip_3dm.DeviceStatusDiagnosticGx4ImuResponse, perhaps=("3dm-gx4-imu",),
+        parameters=(
+            Parameter("model_number", "model_number", "scalar", scalar="u16"),
+            Parameter("status_selector", "status_selector", "constant", scalar="u8", constant=2),
+            Parameter("status_flags", "status_flags", "scalar", scalar="u32"),
+            Parameter("system_timer", "system_timer", "scalar", scalar="u32", units=("ms",)),
+            Parameter("has_mag", "has_mag", "scalar", scalar="bool"),
+            Parameter("has_pressure", "has_pressure", "scalar", scalar="bool"),
+            Parameter("gyro_range", "gyro_range", "scalar", scalar="u16"),
+            Parameter("accel_range", "accel_range", "scalar", scalar="u8"),
+            Parameter("mag_range", "mag_range", "scalar", scalar="float"),
+            Parameter("pressure_range", "pressure_range", "scalar", scalar="float"),
+            Parameter("temperature", "temperature", "scalar", scalar="float", units=("degC",)),
+            Parameter("temperature_last_time", "temperature_last_time", "scalar", scalar="u32", units=("ms",)),
+            Parameter("temperature_error", "temperature_error", "scalar", scalar="u8"),
+            Parameter("pps_count", "pps_count", "scalar", scalar="u32", units=("1",)),
+            Parameter("pps_last_time", "pps_last_time", "scalar", scalar="u32", units=("ms",)),
+            Parameter("imu_stream_enabled", "imu_stream_enabled", "scalar", scalar="bool"),
+            Parameter("imu_dropped_packets", "imu_dropped_packets", "scalar", scalar="u32", units=("1",)),
+            Parameter("comm_port_bytes_written", "comm_port_bytes_written", "scalar", scalar="u32", units=("byte",)),
+            Parameter("comm_port_bytes_read", "comm_port_bytes_read", "scalar", scalar="u32", units=("byte",)),
+            Parameter("comm_port_write_overruns", "comm_port_write_overruns", "scalar", scalar="u32", units=("1",)),
+            Parameter("comm_port_read_overruns", "comm_port_read_overruns", "scalar", scalar="u32", units=("1",)),
+        ),
+    ),
+    "DeviceStatusDiagnosticRq1ImuResponse": FieldInfo(
+        "3dm.device_status_diagnostic_rq1_imu_response", mip_3dm.DeviceStatusDiagnosticRq1ImuResponse, perhaps=("3dm-rq1-imu",),
+        parameters=(
+            Parameter("model_number", "model_number", "scalar", scalar="u16"),
+            Parameter("status_selector", "status_selector", "constant", scalar="u8", constant=2),
+            Parameter("status_flags", "status_flags", "scalar", scalar="u32"),
+            Parameter("system_timer", "system_timer", "scalar", scalar="u64", units=("us",)),
+            Parameter("temperature", "temperature", "scalar", scalar="float", units=("degC",)),
+            Parameter("temperature_last_time", "temperature_last_time", "scalar", scalar="u32", units=("ms",)),
+            Parameter("bad_temperature_sensor_detected", "bad_temperature_sensor_detected", "scalar", scalar="bool"),
+            Parameter("cold_temperature_detected", "cold_temperature_detected", "scalar", scalar="bool"),
+            Parameter("bad_voltage_detected", "bad_voltage_detected", "scalar", scalar="bool"),
+            Parameter("pps_count", "pps_count", "scalar", scalar="u32", units=("1",)),
+            Parameter("pps_last_time", "pps_last_time", "scalar", scalar="u32", units=("ms",)),
+            Parameter("imu_stream_enabled", "imu_stream_enabled", "scalar", scalar="bool"),
+            Parameter("imu_dropped_packets", "imu_dropped_packets", "scalar", scalar="u32", units=("1",)),
+            Parameter("comm_port_state", "comm_port_state", "scalar", scalar="u16"),
+            Parameter("comm_port_baud_rate", "comm_port_baud_rate", "scalar", scalar="u32", units=("Bd",)),
+            Parameter("comm_port_bytes_written", "comm_port_bytes_written", "scalar", scalar="u32", units=("byte",)),
+            Parameter("comm_port_bytes_read", "comm_port_bytes_read", "scalar", scalar="u32", units=("byte",)),
+            Parameter("comm_port_write_overruns", "comm_port_write_overruns", "scalar", scalar="u32", units=("1",)),
+            Parameter("comm_port_read_overruns", "comm_port_read_overruns", "scalar", scalar="u32", units=("1",)),
+        ),
+    ),
     "DeviceStatusBasicGx3Response": FieldInfo(
         "3dm.device_status_basic_gx3_response", mip_3dm.DeviceStatusBasicGx3Response, perhaps=("3dm-gx3-35", "3dm-gx3-45"),
         parameters=(
@@ -846,31 +905,31 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "AccelBiasResponse": FieldInfo(
-        "3dm.accel_bias_response", mip_3dm.AccelBiasResponse, devices=("3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-45"),
+        "3dm.accel_bias_response", mip_3dm.AccelBiasResponse, devices=("3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx4-imu", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-45", "3dm-rq1-imu"),
         parameters=(
             Parameter("bias", "bias", "array", scalar="float", elements=("x", "y", "z"), units=("g",), frame="sensor"),
         ),
     ),
     "GyroBiasResponse": FieldInfo(
-        "3dm.gyro_bias_response", mip_3dm.GyroBiasResponse, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gq7", "3dm-gx5-15", "3dm-gx5-35", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-45"),
+        "3dm.gyro_bias_response", mip_3dm.GyroBiasResponse, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gq7", "3dm-gx5-15", "3dm-gx5-35", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx4-imu", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-45", "3dm-rq1-imu"),
         parameters=(
             Parameter("bias", "bias", "array", scalar="float", elements=("x", "y", "z"), units=("rad/s",), frame="sensor"),
         ),
     ),
     "MagHardIronOffsetResponse": FieldInfo(
-        "3dm.mag_hard_iron_offset_response", mip_3dm.MagHardIronOffsetResponse, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-25", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-35"),
+        "3dm.mag_hard_iron_offset_response", mip_3dm.MagHardIronOffsetResponse, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-25", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx4-imu", "3dm-gx5-25", "3dm-gx5-35"),
         parameters=(
             Parameter("offset", "offset", "array", scalar="float", elements=("x", "y", "z"), units=("gauss",), frame="sensor"),
         ),
     ),
     "MagSoftIronMatrixResponse": FieldInfo(
-        "3dm.mag_soft_iron_matrix_response", mip_3dm.MagSoftIronMatrixResponse, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-35", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-25", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-45"),
+        "3dm.mag_soft_iron_matrix_response", mip_3dm.MagSoftIronMatrixResponse, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-35", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-25", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx4-imu", "3dm-gx5-25", "3dm-gx5-45"),
         parameters=(
             Parameter("matrix", "matrix", "array", scalar="float", elements=("m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33"), units=("1",), frame="sensor"),
         ),
     ),
     "ConingScullingEnableResponse": FieldInfo(
-        "3dm.coning_sculling_enable_response", mip_3dm.ConingScullingEnableResponse, devices=("3dm-gq4-45", "3dm-gx5-15", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-35", "3dm-gx5-45"),
+        "3dm.coning_sculling_enable_response", mip_3dm.ConingScullingEnableResponse, devices=("3dm-gq4-45", "3dm-gx5-15", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx4-imu", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-imu"),
         parameters=(
             Parameter("enable", "enable", "scalar", scalar="bool", default=True),
         ),

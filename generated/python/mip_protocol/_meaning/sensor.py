@@ -10,7 +10,7 @@ from ..parameter import Flag, Parameter, Variant
 
 #: Class -> what is known of it.
 TYPES: dict[str, Info] = {
-    "OverrangeFlags": BitsInfo("sensor.overrange_flags", sensor.OverrangeFlags),
+    "OverrangeFlags": BitsInfo("sensor.overrange_flags", sensor.OverrangeFlags, concerns={"accel_x": ("sensor.scaled_accel",), "accel_y": ("sensor.scaled_accel",), "accel_z": ("sensor.scaled_accel",), "gyro_x": ("sensor.scaled_gyro",), "gyro_y": ("sensor.scaled_gyro",), "gyro_z": ("sensor.scaled_gyro",), "mag_x": ("sensor.scaled_mag",), "mag_y": ("sensor.scaled_mag",), "mag_z": ("sensor.scaled_mag",), "pressure": ("sensor.scaled_pressure",)}),
     "OdometerFlags": BitsInfo("sensor.odometer_flags", sensor.OdometerFlags),
     "RawAccel": FieldInfo(
         "sensor.raw_accel", sensor.RawAccel,

@@ -19,16 +19,13 @@ use crate::parser::{behind, Parser};
 /// `|ms| Timer::after_millis(ms.into())` of `embassy-time`, or
 /// `|ms| tokio::time::sleep(Duration::from_millis(ms.into()))`.
 ///
-/// Dropping a future cancels the command in the client, but not in the device; an answer that
-/// arrives before the next command is sent is treated as data. Whether bytes are lost depends on
-/// the port.
+/// Dropping a future cancels the command in the client, but not in the device; its answer is treated
+/// as data, because the next command is sent behind a barrier. Whether bytes are lost depends on the
+/// port.
 ///
 /// Errors of the kind [`Interrupted`](ErrorKind::Interrupted) do not end a command, nor does reading
 /// end it with [`TimedOut`](ErrorKind::TimedOut). A port whose `write` returns 0 is
 /// [`Closed`](DeviceError::Closed).
-///
-/// Each command first reads what has already arrived, once if that is nothing. The future of a read
-/// that would have to wait is dropped.
 #[derive(Clone, Debug)]
 pub struct AsyncDevice<P, S, const N: usize = 8, const Q: usize = 4096> {
     port: P,
@@ -132,7 +129,9 @@ where
         add: impl FnOnce(&mut Request<'_>) -> Result<T, RequestError>,
     ) -> Result<T, DeviceError<P::Error>> {
         self.core.client.clear();
-        self.drain().await?;
+        if let Some(barrier) = self.core.client.barrier() {
+            write(&mut self.port, barrier.bytes()).await?;
+        }
         let mut request = self.core.client.request(set);
         let tickets = add(&mut request)?;
         let packet = request.send(0); // with it, time begins
@@ -165,21 +164,6 @@ where
     /// answer the command.
     pub fn event<C>(&self, ticket: &Ticket<C>) -> Option<&Event> {
         self.core.client.known_event(ticket)
-    }
-
-    /// Reads what has arrived: it answers an earlier command, if any.
-    async fn drain(&mut self) -> Result<(), DeviceError<P::Error>> {
-        // Like reading after a deadline: the future that would wait is not asked.
-        let (mut backlog, mut sleep) = (BACKLOG - 1, pin!((self.sleep)(0)));
-        loop {
-            match read(&mut self.port, &mut self.core, sleep.as_mut(), &mut backlog).await {
-                Ok(true) => {}
-                Ok(false) | Err(DeviceError::Closed) => break, // it may still be written to
-                Err(error) => return Err(error),
-            }
-        }
-        self.core.look_behind();
-        Ok(())
     }
 
     /// The next packet with data or other fields that do not answer a command; `None` if none

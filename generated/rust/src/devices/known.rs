@@ -1,7 +1,7 @@
 //! The devices.
 
 #[allow(unused_imports)] // a part of the specification needs fewer
-use super::{BaseRate, Evidence, Limit, Profile, ProfilePort, Support, Variant};
+use super::{BaseRate, Evidence, Firmware, Limit, Profile, ProfilePort, Support, Variant};
 #[allow(unused_imports)]
 use crate::protocol::AckCode;
 
@@ -40,6 +40,7 @@ pub static ALL: &[&Profile] = &[
     &GX4_15,
     &GX4_25,
     &GX4_45,
+    &GX4_IMU,
     &GX5_10,
     &GX5_15,
     &GX5_25,
@@ -48,7 +49,9 @@ pub static ALL: &[&Profile] = &[
     &MV5_AR,
     &RQ1_45_LT,
     &RQ1_45_ST,
+    &RQ1_IMU,
     &RTK,
+    &DEMOD_DC,
 ];
 
 #[rustfmt::skip]
@@ -116,6 +119,8 @@ pub static CL5_10: Profile = Profile {
     },
     refuses: supported! {
     },
+    firmware: &[
+    ],
     base_rates: &[
     ],
     ports: &[
@@ -258,6 +263,8 @@ pub static CL5_15: Profile = Profile {
     },
     refuses: supported! {
     },
+    firmware: &[
+    ],
     base_rates: &[
     ],
     ports: &[
@@ -442,6 +449,8 @@ pub static CL5_25: Profile = Profile {
     },
     refuses: supported! {
     },
+    firmware: &[
+    ],
     base_rates: &[
     ],
     ports: &[
@@ -563,6 +572,8 @@ pub static CV5_10: Profile = Profile {
     refuses: supported! {
         0x80 0x01 "sensor.raw_accel" [] CV5_10_3;
     },
+    firmware: &[
+    ],
     base_rates: &[
     ],
     ports: &[
@@ -711,6 +722,8 @@ pub static CV5_15: Profile = Profile {
     },
     refuses: supported! {
     },
+    firmware: &[
+    ],
     base_rates: &[
     ],
     ports: &[
@@ -901,6 +914,8 @@ pub static CV5_25: Profile = Profile {
     },
     refuses: supported! {
     },
+    firmware: &[
+    ],
     base_rates: &[
     ],
     ports: &[
@@ -1117,6 +1132,8 @@ pub static CV5_45: Profile = Profile {
     },
     refuses: supported! {
     },
+    firmware: &[
+    ],
     base_rates: &[
     ],
     ports: &[
@@ -1376,6 +1393,18 @@ pub static CV7_AHRS: Profile = Profile {
         0x92 0x12 "gnss_2.sbas_info" [] CV7_AHRS_14;
         0x92 0x14 "gnss_2.rf_error_detection" [] CV7_AHRS_14;
     },
+    firmware: &[
+        Firmware {
+            set: 0x0C,
+            descriptor: 0x50,
+            versions: "<= 1.0.07",
+        },
+        Firmware {
+            set: 0x0C,
+            descriptor: 0x54,
+            versions: "> 1.0.07",
+        },
+    ],
     base_rates: &[
         BaseRate { set: 0x80, hertz: 1000.0 },
         BaseRate { set: 0x82, hertz: 1000.0 },
@@ -1410,36 +1439,42 @@ pub static CV7_AHRS: Profile = Profile {
             value: 4.0,
             unit: None,
             description: "Frames that the aiding frame configuration can define, according to MSCL.",
+            firmware: None,
         },
         Limit {
             name: "event_triggers",
             value: 12.0,
             unit: None,
             description: "Total number of triggers.",
+            firmware: Some(">= 1.0.04"),
         },
         Limit {
             name: "event_gpio_triggers",
             value: 4.0,
             unit: None,
             description: "GPIO triggers.",
+            firmware: Some(">= 1.0.04"),
         },
         Limit {
             name: "event_threshold_triggers",
             value: 8.0,
             unit: None,
             description: "Threshold triggers.",
+            firmware: Some(">= 1.0.04"),
         },
         Limit {
             name: "event_combination_triggers",
             value: 8.0,
             unit: None,
             description: "Combination triggers.",
+            firmware: Some(">= 1.0.04"),
         },
         Limit {
             name: "event_tick_rate",
             value: 1000.0,
             unit: Some("Hz"),
             description: "Rate of the event cycle.",
+            firmware: Some(">= 1.0.04"),
         },
     ],
     variants: &[
@@ -1685,6 +1720,18 @@ pub static CV7_AR: Profile = Profile {
         0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_12;
         0x0D 0x4B "filter.pitch_roll_aiding" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_12;
     },
+    firmware: &[
+        Firmware {
+            set: 0x0C,
+            descriptor: 0x50,
+            versions: "<= 1.0.07",
+        },
+        Firmware {
+            set: 0x0C,
+            descriptor: 0x54,
+            versions: "> 1.0.07",
+        },
+    ],
     base_rates: &[
         BaseRate { set: 0x80, hertz: 1000.0 },
         BaseRate { set: 0x82, hertz: 1000.0 },
@@ -1719,36 +1766,42 @@ pub static CV7_AR: Profile = Profile {
             value: 4.0,
             unit: None,
             description: "Frames that the aiding frame configuration can define, according to MSCL.",
+            firmware: None,
         },
         Limit {
             name: "event_triggers",
             value: 12.0,
             unit: None,
             description: "Total number of triggers.",
+            firmware: Some(">= 1.0.04"),
         },
         Limit {
             name: "event_gpio_triggers",
             value: 4.0,
             unit: None,
             description: "GPIO triggers.",
+            firmware: Some(">= 1.0.04"),
         },
         Limit {
             name: "event_threshold_triggers",
             value: 8.0,
             unit: None,
             description: "Threshold triggers.",
+            firmware: Some(">= 1.0.04"),
         },
         Limit {
             name: "event_combination_triggers",
             value: 8.0,
             unit: None,
             description: "Combination triggers.",
+            firmware: Some(">= 1.0.04"),
         },
         Limit {
             name: "event_tick_rate",
             value: 1000.0,
             unit: Some("Hz"),
             description: "Rate of the event cycle.",
+            firmware: Some(">= 1.0.04"),
         },
     ],
     variants: &[
@@ -2153,6 +2206,8 @@ pub static CV7_GNSS_INS: Profile = Profile {
     },
     refuses: supported! {
     },
+    firmware: &[
+    ],
     base_rates: &[
         BaseRate { set: 0x80, hertz: 1000.0 },
         BaseRate { set: 0x82, hertz: 1000.0 },
@@ -2212,144 +2267,168 @@ pub static CV7_GNSS_INS: Profile = Profile {
             value: 12.0,
             unit: None,
             description: "Total number of triggers.",
+            firmware: None,
         },
         Limit {
             name: "event_gpio_triggers",
             value: 4.0,
             unit: None,
             description: "GPIO triggers.",
+            firmware: None,
         },
         Limit {
             name: "event_threshold_triggers",
             value: 8.0,
             unit: None,
             description: "Threshold triggers.",
+            firmware: None,
         },
         Limit {
             name: "event_combination_triggers",
             value: 8.0,
             unit: None,
             description: "Combination triggers.",
+            firmware: None,
         },
         Limit {
             name: "event_actions",
             value: 12.0,
             unit: None,
             description: "Total number of actions.",
+            firmware: None,
         },
         Limit {
             name: "event_gpio_actions",
             value: 6.0,
             unit: None,
             description: "GPIO actions.",
+            firmware: None,
         },
         Limit {
             name: "event_message_actions",
             value: 8.0,
             unit: None,
             description: "Message actions.",
+            firmware: None,
         },
         Limit {
             name: "event_message_fields",
             value: 12.0,
             unit: None,
             description: "Fields in the packet of one message action.",
+            firmware: None,
         },
         Limit {
             name: "event_tick_rate",
             value: 1000.0,
             unit: Some("Hz"),
             description: "Rate of the event cycle; always the base rate of the system data set.",
+            firmware: None,
         },
         Limit {
             name: "gpio_pins",
             value: 4.0,
             unit: None,
             description: "User GPIO pins.",
+            firmware: None,
         },
         Limit {
             name: "aiding_frames",
             value: 4.0,
             unit: None,
             description: "Frames that the aiding frame configuration can define.",
+            firmware: None,
         },
         Limit {
             name: "nmea_rate",
             value: 10.0,
             unit: Some("Hz"),
             description: "Highest rate of an NMEA sentence from the sensor or filter data set.",
+            firmware: None,
         },
         Limit {
             name: "nmea_gnss_rate",
             value: 2.0,
             unit: Some("Hz"),
             description: "Highest rate of an NMEA sentence from a GNSS set.",
+            firmware: None,
         },
         Limit {
             name: "mip_input_ports",
             value: 2.0,
             unit: None,
             description: "Ports besides the main port that may accept MIP.",
+            firmware: None,
         },
         Limit {
             name: "nmea_input_ports",
             value: 1.0,
             unit: None,
             description: "Ports that may accept NMEA.",
+            firmware: None,
         },
         Limit {
             name: "rtcm_input_ports",
             value: 1.0,
             unit: None,
             description: "Ports that may accept RTCM.",
+            firmware: None,
         },
         Limit {
             name: "spartn_input_ports",
             value: 1.0,
             unit: None,
             description: "Ports that may accept SPARTN.",
+            firmware: None,
         },
         Limit {
             name: "baud_rate_delay",
             value: 250.0,
             unit: Some("ms"),
             description: "Time to wait after a change of the baud rate.",
+            firmware: None,
         },
         Limit {
             name: "time_update_window",
             value: 250.0,
             unit: Some("ms"),
             description: "Time after the rising edge of the PPS within which the GPS time update must arrive.",
+            firmware: None,
         },
         Limit {
             name: "save_time",
             value: 1.0,
             unit: Some("s"),
             description: "Time that saving all settings may take.",
+            firmware: None,
         },
         Limit {
             name: "motion_latency",
             value: 1.9,
             unit: Some("ms"),
             description: "Typical time from a motion to the message that reports it, not including transmission.",
+            firmware: None,
         },
         Limit {
             name: "timestamp_repeatability",
             value: 1.0,
             unit: Some("us"),
             description: "Upper bound of the typical variation of sensor timestamps due to internal processing.",
+            firmware: None,
         },
         Limit {
             name: "gpio_timestamp_accuracy",
             value: 1.0,
             unit: Some("us"),
             description: "Upper bound of the error of GPIO timestamps; the error is far smaller.",
+            firmware: None,
         },
         Limit {
             name: "antenna_offset_error",
             value: 0.5,
             unit: Some("m"),
             description: "Highest value of the maximum offset of the antenna lever arm calibration.",
+            firmware: None,
         },
     ],
     variants: &[
@@ -2650,6 +2729,8 @@ pub static CV7_INS: Profile = Profile {
     },
     refuses: supported! {
     },
+    firmware: &[
+    ],
     base_rates: &[
         BaseRate { set: 0x94, hertz: 0.0 },
     ],
@@ -2696,12 +2777,14 @@ pub static CV7_INS: Profile = Profile {
             value: 4.0,
             unit: None,
             description: "Frames that the aiding frame configuration can define, according to MSCL.",
+            firmware: None,
         },
         Limit {
             name: "antenna_offset",
             value: 10.0,
             unit: Some("m"),
             description: "Greatest distance of the antenna from the device.",
+            firmware: None,
         },
     ],
     variants: &[
@@ -2835,6 +2918,8 @@ pub static CX5_10: Profile = Profile {
     },
     refuses: supported! {
     },
+    firmware: &[
+    ],
     base_rates: &[
     ],
     ports: &[
@@ -2983,6 +3068,8 @@ pub static CX5_15: Profile = Profile {
     },
     refuses: supported! {
     },
+    firmware: &[
+    ],
     base_rates: &[
     ],
     ports: &[
@@ -3173,6 +3260,8 @@ pub static CX5_25: Profile = Profile {
     },
     refuses: supported! {
     },
+    firmware: &[
+    ],
     base_rates: &[
     ],
     ports: &[
@@ -3319,6 +3408,8 @@ pub static CX5_35: Profile = Profile {
     },
     refuses: supported! {
     },
+    firmware: &[
+    ],
     base_rates: &[
     ],
     ports: &[
@@ -3524,6 +3615,8 @@ pub static CX5_45: Profile = Profile {
     },
     refuses: supported! {
     },
+    firmware: &[
+    ],
     base_rates: &[
     ],
     ports: &[
@@ -3721,6 +3814,8 @@ pub static CX7_AHRS: Profile = Profile {
     },
     refuses: supported! {
     },
+    firmware: &[
+    ],
     base_rates: &[
     ],
     ports: &[
@@ -3752,6 +3847,7 @@ pub static CX7_AHRS: Profile = Profile {
             value: 4.0,
             unit: None,
             description: "Frames that the aiding frame configuration can define, according to MSCL.",
+            firmware: None,
         },
     ],
     variants: &[
@@ -3970,6 +4066,8 @@ pub static CX7_AR: Profile = Profile {
     },
     refuses: supported! {
     },
+    firmware: &[
+    ],
     base_rates: &[
     ],
     ports: &[
@@ -4001,6 +4099,7 @@ pub static CX7_AR: Profile = Profile {
             value: 4.0,
             unit: None,
             description: "Frames that the aiding frame configuration can define, according to MSCL.",
+            firmware: None,
         },
     ],
     variants: &[
@@ -4259,6 +4358,8 @@ pub static CX7_INS: Profile = Profile {
     },
     refuses: supported! {
     },
+    firmware: &[
+    ],
     base_rates: &[
     ],
     ports: &[
@@ -4304,6 +4405,7 @@ pub static CX7_INS: Profile = Profile {
             value: 4.0,
             unit: None,
             description: "Frames that the aiding frame configuration can define, according to MSCL.",
+            firmware: None,
         },
     ],
     variants: &[
@@ -4401,6 +4503,8 @@ pub static DH3: Profile = Profile {
     },
     refuses: supported! {
     },
+    firmware: &[
+    ],
     base_rates: &[
     ],
     ports: &[
@@ -4445,7 +4549,8 @@ const GQ4_45_2: &Evidence =
 /// # Direct modes
 ///
 /// [`system::CommMode`](crate::system::CommMode) connects the port to the inner inertial sensor or
-/// to the receiver. The inner sensor of the GX4 has the model number 6237, that of the RQ1 6238.
+/// to the receiver. The inner sensor answers as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45,
+/// 3DM-RQ1-IMU in the 3DM-RQ1-45.
 ///
 /// # Device status
 ///
@@ -4539,6 +4644,8 @@ pub static GQ4_45: Profile = Profile {
     },
     refuses: supported! {
     },
+    firmware: &[
+    ],
     base_rates: &[
     ],
     ports: &[
@@ -4859,6 +4966,38 @@ pub static GQ7: Profile = Profile {
     },
     refuses: supported! {
     },
+    firmware: &[
+        Firmware {
+            set: 0x0C,
+            descriptor: 0x50,
+            versions: "<= 1.0.10",
+        },
+        Firmware {
+            set: 0x0C,
+            descriptor: 0x54,
+            versions: "> 1.0.10",
+        },
+        Firmware {
+            set: 0x0E,
+            descriptor: 0x02,
+            versions: "> 1.0.10",
+        },
+        Firmware {
+            set: 0xA0,
+            descriptor: 0x01,
+            versions: "> 1.0.10",
+        },
+        Firmware {
+            set: 0xA0,
+            descriptor: 0x02,
+            versions: "> 1.0.10",
+        },
+        Firmware {
+            set: 0xA0,
+            descriptor: 0x03,
+            versions: "> 1.0.10",
+        },
+    ],
     base_rates: &[
         BaseRate { set: 0x80, hertz: 1000.0 },
         BaseRate { set: 0x82, hertz: 1000.0 },
@@ -4889,6 +5028,7 @@ pub static GQ7: Profile = Profile {
             value: 10.0,
             unit: Some("Hz"),
             description: "Highest rate of an NMEA sentence, according to MSCL.",
+            firmware: None,
         },
     ],
     variants: &[
@@ -5116,6 +5256,8 @@ pub static GV7_AHRS: Profile = Profile {
     },
     refuses: supported! {
     },
+    firmware: &[
+    ],
     base_rates: &[
     ],
     ports: &[
@@ -5147,6 +5289,7 @@ pub static GV7_AHRS: Profile = Profile {
             value: 4.0,
             unit: None,
             description: "Frames that the aiding frame configuration can define, according to MSCL.",
+            firmware: None,
         },
     ],
     variants: &[
@@ -5369,6 +5512,8 @@ pub static GV7_AR: Profile = Profile {
     },
     refuses: supported! {
     },
+    firmware: &[
+    ],
     base_rates: &[
     ],
     ports: &[
@@ -5400,6 +5545,7 @@ pub static GV7_AR: Profile = Profile {
             value: 4.0,
             unit: None,
             description: "Frames that the aiding frame configuration can define, according to MSCL.",
+            firmware: None,
         },
     ],
     variants: &[
@@ -5662,6 +5808,8 @@ pub static GV7_INS: Profile = Profile {
     },
     refuses: supported! {
     },
+    firmware: &[
+    ],
     base_rates: &[
     ],
     ports: &[
@@ -5700,6 +5848,7 @@ pub static GV7_INS: Profile = Profile {
             value: 4.0,
             unit: None,
             description: "Frames that the aiding frame configuration can define, according to MSCL.",
+            firmware: None,
         },
     ],
     variants: &[
@@ -5811,6 +5960,8 @@ pub static GX3_15: Profile = Profile {
     },
     refuses: supported! {
     },
+    firmware: &[
+    ],
     base_rates: &[
     ],
     ports: &[
@@ -5923,6 +6074,8 @@ pub static GX3_25: Profile = Profile {
         0x91 0x05 "gnss_1.ned_velocity" [] GX3_25_5;
         0x91 0x0B "gnss_1.fix_info" [] GX3_25_5;
     },
+    firmware: &[
+    ],
     base_rates: &[
     ],
     ports: &[
@@ -6013,6 +6166,8 @@ pub static GX3_35: Profile = Profile {
     },
     refuses: supported! {
     },
+    firmware: &[
+    ],
     base_rates: &[
     ],
     ports: &[
@@ -6120,6 +6275,8 @@ pub static GX3_45: Profile = Profile {
     },
     refuses: supported! {
     },
+    firmware: &[
+    ],
     base_rates: &[
     ],
     ports: &[
@@ -6194,7 +6351,8 @@ const GX4_15_3: &Evidence =
 /// # Direct modes
 ///
 /// [`system::CommMode`](crate::system::CommMode) connects the port to the inner inertial sensor or
-/// to the receiver. The inner sensor of the GX4 has the model number 6237, that of the RQ1 6238.
+/// to the receiver. The inner sensor answers as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45,
+/// 3DM-RQ1-IMU in the 3DM-RQ1-45.
 ///
 /// # Device status
 ///
@@ -6281,6 +6439,8 @@ pub static GX4_15: Profile = Profile {
     },
     refuses: supported! {
     },
+    firmware: &[
+    ],
     base_rates: &[
     ],
     ports: &[
@@ -6364,7 +6524,8 @@ const GX4_25_4: &Evidence =
 /// # Direct modes
 ///
 /// [`system::CommMode`](crate::system::CommMode) connects the port to the inner inertial sensor or
-/// to the receiver. The inner sensor of the GX4 has the model number 6237, that of the RQ1 6238.
+/// to the receiver. The inner sensor answers as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45,
+/// 3DM-RQ1-IMU in the 3DM-RQ1-45.
 ///
 /// # Device status
 ///
@@ -6464,6 +6625,8 @@ pub static GX4_25: Profile = Profile {
     refuses: supported! {
         0x82 0x07 "filter_data.accel_bias" [] GX4_25_4;
     },
+    firmware: &[
+    ],
     base_rates: &[
         BaseRate { set: 0x80, hertz: 1000.0 },
         BaseRate { set: 0x82, hertz: 500.0 },
@@ -6547,7 +6710,8 @@ const GX4_45_2: &Evidence =
 /// # Direct modes
 ///
 /// [`system::CommMode`](crate::system::CommMode) connects the port to the inner inertial sensor or
-/// to the receiver. The inner sensor of the GX4 has the model number 6237, that of the RQ1 6238.
+/// to the receiver. The inner sensor answers as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45,
+/// 3DM-RQ1-IMU in the 3DM-RQ1-45.
 ///
 /// # Device status
 ///
@@ -6659,6 +6823,8 @@ pub static GX4_45: Profile = Profile {
     },
     refuses: supported! {
     },
+    firmware: &[
+    ],
     base_rates: &[
     ],
     ports: &[
@@ -6720,6 +6886,69 @@ pub static GX4_45: Profile = Profile {
             parameter: "filter_data.status.status_flags",
             read_as: Some("gx5_status_flags"),
             difference: "values of gx5_status_flags. Inferred: The 3DM-GX5-15 has them, and the SDK gives the same states for all generations up to the fifth",
+        },
+    ],
+    ack_codes: &[
+    ],
+};
+
+#[rustfmt::skip]
+const GX4_IMU_1: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MIP SDK of 2014: Examples, one for each model)." };
+
+/// 3DM-GX4-IMU
+///
+/// Inertial sensor inside the 3DM-GX4-45, which answers in its direct mode.
+///
+/// Generation 4. Model number 6237. No manual is known. This profile is incomplete: No manual is
+/// known.
+///
+/// Source: mip-sdk-2014: GX4 IMU.
+#[rustfmt::skip]
+pub static GX4_IMU: Profile = Profile {
+    id: "3dm-gx4-imu",
+    title: "3DM-GX4-IMU",
+    description: "Inertial sensor inside the 3DM-GX4-45, which answers in its direct mode.",
+    also: &[],
+    model_number: Some(6237),
+    generation: Some(4),
+    manual: None,
+    incomplete: &[
+        "No manual is known.",
+    ],
+    fields: supported! {
+        0x01 0x01 "base.ping" [] GX4_IMU_1;
+        0x01 0x02 "base.set_idle" [] GX4_IMU_1;
+        0x01 0x03 "base.get_device_info" [] GX4_IMU_1;
+        0x01 0x04 "base.get_device_descriptors" [] GX4_IMU_1;
+        0x01 0x05 "base.built_in_test" [] GX4_IMU_1;
+        0x0C 0x01 "3dm.poll_imu_data" [] GX4_IMU_1;
+        0x0C 0x06 "3dm.get_imu_base_rate" [] GX4_IMU_1;
+        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] GX4_IMU_1;
+        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GX4_IMU_1;
+        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GX4_IMU_1;
+        0x0C 0x39 "3dm.capture_gyro_bias" [] GX4_IMU_1;
+        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] GX4_IMU_1;
+        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] GX4_IMU_1;
+        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] GX4_IMU_1;
+        0x0C 0x64 "3dm.device_status" [] GX4_IMU_1;
+        0x7F 0x10 "system.comm_mode" [WRITE READ SAVE LOAD DEFAULT] GX4_IMU_1;
+    },
+    refuses: supported! {
+    },
+    firmware: &[
+    ],
+    base_rates: &[
+    ],
+    ports: &[
+    ],
+    limits: &[
+    ],
+    variants: &[
+        Variant {
+            parameter: "base.built_in_test_response.result",
+            read_as: None,
+            difference: "the values are not known",
         },
     ],
     ack_codes: &[
@@ -6791,6 +7020,8 @@ pub static GX5_10: Profile = Profile {
     },
     refuses: supported! {
     },
+    firmware: &[
+    ],
     base_rates: &[
     ],
     ports: &[
@@ -6966,6 +7197,8 @@ pub static GX5_15: Profile = Profile {
         0x80 0x01 "sensor.raw_accel" [] GX5_15_2;
         0x80 0x02 "sensor.raw_gyro" [] GX5_15_2;
     },
+    firmware: &[
+    ],
     base_rates: &[
         BaseRate { set: 0x80, hertz: 1000.0 },
         BaseRate { set: 0x82, hertz: 500.0 },
@@ -6992,24 +7225,28 @@ pub static GX5_15: Profile = Profile {
             value: 250.0,
             unit: Some("Hz"),
             description: "Highest cutoff of the low-pass filters.",
+            firmware: None,
         },
         Limit {
             name: "external_heading_rate",
             value: 20.0,
             unit: Some("Hz"),
             description: "Highest rate of external heading updates.",
+            firmware: None,
         },
         Limit {
             name: "zero_angular_rate_update_rate",
             value: 10.0,
             unit: Some("Hz"),
             description: "Highest rate of commanded zero angular rate updates.",
+            firmware: None,
         },
         Limit {
             name: "baud_rate_delay",
             value: 250.0,
             unit: Some("ms"),
             description: "Time from the acknowledge of a new baud rate until commands are answered at that rate.",
+            firmware: None,
         },
     ],
     variants: &[
@@ -7291,6 +7528,8 @@ pub static GX5_25: Profile = Profile {
         0x92 0x14 "gnss_2.rf_error_detection" [] GX5_25_9;
         0x93 0x31 "gnss_corrections.rtk_corrections_status" [] GX5_25_8;
     },
+    firmware: &[
+    ],
     base_rates: &[
     ],
     ports: &[
@@ -7451,6 +7690,8 @@ pub static GX5_35: Profile = Profile {
     },
     refuses: supported! {
     },
+    firmware: &[
+    ],
     base_rates: &[
         BaseRate { set: 0x80, hertz: 500.0 },
         BaseRate { set: 0x81, hertz: 4.0 },
@@ -7463,6 +7704,7 @@ pub static GX5_35: Profile = Profile {
             value: 32.0,
             unit: None,
             description: "Sum of the channels that constellations reserve.",
+            firmware: None,
         },
     ],
     variants: &[
@@ -7743,6 +7985,8 @@ pub static GX5_45: Profile = Profile {
     refuses: supported! {
         0x80 0x01 "sensor.raw_accel" [] GX5_45_11;
     },
+    firmware: &[
+    ],
     base_rates: &[
         BaseRate { set: 0x80, hertz: 500.0 },
         BaseRate { set: 0x81, hertz: 4.0 },
@@ -7770,12 +8014,14 @@ pub static GX5_45: Profile = Profile {
             value: 250.0,
             unit: Some("ms"),
             description: "Time from the acknowledge of a new baud rate until commands are answered at that rate.",
+            firmware: None,
         },
         Limit {
             name: "rtcm_chunk",
             value: 253.0,
             unit: Some("byte"),
             description: "Maximum number of RTCM bytes in one field.",
+            firmware: None,
         },
     ],
     variants: &[
@@ -7894,6 +8140,8 @@ pub static MV5_AR: Profile = Profile {
     },
     refuses: supported! {
     },
+    firmware: &[
+    ],
     base_rates: &[
     ],
     ports: &[
@@ -7939,7 +8187,8 @@ const RQ1_45_LT_2: &Evidence =
 /// # Direct modes
 ///
 /// [`system::CommMode`](crate::system::CommMode) connects the port to the inner inertial sensor or
-/// to the receiver. The inner sensor of the GX4 has the model number 6237, that of the RQ1 6238.
+/// to the receiver. The inner sensor answers as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45,
+/// 3DM-RQ1-IMU in the 3DM-RQ1-45.
 ///
 /// # Device status
 ///
@@ -8035,6 +8284,8 @@ pub static RQ1_45_LT: Profile = Profile {
     },
     refuses: supported! {
     },
+    firmware: &[
+    ],
     base_rates: &[
     ],
     ports: &[
@@ -8110,7 +8361,8 @@ const RQ1_45_ST_2: &Evidence =
 /// # Direct modes
 ///
 /// [`system::CommMode`](crate::system::CommMode) connects the port to the inner inertial sensor or
-/// to the receiver. The inner sensor of the GX4 has the model number 6237, that of the RQ1 6238.
+/// to the receiver. The inner sensor answers as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45,
+/// 3DM-RQ1-IMU in the 3DM-RQ1-45.
 ///
 /// # Device status
 ///
@@ -8206,6 +8458,8 @@ pub static RQ1_45_ST: Profile = Profile {
     },
     refuses: supported! {
     },
+    firmware: &[
+    ],
     base_rates: &[
     ],
     ports: &[
@@ -8259,6 +8513,67 @@ pub static RQ1_45_ST: Profile = Profile {
 };
 
 #[rustfmt::skip]
+const RQ1_IMU_1: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MIP SDK of 2014: Examples, one for each model)." };
+
+/// 3DM-RQ1-IMU
+///
+/// Inertial sensor inside the 3DM-RQ1-45, which answers in its direct mode.
+///
+/// Generation 4. Model number 6238. No manual is known. This profile is incomplete: No manual is
+/// known.
+///
+/// Source: mip-sdk-2014: RQ1 IMU.
+#[rustfmt::skip]
+pub static RQ1_IMU: Profile = Profile {
+    id: "3dm-rq1-imu",
+    title: "3DM-RQ1-IMU",
+    description: "Inertial sensor inside the 3DM-RQ1-45, which answers in its direct mode.",
+    also: &[],
+    model_number: Some(6238),
+    generation: Some(4),
+    manual: None,
+    incomplete: &[
+        "No manual is known.",
+    ],
+    fields: supported! {
+        0x01 0x01 "base.ping" [] RQ1_IMU_1;
+        0x01 0x02 "base.set_idle" [] RQ1_IMU_1;
+        0x01 0x03 "base.get_device_info" [] RQ1_IMU_1;
+        0x01 0x04 "base.get_device_descriptors" [] RQ1_IMU_1;
+        0x01 0x05 "base.built_in_test" [] RQ1_IMU_1;
+        0x0C 0x01 "3dm.poll_imu_data" [] RQ1_IMU_1;
+        0x0C 0x06 "3dm.get_imu_base_rate" [] RQ1_IMU_1;
+        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] RQ1_IMU_1;
+        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] RQ1_IMU_1;
+        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] RQ1_IMU_1;
+        0x0C 0x39 "3dm.capture_gyro_bias" [] RQ1_IMU_1;
+        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] RQ1_IMU_1;
+        0x0C 0x64 "3dm.device_status" [] RQ1_IMU_1;
+        0x7F 0x10 "system.comm_mode" [WRITE READ SAVE LOAD DEFAULT] RQ1_IMU_1;
+    },
+    refuses: supported! {
+    },
+    firmware: &[
+    ],
+    base_rates: &[
+    ],
+    ports: &[
+    ],
+    limits: &[
+    ],
+    variants: &[
+        Variant {
+            parameter: "base.built_in_test_response.result",
+            read_as: None,
+            difference: "the values are not known",
+        },
+    ],
+    ack_codes: &[
+    ],
+};
+
+#[rustfmt::skip]
 const RTK_1: &Evidence =
     &Evidence { answer: Support::Probable, why: "Used by programs for this model (MicroStrain Communication Library: MIP node features)." };
 
@@ -8303,6 +8618,8 @@ pub static RTK: Profile = Profile {
     },
     refuses: supported! {
     },
+    firmware: &[
+    ],
     base_rates: &[
     ],
     ports: &[
@@ -8325,6 +8642,59 @@ pub static RTK: Profile = Profile {
             read_as: None,
             difference: "the values are not known",
         },
+    ],
+    ack_codes: &[
+    ],
+};
+
+#[rustfmt::skip]
+const DEMOD_DC_1: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Used by programs for this model (MicroStrain Communication Library: Displacement node)." };
+
+/// DEMOD-DC
+///
+/// Digital demodulator for displacement sensors.
+///
+/// Also called Digital Demod. Model number 6130. No manual is known. This profile is incomplete: No
+/// manual is known; all is from MSCL.
+///
+/// Source: mscl: Displacement node.
+#[rustfmt::skip]
+pub static DEMOD_DC: Profile = Profile {
+    id: "demod-dc",
+    title: "DEMOD-DC",
+    description: "Digital demodulator for displacement sensors.",
+    also: &["Digital Demod"],
+    model_number: Some(6130),
+    generation: None,
+    manual: None,
+    incomplete: &[
+        "No manual is known; all is from MSCL.",
+    ],
+    fields: supported! {
+        0x01 0x01 "base.ping" [] DEMOD_DC_1;
+        0x01 0x02 "base.set_idle" [] DEMOD_DC_1;
+        0x01 0x03 "base.get_device_info" [] DEMOD_DC_1;
+        0x01 0x04 "base.get_device_descriptors" [] DEMOD_DC_1;
+        0x01 0x06 "base.resume" [] DEMOD_DC_1;
+        0x11 0x01 "displacement.get_calibration" [] DEMOD_DC_1;
+        0x11 0x02 "displacement.output_rate" [READ] DEMOD_DC_1;
+        0x11 0x04 "displacement.device_time" [WRITE] DEMOD_DC_1;
+        0x90 0x01 "displacement_data.displacement_raw" [] DEMOD_DC_1;
+        0x90 0x02 "displacement_data.displacement" [] DEMOD_DC_1;
+        0x90 0x04 "displacement_data.timestamp" [] DEMOD_DC_1;
+    },
+    refuses: supported! {
+    },
+    firmware: &[
+    ],
+    base_rates: &[
+    ],
+    ports: &[
+    ],
+    limits: &[
+    ],
+    variants: &[
     ],
     ack_codes: &[
     ],

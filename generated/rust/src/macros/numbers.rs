@@ -10,11 +10,6 @@ macro_rules! open_enum {
     ) => {
         $(#[$meta])*
         #[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
-        #[cfg_attr(
-            feature = "serde",
-            derive(serde::Serialize, serde::Deserialize),
-            serde(transparent)
-        )]
         #[cfg_attr(feature = "defmt", derive(defmt::Format))]
         pub struct $name(pub $number);
 
@@ -36,6 +31,31 @@ macro_rules! open_enum {
         }
 
         newtype!($name: $number);
+
+        #[cfg(feature = "serde")]
+        impl $crate::readable::Named for $name {
+            type Number = $number;
+
+            fn text(self) -> ::core::option::Option<&'static str> {
+                self.name()
+            }
+
+            fn number(self) -> $number {
+                self.0
+            }
+
+            fn of_text(text: &str) -> ::core::option::Option<Self> {
+                let mut known = Self::VALUES.iter().copied();
+                known.find(|value| value.name() == ::core::option::Option::Some(text))
+            }
+
+            fn of_number(number: $number) -> Self {
+                Self(number)
+            }
+        }
+
+        #[cfg(feature = "serde")]
+        readable!($name write_name read_name);
 
         impl ::core::fmt::Display for $name {
             #[inline]
@@ -65,6 +85,29 @@ macro_rules! open_enum {
             #[inline]
             fn to_bits(self) -> u64 {
                 $crate::bits::Number::to_bits(self.0)
+            }
+        }
+    };
+}
+
+/// How a newtype is in the formats of `serde`.
+#[cfg(feature = "serde")]
+macro_rules! readable {
+    ($name:ident $write:ident $read:ident) => {
+        impl serde::Serialize for $name {
+            fn serialize<S: serde::Serializer>(
+                &self,
+                serializer: S,
+            ) -> ::core::result::Result<S::Ok, S::Error> {
+                $crate::readable::$write(*self, serializer)
+            }
+        }
+
+        impl<'de> serde::Deserialize<'de> for $name {
+            fn deserialize<D: serde::Deserializer<'de>>(
+                deserializer: D,
+            ) -> ::core::result::Result<Self, D::Error> {
+                $crate::readable::$read(deserializer)
             }
         }
     };
@@ -139,7 +182,7 @@ macro_rules! vector {
                 &self,
                 serializer: S,
             ) -> ::core::result::Result<S::Ok, S::Error> {
-                serde::Serialize::serialize(&self.to_array(), serializer)
+                $crate::readable::serialize(&self.to_array(), serializer)
             }
         }
 
@@ -148,7 +191,7 @@ macro_rules! vector {
             fn deserialize<D: serde::Deserializer<'de>>(
                 deserializer: D,
             ) -> ::core::result::Result<Self, D::Error> {
-                <[$number; $count] as serde::Deserialize>::deserialize(deserializer).map(Self::from)
+                $crate::readable::deserialize::<[$number; $count], D>(deserializer).map(Self::from)
             }
         }
 

@@ -662,7 +662,7 @@ registry! {
         Mip3dmDeviceStatus(crate::mip_3dm::DeviceStatus):
             Command 0x64, of 1,
             "3dm.device_status", "Device Status",
-            ["3dm.device_status_basic_response", "3dm.device_status_basic_without_state_response", "3dm.device_status_diagnostic_response", "3dm.device_status_diagnostic_gnss_response", "3dm.device_status_diagnostic_gq4_45_response", "3dm.device_status_diagnostic_rq1_45_response", "3dm.device_status_diagnostic_gx4_response", "3dm.device_status_diagnostic_imu_response", "3dm.device_status_basic_gx3_response", "3dm.device_status_diagnostic_gx3_response"], {
+            ["3dm.device_status_basic_rq1_imu_response", "3dm.device_status_basic_response", "3dm.device_status_basic_without_state_response", "3dm.device_status_diagnostic_response", "3dm.device_status_diagnostic_gnss_response", "3dm.device_status_diagnostic_gq4_45_response", "3dm.device_status_diagnostic_rq1_45_response", "3dm.device_status_diagnostic_gx4_response", "3dm.device_status_diagnostic_imu_response", "3dm.device_status_diagnostic_gx4_imu_response", "3dm.device_status_diagnostic_rq1_imu_response", "3dm.device_status_basic_gx3_response", "3dm.device_status_diagnostic_gx3_response"], {
                 "model_number";
                 "status_selector";
             };
@@ -804,9 +804,17 @@ registry! {
                     "decimation";
                 };
             };
+        /// Basic Device Status of the inertial sensor of the 3DM-RQ1-45 (0x0C,0x90).
+        Mip3dmDeviceStatusBasicRq1ImuResponse(crate::mip_3dm::DeviceStatusBasicRq1ImuResponse):
+            Response 0x90, of 13,
+            "3dm.device_status_basic_rq1_imu_response", "Basic Device Status of the inertial sensor of the 3DM-RQ1-45",
+            ["3dm.device_status"], {
+                "status_flags";
+                "system_timer" in ["us"];
+            };
         /// Basic Device Status (0x0C,0x90).
         Mip3dmDeviceStatusBasicResponse(crate::mip_3dm::DeviceStatusBasicResponse):
-            Response 0x90, of 10,
+            Response 0x90, of 13,
             "3dm.device_status_basic_response", "Basic Device Status",
             ["3dm.device_status"], {
                 "model_number";
@@ -816,7 +824,7 @@ registry! {
             };
         /// Basic Device Status without a state (0x0C,0x90).
         Mip3dmDeviceStatusBasicWithoutStateResponse(crate::mip_3dm::DeviceStatusBasicWithoutStateResponse):
-            Response 0x90, of 10,
+            Response 0x90, of 13,
             "3dm.device_status_basic_without_state_response", "Basic Device Status without a state",
             ["3dm.device_status"], {
                 "model_number";
@@ -825,7 +833,7 @@ registry! {
             };
         /// Diagnostic Device Status (0x0C,0x90).
         Mip3dmDeviceStatusDiagnosticResponse(crate::mip_3dm::DeviceStatusDiagnosticResponse):
-            Response 0x90, of 10,
+            Response 0x90, of 13,
             "3dm.device_status_diagnostic_response", "Diagnostic Device Status",
             ["3dm.device_status"], {
                 "model_number";
@@ -846,7 +854,7 @@ registry! {
             };
         /// Diagnostic Device Status with GNSS (0x0C,0x90).
         Mip3dmDeviceStatusDiagnosticGnssResponse(crate::mip_3dm::DeviceStatusDiagnosticGnssResponse):
-            Response 0x90, of 10,
+            Response 0x90, of 13,
             "3dm.device_status_diagnostic_gnss_response", "Diagnostic Device Status with GNSS",
             ["3dm.device_status"], {
                 "model_number";
@@ -875,7 +883,7 @@ registry! {
             };
         /// Diagnostic Device Status of the 3DM-GQ4-45 (0x0C,0x90).
         Mip3dmDeviceStatusDiagnosticGq4_45Response(crate::mip_3dm::DeviceStatusDiagnosticGq4_45Response):
-            Response 0x90, of 10,
+            Response 0x90, of 13,
             "3dm.device_status_diagnostic_gq4_45_response", "Diagnostic Device Status of the 3DM-GQ4-45",
             ["3dm.device_status"], {
                 "model_number";
@@ -907,7 +915,7 @@ registry! {
             };
         /// Diagnostic Device Status of the 3DM-RQ1-45 (0x0C,0x90).
         Mip3dmDeviceStatusDiagnosticRq1_45Response(crate::mip_3dm::DeviceStatusDiagnosticRq1_45Response):
-            Response 0x90, of 10,
+            Response 0x90, of 13,
             "3dm.device_status_diagnostic_rq1_45_response", "Diagnostic Device Status of the 3DM-RQ1-45",
             ["3dm.device_status"], {
                 "model_number";
@@ -939,7 +947,7 @@ registry! {
             };
         /// Diagnostic Device Status of the 3DM-GX4-15 and 3DM-GX4-25 (0x0C,0x90).
         Mip3dmDeviceStatusDiagnosticGx4Response(crate::mip_3dm::DeviceStatusDiagnosticGx4Response):
-            Response 0x90, of 10,
+            Response 0x90, of 13,
             "3dm.device_status_diagnostic_gx4_response", "Diagnostic Device Status of the 3DM-GX4-15 and 3DM-GX4-25",
             ["3dm.device_status"], {
                 "model_number";
@@ -965,7 +973,7 @@ registry! {
             };
         /// Diagnostic Device Status of an IMU (0x0C,0x90).
         Mip3dmDeviceStatusDiagnosticImuResponse(crate::mip_3dm::DeviceStatusDiagnosticImuResponse):
-            Response 0x90, of 10,
+            Response 0x90, of 13,
             "3dm.device_status_diagnostic_imu_response", "Diagnostic Device Status of an IMU",
             ["3dm.device_status"], {
                 "model_number";
@@ -989,9 +997,59 @@ registry! {
                 "comm_port_write_overruns" in ["1"];
                 "comm_port_read_overruns" in ["1"];
             };
+        /// Diagnostic Device Status of the inertial sensor of the 3DM-GX4-45 (0x0C,0x90).
+        Mip3dmDeviceStatusDiagnosticGx4ImuResponse(crate::mip_3dm::DeviceStatusDiagnosticGx4ImuResponse):
+            Response 0x90, of 13,
+            "3dm.device_status_diagnostic_gx4_imu_response", "Diagnostic Device Status of the inertial sensor of the 3DM-GX4-45",
+            ["3dm.device_status"], {
+                "model_number";
+                "status_flags";
+                "system_timer" in ["ms"];
+                "has_mag";
+                "has_pressure";
+                "gyro_range";
+                "accel_range";
+                "mag_range";
+                "pressure_range";
+                "temperature" in ["degC"];
+                "temperature_last_time" in ["ms"];
+                "temperature_error";
+                "pps_count" in ["1"];
+                "pps_last_time" in ["ms"];
+                "imu_stream_enabled";
+                "imu_dropped_packets" in ["1"];
+                "comm_port_bytes_written" in ["byte"];
+                "comm_port_bytes_read" in ["byte"];
+                "comm_port_write_overruns" in ["1"];
+                "comm_port_read_overruns" in ["1"];
+            };
+        /// Diagnostic Device Status of the inertial sensor of the 3DM-RQ1-45 (0x0C,0x90).
+        Mip3dmDeviceStatusDiagnosticRq1ImuResponse(crate::mip_3dm::DeviceStatusDiagnosticRq1ImuResponse):
+            Response 0x90, of 13,
+            "3dm.device_status_diagnostic_rq1_imu_response", "Diagnostic Device Status of the inertial sensor of the 3DM-RQ1-45",
+            ["3dm.device_status"], {
+                "model_number";
+                "status_flags";
+                "system_timer" in ["us"];
+                "temperature" in ["degC"];
+                "temperature_last_time" in ["ms"];
+                "bad_temperature_sensor_detected";
+                "cold_temperature_detected";
+                "bad_voltage_detected";
+                "pps_count" in ["1"];
+                "pps_last_time" in ["ms"];
+                "imu_stream_enabled";
+                "imu_dropped_packets" in ["1"];
+                "comm_port_state";
+                "comm_port_baud_rate" in ["Bd"];
+                "comm_port_bytes_written" in ["byte"];
+                "comm_port_bytes_read" in ["byte"];
+                "comm_port_write_overruns" in ["1"];
+                "comm_port_read_overruns" in ["1"];
+            };
         /// Basic Device Status of the 3DM-GX3-35 and 3DM-GX3-45 (0x0C,0x90).
         Mip3dmDeviceStatusBasicGx3Response(crate::mip_3dm::DeviceStatusBasicGx3Response):
-            Response 0x90, of 10,
+            Response 0x90, of 13,
             "3dm.device_status_basic_gx3_response", "Basic Device Status of the 3DM-GX3-35 and 3DM-GX3-45",
             ["3dm.device_status"], {
                 "model_number";
@@ -1003,7 +1061,7 @@ registry! {
             };
         /// Diagnostic Device Status of the 3DM-GX3-35 and 3DM-GX3-45 (0x0C,0x90).
         Mip3dmDeviceStatusDiagnosticGx3Response(crate::mip_3dm::DeviceStatusDiagnosticGx3Response):
-            Response 0x90, of 10,
+            Response 0x90, of 13,
             "3dm.device_status_diagnostic_gx3_response", "Diagnostic Device Status of the 3DM-GX3-35 and 3DM-GX3-45",
             ["3dm.device_status"], {
                 "model_number";
@@ -2410,6 +2468,44 @@ registry! {
                 "received_bytes" in ["byte"];
                 "last_bytes" in ["byte"];
                 "last_bytes_time";
+            };
+    }
+    #[cfg(feature = "displacement")]
+    0x11 => {
+        /// Get Analog to Displacement Calibration (0x11,0x01).
+        DisplacementGetCalibration(crate::displacement::GetCalibration):
+            Command 0x01, of 1,
+            "displacement.get_calibration", "Get Analog to Displacement Calibration",
+            ["displacement.get_calibration_response"], {};
+        /// Displacement Output Data Rate (0x11,0x02).
+        DisplacementOutputRate(crate::displacement::OutputRate):
+            Command 0x02, of 1,
+            "displacement.output_rate", "Displacement Output Data Rate",
+            ["displacement.output_rate_response"], {
+                "function";
+            };
+        /// Displacement Device Time (0x11,0x04).
+        DisplacementDeviceTime(crate::displacement::DeviceTime):
+            Command 0x04, of 1,
+            "displacement.device_time", "Displacement Device Time",
+            [], {
+                "function";
+                "time" in ["ns"];
+            };
+        /// Get Analog to Displacement Calibration response (0x11,0x81).
+        DisplacementGetCalibrationResponse(crate::displacement::GetCalibrationResponse):
+            Response 0x81, of 1,
+            "displacement.get_calibration_response", "Get Analog to Displacement Calibration response",
+            ["displacement.get_calibration"], {
+                "slope";
+                "offset";
+            };
+        /// Displacement Output Data Rate response (0x11,0x82).
+        DisplacementOutputRateResponse(crate::displacement::OutputRateResponse):
+            Response 0x82, of 1,
+            "displacement.output_rate_response", "Displacement Output Data Rate response",
+            ["displacement.output_rate"], {
+                "rate" in ["Hz"];
             };
     }
     #[cfg(feature = "aiding")]
@@ -4064,6 +4160,14 @@ registry! {
             "displacement_data.displacement", "Displacement",
             [], {
                 "displacement" in ["mm"];
+            };
+        /// Displacement Device Timestamp (0x90,0x04).
+        DisplacementDataTimestamp(crate::displacement_data::Timestamp):
+            Data 0x04, of 1,
+            "displacement_data.timestamp", "Displacement Device Timestamp",
+            [], {
+                "flags";
+                "time" in ["ns"];
             };
     }
     #[cfg(feature = "system_data")]

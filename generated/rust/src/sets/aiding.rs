@@ -111,13 +111,13 @@ bitfield! {
 bitfield! {
     /// Which coordinates of a position are valid; the others are ignored.
     LlhAxisFlags: u16 {
-        /// Latitude and its uncertainty. Bit 0.
+        /// Latitude and its uncertainty are valid. Bit 0.
         LATITUDE: bool = 0,
             latitude, set_latitude, with_latitude;
-        /// Longitude and its uncertainty. Bit 1.
+        /// Longitude and its uncertainty are valid. Bit 1.
         LONGITUDE: bool = 1,
             longitude, set_longitude, with_longitude;
-        /// Height and its uncertainty. Bit 2.
+        /// Height and its uncertainty are valid. Bit 2.
         HEIGHT: bool = 2,
             height, set_height, with_height;
     }
@@ -398,15 +398,18 @@ record! {
         ///
         /// Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if
         /// [`valid_flags.latitude`](LlhAxisFlags::latitude) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub latitude: f64,
         /// Geodetic longitude.
         ///
         /// Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if
         /// [`valid_flags.longitude`](LlhAxisFlags::longitude) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub longitude: f64,
         /// Height above the ellipsoid.
         ///
         /// Unit: m. Frame: llh. Valid if [`valid_flags.height`](LlhAxisFlags::height) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub height: f64,
         /// Uncertainty of the position.
         ///
@@ -470,10 +473,12 @@ record! {
         /// Height above the ellipsoid.
         ///
         /// Unit: m. Frame: llh.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub height: f32,
         /// Uncertainty of the height.
         ///
         /// Unit: m. Range: at least 0.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub uncertainty: f32,
         /// Not 0: the measurement is valid.
         pub valid_flags: u16,
@@ -734,10 +739,12 @@ record! {
         ///
         /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive:
         /// clockwise seen from above.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub heading: f32,
         /// Uncertainty of the heading.
         ///
         /// Unit: rad. Range: greater than 0.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub uncertainty: f32,
         /// Not 0: the measurement is valid.
         pub valid_flags: u16,
@@ -859,10 +866,12 @@ record! {
         /// Air pressure.
         ///
         /// Unit: mbar.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub pressure: f32,
         /// Standard deviation of the pressure.
         ///
         /// Unit: mbar. Range: greater than 0.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub uncertainty: f32,
         /// Not 0: the measurement is valid.
         pub valid_flags: u16,

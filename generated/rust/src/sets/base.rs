@@ -23,11 +23,11 @@ record! {
     pub struct BaseDeviceInfo {
         /// Firmware version as one decimal number: 1202 means 1.2.02.
         pub firmware_version: u16,
-        /// Name of the model.
+        /// What the model is called, such as 3DM-GQ7.
         pub model_name: crate::Text<16>,
         /// Part number of the model.
         pub model_number: crate::Text<16>,
-        /// Serial number.
+        /// Number of this device, which begins with the model number.
         pub serial_number: crate::Text<16>,
         /// Lot number; reserved and blank on some devices.
         pub lot_number: crate::Text<16>,
@@ -95,9 +95,10 @@ record! {
     /// [3DM-GX3-25](crate::devices::GX3_25), [3DM-GX3-35](crate::devices::GX3_35),
     /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
     /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX5-10](crate::devices::GX5_10), [3DM-GX5-25](crate::devices::GX5_25),
-    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-MV5-AR](crate::devices::MV5_AR) and
-    /// [3DM-RTK](crate::devices::RTK).
+    /// [3DM-GX4-IMU](crate::devices::GX4_IMU), [3DM-GX5-10](crate::devices::GX5_10),
+    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-GX5-45](crate::devices::GX5_45),
+    /// [3DM-MV5-AR](crate::devices::MV5_AR), [3DM-RQ1-IMU](crate::devices::RQ1_IMU),
+    /// [3DM-RTK](crate::devices::RTK) and [DEMOD-DC](crate::devices::DEMOD_DC).
     ///
     /// - A device that is not in a normal operating mode may refuse the command.
     ///
@@ -145,10 +146,11 @@ record! {
     /// [3DM-GX3-15](crate::devices::GX3_15), [3DM-GX3-25](crate::devices::GX3_25),
     /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45),
     /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10),
-    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-GX5-35](crate::devices::GX5_35),
-    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-MV5-AR](crate::devices::MV5_AR) and
-    /// [3DM-RTK](crate::devices::RTK).
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX4-IMU](crate::devices::GX4_IMU),
+    /// [3DM-GX5-10](crate::devices::GX5_10), [3DM-GX5-25](crate::devices::GX5_25),
+    /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-GX5-45](crate::devices::GX5_45),
+    /// [3DM-MV5-AR](crate::devices::MV5_AR), [3DM-RQ1-IMU](crate::devices::RQ1_IMU),
+    /// [3DM-RTK](crate::devices::RTK) and [DEMOD-DC](crate::devices::DEMOD_DC).
     ///
     /// - [`Resume`] restores the previous mode.
     /// - While idle, the device does not send NMEA sentences either.
@@ -200,8 +202,10 @@ record! {
     /// [3DM-GX3-25](crate::devices::GX3_25), [3DM-GX3-35](crate::devices::GX3_35),
     /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
     /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX5-10](crate::devices::GX5_10), [3DM-GX5-25](crate::devices::GX5_25),
-    /// [3DM-MV5-AR](crate::devices::MV5_AR) and [3DM-RTK](crate::devices::RTK).
+    /// [3DM-GX4-IMU](crate::devices::GX4_IMU), [3DM-GX5-10](crate::devices::GX5_10),
+    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-MV5-AR](crate::devices::MV5_AR),
+    /// [3DM-RQ1-IMU](crate::devices::RQ1_IMU), [3DM-RTK](crate::devices::RTK) and
+    /// [DEMOD-DC](crate::devices::DEMOD_DC).
     ///
     /// Source: 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03); 3dm-cv7-gnss-ins: Get device
     /// information (0x01,0x03).
@@ -250,9 +254,11 @@ record! {
     /// [3DM-GX3-15](crate::devices::GX3_15), [3DM-GX3-25](crate::devices::GX3_25),
     /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45),
     /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10),
-    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-GX5-45](crate::devices::GX5_45),
-    /// [3DM-MV5-AR](crate::devices::MV5_AR) and [3DM-RTK](crate::devices::RTK).
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX4-IMU](crate::devices::GX4_IMU),
+    /// [3DM-GX5-10](crate::devices::GX5_10), [3DM-GX5-25](crate::devices::GX5_25),
+    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-MV5-AR](crate::devices::MV5_AR),
+    /// [3DM-RQ1-IMU](crate::devices::RQ1_IMU), [3DM-RTK](crate::devices::RTK) and
+    /// [DEMOD-DC](crate::devices::DEMOD_DC).
     ///
     /// - If the list contains the descriptor of [`GetExtendedDescriptors`], that command returns
     ///   further descriptors.
@@ -303,9 +309,10 @@ record! {
     /// [3DM-GX3-15](crate::devices::GX3_15), [3DM-GX3-25](crate::devices::GX3_25),
     /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45),
     /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10),
-    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-GX5-35](crate::devices::GX5_35),
-    /// [3DM-GX5-45](crate::devices::GX5_45) and [3DM-RTK](crate::devices::RTK). Uncertain: The
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX4-IMU](crate::devices::GX4_IMU),
+    /// [3DM-GX5-10](crate::devices::GX5_10), [3DM-GX5-25](crate::devices::GX5_25),
+    /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-GX5-45](crate::devices::GX5_45),
+    /// [3DM-RQ1-IMU](crate::devices::RQ1_IMU) and [3DM-RTK](crate::devices::RTK). Uncertain: The
     /// maximum duration of the test. The manual of the 3DM-CV7 says several seconds; 10 s leaves
     /// room for that.
     ///
@@ -363,8 +370,8 @@ record! {
     /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
     /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
     /// [3DM-GX5-10](crate::devices::GX5_10), [3DM-GX5-25](crate::devices::GX5_25),
-    /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-MV5-AR](crate::devices::MV5_AR) and
-    /// [3DM-RTK](crate::devices::RTK).
+    /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-MV5-AR](crate::devices::MV5_AR),
+    /// [3DM-RTK](crate::devices::RTK) and [DEMOD-DC](crate::devices::DEMOD_DC).
     ///
     /// - If the device was not idle, it enters its default mode (3DM-GX5-15).
     ///
@@ -757,9 +764,10 @@ record! {
     /// [3DM-GX3-15](crate::devices::GX3_15), [3DM-GX3-25](crate::devices::GX3_25),
     /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45),
     /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10),
-    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-MV5-AR](crate::devices::MV5_AR) and
-    /// [3DM-RTK](crate::devices::RTK).
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX4-IMU](crate::devices::GX4_IMU),
+    /// [3DM-GX5-10](crate::devices::GX5_10), [3DM-GX5-25](crate::devices::GX5_25),
+    /// [3DM-MV5-AR](crate::devices::MV5_AR), [3DM-RQ1-IMU](crate::devices::RQ1_IMU),
+    /// [3DM-RTK](crate::devices::RTK) and [DEMOD-DC](crate::devices::DEMOD_DC).
     ///
     /// Source: 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03); 3dm-cv7-gnss-ins: Get device
     /// information (0x01,0x03).
@@ -810,9 +818,10 @@ record! {
     /// [3DM-GX3-25](crate::devices::GX3_25), [3DM-GX3-35](crate::devices::GX3_35),
     /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
     /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX5-10](crate::devices::GX5_10), [3DM-GX5-25](crate::devices::GX5_25),
-    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-MV5-AR](crate::devices::MV5_AR) and
-    /// [3DM-RTK](crate::devices::RTK).
+    /// [3DM-GX4-IMU](crate::devices::GX4_IMU), [3DM-GX5-10](crate::devices::GX5_10),
+    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-GX5-45](crate::devices::GX5_45),
+    /// [3DM-MV5-AR](crate::devices::MV5_AR), [3DM-RQ1-IMU](crate::devices::RQ1_IMU),
+    /// [3DM-RTK](crate::devices::RTK) and [DEMOD-DC](crate::devices::DEMOD_DC).
     ///
     /// Source: 3dm-gx5-15: 4.1.4 Get Device Descriptor Sets (0x01, 0x04); 3dm-cv7-gnss-ins: Get
     /// device descriptors (0x01,0x04).
@@ -858,8 +867,9 @@ record! {
     /// [3DM-GX3-25](crate::devices::GX3_25), [3DM-GX3-35](crate::devices::GX3_35),
     /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
     /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX5-10](crate::devices::GX5_10), [3DM-GX5-25](crate::devices::GX5_25),
-    /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-GX5-45](crate::devices::GX5_45) and
+    /// [3DM-GX4-IMU](crate::devices::GX4_IMU), [3DM-GX5-10](crate::devices::GX5_10),
+    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-GX5-35](crate::devices::GX5_35),
+    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-IMU](crate::devices::RQ1_IMU) and
     /// [3DM-RTK](crate::devices::RTK).
     ///
     /// Source: 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05); 3dm-cv7-gnss-ins: Built in test
@@ -880,18 +890,18 @@ record! {
         /// [3DM-GX3-25](crate::devices::GX3_25), [3DM-GX3-35](crate::devices::GX3_35),
         /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
         /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-        /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-GX5-45](crate::devices::GX5_45),
-        /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-        /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST): the values are not known. On the
-        /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-        /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-        /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-        /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-        /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS) and
-        /// [3DM-RTK](crate::devices::RTK): values of [`types::Cv7BuiltInTest`]. Inferred: The
-        /// 3DM-CV7-GNSS/INS has it. On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values
-        /// of [`types::Cv7BuiltInTest`]. On the [3DM-GX5-15](crate::devices::GX5_15): values of
-        /// [`types::Gx5BuiltInTest`].
+        /// [3DM-GX4-IMU](crate::devices::GX4_IMU), [3DM-GX5-35](crate::devices::GX5_35),
+        /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT),
+        /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST) and [3DM-RQ1-IMU](crate::devices::RQ1_IMU):
+        /// the values are not known. On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+        /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
+        /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
+        /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+        /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
+        /// [3DM-GV7-INS](crate::devices::GV7_INS) and [3DM-RTK](crate::devices::RTK): values of
+        /// [`types::Cv7BuiltInTest`]. Inferred: The 3DM-CV7-GNSS/INS has it. On the
+        /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values of [`types::Cv7BuiltInTest`].
+        /// On the [3DM-GX5-15](crate::devices::GX5_15): values of [`types::Gx5BuiltInTest`].
         pub result: u32,
     }
 }

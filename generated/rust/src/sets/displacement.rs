@@ -13,3 +13,192 @@ use crate::types;
 
 /// The number of the descriptor set.
 pub const DISPLACEMENT_SET: u8 = 0x11;
+
+record! {
+    /// Get Analog to Displacement Calibration (0x11,0x01).
+    ///
+    /// Reads the line by which the device converts the counts of its converter to a displacement.
+    ///
+    /// Also called `get_analog_displacement_calibration`. Answered by [`GetCalibrationResponse`].
+    /// Probably supported by [DEMOD-DC](crate::devices::DEMOD_DC). Known only from the MicroStrain
+    /// Communication Library.
+    ///
+    /// Source: mscl: Get Analog to Displacement Calibration (0x11,0x01).
+    #[derive(Copy, Default, Eq, Hash)]
+    pub struct GetCalibration;
+}
+
+constructors! {
+    GetCalibration
+
+    /// Creates the command from its parameters.
+    fn new();
+}
+
+field! {
+    GetCalibration: 0x01, "displacement.get_calibration";
+    in [0x11];
+}
+
+command! {
+    GetCalibration -> GetCalibrationResponse;
+    responds GetCalibrationResponse;
+}
+
+record! {
+    /// Displacement Output Data Rate (0x11,0x02).
+    ///
+    /// Reads the rate at which displacement is measured.
+    ///
+    /// Also called `displacement_output_rate`. Functions: [read](types::FunctionSelector::READ).
+    /// Answered by [`OutputRateResponse`]. Probably supported by
+    /// [DEMOD-DC](crate::devices::DEMOD_DC). Known only from the MicroStrain Communication Library.
+    /// Uncertain: Whether the rate can be written. MSCL only reads it.
+    ///
+    /// Source: mscl: Displacement Output Data Rate (0x11,0x02).
+    #[derive(Copy, Eq, Hash)]
+    pub struct OutputRate {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+    }
+    wire 1 {
+        [function selects]
+    }
+}
+
+constructors! {
+    OutputRate
+
+    /// Return the current setting in a response.
+    fn read() = READ;
+}
+
+field! {
+    OutputRate: 0x02, "displacement.output_rate";
+    in [0x11];
+}
+
+command! {
+    OutputRate -> OutputRateResponse;
+    responds OutputRateResponse for READ;
+}
+
+record! {
+    /// Displacement Device Time (0x11,0x04).
+    ///
+    /// Sets the clock of the device, from which
+    /// [`displacement_data::Timestamp`](crate::displacement_data::Timestamp) is taken.
+    ///
+    /// Also called `displacement_device_time`. Functions: [write](types::FunctionSelector::WRITE).
+    /// Changes [`displacement_data::Timestamp`](crate::displacement_data::Timestamp). Probably
+    /// supported by [DEMOD-DC](crate::devices::DEMOD_DC). Known only from the MicroStrain
+    /// Communication Library. Uncertain: Whether the time can be read. MSCL only writes it.
+    ///
+    /// Source: mscl: Displacement Device Time (0x11,0x04).
+    #[derive(Copy, Eq, Hash)]
+    pub struct DeviceTime {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// UTC since 1970-01-01, without leap seconds.
+        ///
+        /// Unit: ns.
+        pub time: Option<u64>,
+    }
+    wire 9 {
+        [function selects]
+        [time for WRITE]
+    }
+}
+
+constructors! {
+    DeviceTime
+
+    /// Apply the new setting.
+    fn write(time: u64) = WRITE;
+}
+
+field! {
+    DeviceTime: 0x04, "displacement.device_time";
+    in [0x11];
+}
+
+command! {
+    DeviceTime -> ();
+}
+
+record! {
+    /// Get Analog to Displacement Calibration response (0x11,0x81).
+    ///
+    /// Also called `get_analog_displacement_calibration_response`. Answers [`GetCalibration`].
+    /// Probably supported by [DEMOD-DC](crate::devices::DEMOD_DC). Known only from the MicroStrain
+    /// Communication Library.
+    ///
+    /// Source: mscl: Get Analog to Displacement Calibration (0x11,0x01).
+    #[derive(Copy, Default)]
+    pub struct GetCalibrationResponse {
+        /// Displacement for each count of the converter.
+        ///
+        /// Uncertain: The unit; mm for each count is likely.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
+        pub slope: f32,
+        /// Displacement at zero counts.
+        ///
+        /// Uncertain: The unit; mm is likely.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
+        pub offset: f32,
+    }
+}
+
+view! {
+    GetCalibrationResponse
+    slope: f32, at 0;
+    offset: f32, at 4;
+}
+
+constructors! {
+    GetCalibrationResponse
+
+    /// Creates it from its values.
+    fn new(slope: f32, offset: f32);
+}
+
+field! {
+    GetCalibrationResponse: 0x81, "displacement.get_calibration_response";
+    in [0x11];
+    answers GetCalibration;
+}
+
+record! {
+    /// Displacement Output Data Rate response (0x11,0x82).
+    ///
+    /// Also called `displacement_output_rate_response`. Answers [`OutputRate`]. Probably supported
+    /// by [DEMOD-DC](crate::devices::DEMOD_DC). Known only from the MicroStrain Communication
+    /// Library.
+    ///
+    /// Source: mscl: Displacement Output Data Rate (0x11,0x02).
+    #[derive(Copy, Default, Eq, Hash)]
+    pub struct OutputRateResponse {
+        /// Rate of displacement data.
+        ///
+        /// Unit: Hz.
+        pub rate: u32,
+    }
+}
+
+view! {
+    OutputRateResponse
+    rate: u32, at 0;
+}
+
+constructors! {
+    OutputRateResponse
+
+    /// Creates it from its values.
+    fn new(rate: u32);
+}
+
+field! {
+    OutputRateResponse: 0x82, "displacement.output_rate_response";
+    in [0x11];
+    answers OutputRate;
+}

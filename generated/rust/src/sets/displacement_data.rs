@@ -14,17 +14,29 @@ use crate::types;
 /// The number of the descriptor set.
 pub const DISPLACEMENT_DATA_SET: u8 = 0x90;
 
+bitfield! {
+    /// Whether the time of displacement data is valid.
+    ///
+    /// Uncertain: That it is a bitfield. MSCL takes the time for valid if the number is 1.
+    TimestampFlags: u8 {
+        /// The clock has been set; `time` is valid. Bit 0.
+        TIME: bool = 0,
+            time, set_time, with_time;
+    }
+}
+
 record! {
     /// Raw displacement (0x90,0x01).
     ///
     /// Displacement in counts of the converter.
     ///
-    /// Not listed in any device profile. Known only from the MicroStrain Communication Library.
+    /// Probably supported by [DEMOD-DC](crate::devices::DEMOD_DC). Known only from the MicroStrain
+    /// Communication Library.
     ///
     /// Source: mscl: Raw displacement (0x90,0x01).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct DisplacementRaw {
-        /// Displacement in counts.
+        /// Output of the analog-to-digital converter.
         ///
         /// Unit: 1.
         pub counts: u32,
@@ -51,16 +63,18 @@ field! {
 record! {
     /// Displacement (0x90,0x02).
     ///
-    /// Calibrated displacement of the sensor.
+    /// Displacement of the sensor, computed with its calibration.
     ///
-    /// Not listed in any device profile. Known only from the MicroStrain Communication Library.
+    /// Probably supported by [DEMOD-DC](crate::devices::DEMOD_DC). Known only from the MicroStrain
+    /// Communication Library.
     ///
     /// Source: mscl: Displacement (0x90,0x02).
     #[derive(Copy, Default)]
     pub struct Displacement {
-        /// Displacement.
+        /// Position of the sensor along its axis.
         ///
         /// Unit: mm.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub displacement: f32,
     }
 }
@@ -79,5 +93,44 @@ constructors! {
 
 field! {
     Displacement: 0x02, "displacement_data.displacement";
+    in [0x90];
+}
+
+record! {
+    /// Displacement Device Timestamp (0x90,0x04).
+    ///
+    /// Time of the measurement by the clock of the device.
+    ///
+    /// Also called `displacement_timestamp`. Changed by
+    /// [`displacement::DeviceTime`](crate::displacement::DeviceTime). Probably supported by
+    /// [DEMOD-DC](crate::devices::DEMOD_DC). Known only from the MicroStrain Communication Library.
+    ///
+    /// Source: mscl: Displacement Device Timestamp (0x90,0x04).
+    #[derive(Copy, Default, Eq, Hash)]
+    pub struct Timestamp {
+        /// Whether the time of displacement data is valid.
+        pub flags: TimestampFlags,
+        /// UTC since 1970-01-01, without leap seconds, if the clock was set so.
+        ///
+        /// Unit: ns. Valid if [`flags.time`](TimestampFlags::time) is set.
+        pub time: u64,
+    }
+}
+
+view! {
+    Timestamp
+    flags: TimestampFlags, at 0;
+    time: u64, at 1;
+}
+
+constructors! {
+    Timestamp
+
+    /// Creates it from its values.
+    fn new(flags: TimestampFlags, time: u64);
+}
+
+field! {
+    Timestamp: 0x04, "displacement_data.timestamp";
     in [0x90];
 }

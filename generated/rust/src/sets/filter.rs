@@ -95,13 +95,13 @@ open_enum! {
     HeadingUpdateSource: u8 {
         /// No heading updates.
         NONE = 0, "none";
-        /// The magnetometer.
+        /// The device's own magnetometer.
         MAG = 1, "mag";
         /// The velocity that the GNSS receiver measures.
         GNSS_VELOCITY = 2, "gnss_velocity";
         /// The heading messages that the user sends.
         EXTERNAL = 3, "external";
-        /// GNSS velocity and magnetometer.
+        /// The course over ground and the magnetometer.
         GNSS_VELOCITY_AND_MAG = 4, "gnss_velocity_and_mag";
         /// GNSS velocity and the messages of the user.
         GNSS_VELOCITY_AND_EXTERNAL = 5, "gnss_velocity_and_external";
@@ -115,13 +115,13 @@ open_enum! {
 bitfield! {
     /// Axes to tare; 0 resets all axes.
     TareAxes: u8 {
-        /// Tare roll. Bit 0.
+        /// The present roll becomes zero. Bit 0.
         ROLL: bool = 0,
             roll, set_roll, with_roll;
-        /// Tare pitch. Bit 1.
+        /// The present pitch becomes zero. Bit 1.
         PITCH: bool = 1,
             pitch, set_pitch, with_pitch;
-        /// Tare yaw. Bit 2.
+        /// The present yaw becomes zero. Bit 2.
         YAW: bool = 2,
             yaw, set_yaw, with_yaw;
     }
@@ -188,7 +188,7 @@ open_enum! {
 open_enum! {
     /// A source of aiding measurements.
     AidingSource: u16 {
-        /// GNSS position and velocity.
+        /// Position and velocity of the GNSS receivers.
         GNSS_POSITION_VELOCITY = 0, "gnss_position_velocity";
         /// GNSS heading of two antennas.
         GNSS_HEADING = 1, "gnss_heading";
@@ -218,7 +218,7 @@ open_enum! {
     AccelConstraint: u8 {
         /// Nothing.
         NONE = 0, "none";
-        /// It is zero.
+        /// The filter assumes no acceleration.
         ZERO_ACCEL = 1, "zero_accel";
     }
 }
@@ -230,9 +230,9 @@ open_enum! {
     VelocityConstraint: u8 {
         /// Nothing.
         NONE = 0, "none";
-        /// It is zero.
+        /// The filter assumes that the device does not move.
         ZERO_VELOCITY = 1, "zero_velocity";
-        /// It is that of a wheeled vehicle.
+        /// The filter assumes the motion of a wheeled vehicle.
         WHEELED_VEHICLE = 2, "wheeled_vehicle";
     }
 }
@@ -244,7 +244,7 @@ open_enum! {
     AngularConstraint: u8 {
         /// Nothing.
         NONE = 0, "none";
-        /// It is zero.
+        /// The filter assumes no rotation.
         ZERO_ANGULAR_RATE = 1, "zero_angular_rate";
     }
 }
@@ -316,7 +316,7 @@ open_enum! {
 }
 
 open_enum! {
-    /// A point of reference.
+    /// The end of a lever arm.
     ReferencePoint: u8 {
         /// The origin of the vehicle.
         VEHICLE = 1, "vehicle";
@@ -407,16 +407,19 @@ record! {
         ///
         /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive: right
         /// side down.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub roll: f32,
         /// Pitch angle.
         ///
         /// Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. Positive: nose
         /// up.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub pitch: f32,
         /// Heading (yaw) angle.
         ///
         /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive:
         /// clockwise seen from above.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub heading: f32,
     }
 }
@@ -477,6 +480,7 @@ record! {
         ///
         /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive:
         /// clockwise seen from above.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub heading: f32,
     }
 }
@@ -518,6 +522,7 @@ record! {
         /// Local declination of the magnetic field.
         ///
         /// Unit: rad. Range: -3.141592653589793 to 3.141592653589793.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub declination: f32,
     }
 }
@@ -681,14 +686,17 @@ record! {
         /// Roll angle.
         ///
         /// Unit: rad. Required for [write](types::FunctionSelector::WRITE).
+        #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub roll: Option<f32>,
         /// Pitch angle.
         ///
         /// Unit: rad. Required for [write](types::FunctionSelector::WRITE).
+        #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub pitch: Option<f32>,
         /// Yaw angle.
         ///
         /// Unit: rad. Required for [write](types::FunctionSelector::WRITE).
+        #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub yaw: Option<f32>,
     }
     wire 13 {
@@ -1063,6 +1071,7 @@ record! {
         /// GPS time of week.
         ///
         /// Unit: s. Range: at least 0, less than 604800.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub tow: f64,
         /// GPS week, counted without rollover.
         ///
@@ -1071,14 +1080,17 @@ record! {
         /// Geodetic latitude.
         ///
         /// Unit: deg. Frame: llh. Range: -90 to 90. Positive: north.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub latitude: f64,
         /// Geodetic longitude.
         ///
         /// Unit: deg. Frame: llh. Range: -180 to 180. Positive: east.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub longitude: f64,
         /// Height above the ellipsoid.
         ///
         /// Unit: m. Frame: llh.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub height: f64,
         /// Velocity of the antenna.
         ///
@@ -1151,10 +1163,12 @@ record! {
         ///
         /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive:
         /// clockwise seen from above.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub heading: f32,
         /// Standard deviation; the device refuses a value out of bounds.
         ///
         /// Unit: rad. Range: greater than 0.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub heading_uncertainty: f32,
         /// North that the heading refers to.
         #[cfg_attr(feature = "serde", serde(rename = "type"))]
@@ -1674,6 +1688,7 @@ record! {
         /// Highest speed that is treated as zero.
         ///
         /// Unit: m/s. Range: at least 0. Required for [write](types::FunctionSelector::WRITE).
+        #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub threshold: Option<f32>,
     }
     wire 6 {
@@ -1744,6 +1759,7 @@ record! {
         /// GPS time of week of the measurement.
         ///
         /// Unit: s. Range: at least 0, less than 604800.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub tow: f64,
         /// GPS week, counted without rollover.
         ///
@@ -1753,10 +1769,12 @@ record! {
         ///
         /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive:
         /// clockwise seen from above.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub heading: f32,
         /// Standard deviation; the device refuses a value out of bounds.
         ///
         /// Unit: rad. Range: greater than 0.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub heading_uncertainty: f32,
         /// North that the heading refers to.
         #[cfg_attr(feature = "serde", serde(rename = "type"))]
@@ -1839,6 +1857,7 @@ record! {
         /// Highest angular rate that is treated as zero.
         ///
         /// Unit: rad/s. Range: at least 0. Required for [write](types::FunctionSelector::WRITE).
+        #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub threshold: Option<f32>,
     }
     wire 6 {
@@ -2072,17 +2091,20 @@ record! {
         ///
         /// Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Required for
         /// [write](types::FunctionSelector::WRITE).
+        #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub latitude: Option<f64>,
         /// Geodetic longitude.
         ///
         /// Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Required for
         /// [write](types::FunctionSelector::WRITE).
+        #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub longitude: Option<f64>,
         /// Altitude of the reference position.
         ///
         /// Unit: m. Required for [write](types::FunctionSelector::WRITE). Uncertain: Whether it
         /// counts from the ellipsoid or from sea level. The manual does not say; its glossary
         /// counts altitudes from sea level.
+        #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub altitude: Option<f64>,
     }
     wire 26 {
@@ -2279,6 +2301,7 @@ record! {
         /// Standard deviation.
         ///
         /// Unit: m. Range: greater than 0. Required for [write](types::FunctionSelector::WRITE).
+        #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub noise: Option<f32>,
     }
     wire 5 {
@@ -2621,6 +2644,7 @@ record! {
         /// [write](types::FunctionSelector::WRITE). Uncertain: Whether it may be left out if
         /// `source` is not manual. The manuals, that of the 3DM-GQ7 included, require it only if it
         /// is, but give one length, with the value. Sending it always fits both.
+        #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub declination: Option<f32>,
     }
     wire 6 {
@@ -2708,26 +2732,32 @@ record! {
         /// Cut-off frequency of the low-pass filter.
         ///
         /// Unit: Hz. Range: at least 0. Optional.
+        #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub frequency: Option<f32>,
         /// Lower limit of the error.
         ///
         /// Unit: m/s^2. Optional.
+        #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub low_limit: Option<f32>,
         /// Upper limit of the error.
         ///
         /// Unit: m/s^2. Optional.
+        #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub high_limit: Option<f32>,
         /// Standard deviation at the lower limit.
         ///
         /// Unit: m/s^2. Range: at least 0. Optional.
+        #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub low_limit_uncertainty: Option<f32>,
         /// Standard deviation at the upper limit.
         ///
         /// Unit: m/s^2. Range: at least 0. Optional.
+        #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub high_limit_uncertainty: Option<f32>,
         /// Smallest standard deviation.
         ///
         /// Unit: m/s^2. Range: at least 0. Optional.
+        #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub minimum_uncertainty: Option<f32>,
     }
     wire 26 {
@@ -2828,36 +2858,42 @@ record! {
         /// Cut-off frequency of the low-pass filter.
         ///
         /// Unit: Hz. Range: at least 0. Required for [write](types::FunctionSelector::WRITE).
+        #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub frequency: Option<f32>,
         /// Lower limit of the error.
         ///
         /// Unit: gauss. Required for [write](types::FunctionSelector::WRITE). Uncertain: The unit.
         /// The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in
         /// the response.
+        #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub low_limit: Option<f32>,
         /// Upper limit of the error.
         ///
         /// Unit: gauss. Required for [write](types::FunctionSelector::WRITE). Uncertain: The unit.
         /// The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in
         /// the response.
+        #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub high_limit: Option<f32>,
         /// Standard deviation at the lower limit.
         ///
         /// Unit: gauss. Range: at least 0. Required for [write](types::FunctionSelector::WRITE).
         /// Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the
         /// command and gauss in the response.
+        #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub low_limit_uncertainty: Option<f32>,
         /// Standard deviation at the upper limit.
         ///
         /// Unit: gauss. Range: at least 0. Required for [write](types::FunctionSelector::WRITE).
         /// Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the
         /// command and gauss in the response.
+        #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub high_limit_uncertainty: Option<f32>,
         /// Smallest standard deviation.
         ///
         /// Unit: gauss. Range: at least 0. Required for [write](types::FunctionSelector::WRITE).
         /// Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the
         /// command and gauss in the response.
+        #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub minimum_uncertainty: Option<f32>,
     }
     wire 26 {
@@ -2948,21 +2984,25 @@ record! {
         /// Cut-off frequency of the low-pass filter.
         ///
         /// Unit: Hz. Range: at least 0. Required for [write](types::FunctionSelector::WRITE).
+        #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub frequency: Option<f32>,
         /// Upper limit of the error.
         ///
         /// Unit: rad. Required for [write](types::FunctionSelector::WRITE). Uncertain: The unit.
         /// The SDK gives m/s^2; rad is inferred from the quantity.
+        #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub high_limit: Option<f32>,
         /// Standard deviation at the upper limit.
         ///
         /// Unit: rad. Range: at least 0. Required for [write](types::FunctionSelector::WRITE).
         /// Uncertain: The unit. The SDK gives m/s^2; rad is inferred from the quantity.
+        #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub high_limit_uncertainty: Option<f32>,
         /// Smallest standard deviation.
         ///
         /// Unit: rad. Range: at least 0. Required for [write](types::FunctionSelector::WRITE).
         /// Uncertain: The unit. The SDK gives m/s^2; rad is inferred from the quantity.
+        #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub minimum_uncertainty: Option<f32>,
     }
     wire 18 {
@@ -3172,6 +3212,7 @@ record! {
         /// [write](types::FunctionSelector::WRITE). Uncertain: Whether it may be left out if
         /// `source` is not manual, as the manuals state for [`MagneticDeclinationSource`]. The SDK
         /// always sends it.
+        #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub inclination: Option<f32>,
     }
     wire 6 {
@@ -3242,6 +3283,7 @@ record! {
         /// Unit: gauss. Range: at least 0. Required for [write](types::FunctionSelector::WRITE).
         /// Uncertain: Whether it may be left out if `source` is not manual, as the manuals state
         /// for [`MagneticDeclinationSource`]. The SDK always sends it.
+        #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub magnitude: Option<f32>,
     }
     wire 6 {
@@ -3642,14 +3684,17 @@ record! {
         /// Initial heading that the user provides.
         ///
         /// Unit: deg. Required for [write](types::FunctionSelector::WRITE).
+        #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub initial_heading: Option<f32>,
         /// Initial pitch that the user provides.
         ///
         /// Unit: deg. Required for [write](types::FunctionSelector::WRITE).
+        #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub initial_pitch: Option<f32>,
         /// Initial roll that the user provides.
         ///
         /// Unit: deg. Required for [write](types::FunctionSelector::WRITE).
+        #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub initial_roll: Option<f32>,
         /// Initial position that the user provides.
         ///
@@ -4041,14 +4086,17 @@ record! {
         /// GPS time of week of the measurement.
         ///
         /// Unit: s. Range: 0 to 604800. Uncertain: The unit; the SDK gives none.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub tow: f32,
         /// Speed, negative in reverse.
         ///
         /// Unit: m/s. Frame: vehicle.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub speed: f32,
         /// Standard deviation of the speed.
         ///
         /// Unit: m/s. Range: at least 0.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub speed_uncertainty: f32,
     }
 }
@@ -4307,6 +4355,7 @@ record! {
         /// Unit: m. Frame: vehicle. Range: at least 0. Required for
         /// [write](types::FunctionSelector::WRITE). On the
         /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): range 0 to 0.5; default 0.1.
+        #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub max_offset: Option<f32>,
     }
     wire 6 {
@@ -4400,14 +4449,17 @@ record! {
         /// Roll angle.
         ///
         /// Unit: rad.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub roll: f32,
         /// Pitch angle.
         ///
         /// Unit: rad.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub pitch: f32,
         /// Yaw angle.
         ///
         /// Unit: rad.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub yaw: f32,
     }
 }
@@ -4886,6 +4938,7 @@ record! {
         /// Highest speed that is treated as zero.
         ///
         /// Unit: m/s. Range: at least 0.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub threshold: f32,
     }
 }
@@ -4939,6 +4992,7 @@ record! {
         /// Highest angular rate that is treated as zero.
         ///
         /// Unit: rad/s. Range: at least 0.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub threshold: f32,
     }
 }
@@ -4982,15 +5036,18 @@ record! {
         /// Geodetic latitude.
         ///
         /// Unit: deg. Frame: llh. Range: -90 to 90. Positive: north.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub latitude: f64,
         /// Geodetic longitude.
         ///
         /// Unit: deg. Frame: llh. Range: -180 to 180. Positive: east.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub longitude: f64,
         /// Altitude of the reference position.
         ///
         /// Unit: m. Uncertain: Whether it counts from the ellipsoid or from sea level. The manual
         /// does not say; its glossary counts altitudes from sea level.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub altitude: f64,
     }
 }
@@ -5081,6 +5138,7 @@ record! {
         /// Standard deviation.
         ///
         /// Unit: m. Range: greater than 0.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub noise: f32,
     }
 }
@@ -5320,6 +5378,7 @@ record! {
         /// Unit: rad. Range: -3.141592653589793 to 3.141592653589793. Uncertain: Whether it may be
         /// left out if `source` is not manual. The manuals, that of the 3DM-GQ7 included, require
         /// it only if it is, but give one length, with the value. Sending it always fits both.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub declination: f32,
     }
 }
@@ -5365,26 +5424,32 @@ record! {
         /// Cut-off frequency of the low-pass filter.
         ///
         /// Unit: Hz. Range: at least 0.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub frequency: f32,
         /// Lower limit of the error.
         ///
         /// Unit: m/s^2.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub low_limit: f32,
         /// Upper limit of the error.
         ///
         /// Unit: m/s^2.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub high_limit: f32,
         /// Standard deviation at the lower limit.
         ///
         /// Unit: m/s^2. Range: at least 0.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub low_limit_uncertainty: f32,
         /// Standard deviation at the upper limit.
         ///
         /// Unit: m/s^2. Range: at least 0.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub high_limit_uncertainty: f32,
         /// Smallest standard deviation.
         ///
         /// Unit: m/s^2. Range: at least 0.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub minimum_uncertainty: f32,
     }
 }
@@ -5442,31 +5507,37 @@ record! {
         /// Cut-off frequency of the low-pass filter.
         ///
         /// Unit: Hz. Range: at least 0.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub frequency: f32,
         /// Lower limit of the error.
         ///
         /// Unit: gauss. Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives
         /// m/s^2 in the command and gauss in the response.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub low_limit: f32,
         /// Upper limit of the error.
         ///
         /// Unit: gauss. Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives
         /// m/s^2 in the command and gauss in the response.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub high_limit: f32,
         /// Standard deviation at the lower limit.
         ///
         /// Unit: gauss. Range: at least 0. Uncertain: The unit. The SDK gives m/s^2; a manual of
         /// the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub low_limit_uncertainty: f32,
         /// Standard deviation at the upper limit.
         ///
         /// Unit: gauss. Range: at least 0. Uncertain: The unit. The SDK gives m/s^2; a manual of
         /// the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub high_limit_uncertainty: f32,
         /// Smallest standard deviation.
         ///
         /// Unit: gauss. Range: at least 0. Uncertain: The unit. The SDK gives m/s^2; a manual of
         /// the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub minimum_uncertainty: f32,
     }
 }
@@ -5523,20 +5594,24 @@ record! {
         /// Cut-off frequency of the low-pass filter.
         ///
         /// Unit: Hz. Range: at least 0.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub frequency: f32,
         /// Upper limit of the error.
         ///
         /// Unit: rad. Uncertain: The unit. The SDK gives m/s^2; rad is inferred from the quantity.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub high_limit: f32,
         /// Standard deviation at the upper limit.
         ///
         /// Unit: rad. Range: at least 0. Uncertain: The unit. The SDK gives m/s^2; rad is inferred
         /// from the quantity.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub high_limit_uncertainty: f32,
         /// Smallest standard deviation.
         ///
         /// Unit: rad. Range: at least 0. Uncertain: The unit. The SDK gives m/s^2; rad is inferred
         /// from the quantity.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub minimum_uncertainty: f32,
     }
 }
@@ -5657,6 +5732,7 @@ record! {
         /// Unit: rad. Range: -1.5707963267948966 to 1.5707963267948966. Uncertain: Whether it may
         /// be left out if `source` is not manual, as the manuals state for
         /// [`MagneticDeclinationSource`]. The SDK always sends it.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub inclination: f32,
     }
 }
@@ -5695,6 +5771,7 @@ record! {
         ///
         /// Unit: gauss. Range: at least 0. Uncertain: Whether it may be left out if `source` is not
         /// manual, as the manuals state for [`MagneticDeclinationSource`]. The SDK always sends it.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub magnitude: f32,
     }
 }
@@ -5798,7 +5875,7 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct AidingMeasurementEnableResponse {
-        /// The source.
+        /// Aiding source that the setting is for.
         pub aiding_source: AidingSource,
         /// Whether the filter uses the source.
         pub enable: crate::Bool,
@@ -5894,14 +5971,17 @@ record! {
         /// Initial heading that the user provides.
         ///
         /// Unit: deg.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub initial_heading: f32,
         /// Initial pitch that the user provides.
         ///
         /// Unit: deg.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub initial_pitch: f32,
         /// Initial roll that the user provides.
         ///
         /// Unit: deg.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub initial_roll: f32,
         /// Initial position that the user provides.
         ///
@@ -6109,7 +6189,7 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56).
     #[derive(Copy, Default)]
     pub struct ReferencePointLeverArmResponse {
-        /// The point.
+        /// Point whose lever arm follows.
         pub reference_point: ReferencePoint,
         /// From the sensor to the point.
         ///
@@ -6270,6 +6350,7 @@ record! {
         /// Largest absolute error that is tracked.
         ///
         /// Unit: m. Frame: vehicle. Range: at least 0.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub max_offset: f32,
     }
 }

@@ -118,7 +118,7 @@ open_enum! {
         HEADING = 3, "heading";
         /// Pressure altitude.
         PRESSURE = 4, "pressure";
-        /// Magnetometer.
+        /// Mag.
         MAG = 5, "mag";
         /// Speed or odometer.
         SPEED = 6, "speed";
@@ -418,15 +418,18 @@ record! {
         ///
         /// Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub latitude: f64,
         /// Geodetic longitude.
         ///
         /// Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub longitude: f64,
         /// Height above the ellipsoid.
         ///
         /// Unit: m. Frame: llh. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub ellipsoid_height: f64,
         /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
@@ -495,16 +498,19 @@ record! {
         ///
         /// Unit: m/s. Frame: ned. At rest and level: 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub north: f32,
         /// Velocity east.
         ///
         /// Unit: m/s. Frame: ned. At rest and level: 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub east: f32,
         /// Velocity down.
         ///
         /// Unit: m/s. Frame: ned. At rest and level: 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub down: f32,
         /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
@@ -771,16 +777,19 @@ record! {
         /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. At rest and
         /// level: 0. Positive: right side down. Valid if [`valid_flags.valid`](ValidFlags::valid)
         /// is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub roll: f32,
         /// Rotation about the y axis.
         ///
         /// Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. At rest and
         /// level: 0. Positive: nose up. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub pitch: f32,
         /// Rotation about the z axis: the heading.
         ///
         /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive:
         /// clockwise seen from above. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub yaw: f32,
         /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
@@ -942,16 +951,19 @@ record! {
         ///
         /// Unit: m. Frame: ned. Range: at least 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub north: f32,
         /// Standard deviation east.
         ///
         /// Unit: m. Frame: ned. Range: at least 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub east: f32,
         /// Standard deviation down.
         ///
         /// Unit: m. Frame: ned. Range: at least 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub down: f32,
         /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
@@ -1007,16 +1019,19 @@ record! {
         ///
         /// Unit: m/s. Frame: ned. Range: at least 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub north: f32,
         /// Standard deviation east.
         ///
         /// Unit: m/s. Frame: ned. Range: at least 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub east: f32,
         /// Standard deviation down.
         ///
         /// Unit: m/s. Frame: ned. Range: at least 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub down: f32,
         /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
@@ -1087,14 +1102,17 @@ record! {
         /// Standard deviation of roll.
         ///
         /// Unit: rad. Range: at least 0. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub roll: f32,
         /// Standard deviation of pitch.
         ///
         /// Unit: rad. Range: at least 0. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub pitch: f32,
         /// Standard deviation of yaw.
         ///
         /// Unit: rad. Range: at least 0. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub yaw: f32,
         /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
@@ -1373,6 +1391,7 @@ record! {
         ///
         /// Unit: m/s^2. Range: at least 0. At rest and level: 9.8. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub gravity_magnitude: f32,
         /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
@@ -1427,7 +1446,7 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: Status (0x82,0x10); 3dm-gx5-15: 5.2.1 Filter Status (0x82, 0x10).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct Status {
-        /// State of the filter.
+        /// How far the filter has come, from start-up to its full solution.
         ///
         /// On the [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
         /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
@@ -1645,6 +1664,7 @@ record! {
         ///
         /// Unit: s. Range: at least 0, less than 604800. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub tow: f64,
         /// GPS week, counted from 1980.
         ///
@@ -1820,10 +1840,12 @@ record! {
         ///
         /// Unit: rad. Positive: clockwise seen from above. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub heading: f32,
         /// Standard deviation of the heading.
         ///
         /// Unit: rad. Range: at least 0. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub heading_uncertainty: f32,
         /// Sources of the heading.
         ///
@@ -1883,24 +1905,29 @@ record! {
         /// Northward part of the field.
         ///
         /// Unit: gauss. Frame: ned. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub intensity_north: f32,
         /// Eastward part of the field.
         ///
         /// Unit: gauss. Frame: ned. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub intensity_east: f32,
         /// Downward part of the field.
         ///
         /// Unit: gauss. Frame: ned. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub intensity_down: f32,
         /// Angle of the field below the horizontal plane.
         ///
         /// Unit: rad. Range: -1.5707963267948966 to 1.5707963267948966. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub inclination: f32,
         /// Angle from true north to magnetic north.
         ///
         /// Unit: rad. Range: -3.141592653589793 to 3.141592653589793. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub declination: f32,
         /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
@@ -2249,23 +2276,28 @@ record! {
         /// Altitude used in the model.
         ///
         /// Unit: m. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub geometric_altitude: f32,
         /// Geometric altitude corrected for the decrease of gravity with height.
         ///
         /// Unit: m. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub geopotential_altitude: f32,
         /// Temperature that the model has at this altitude.
         ///
         /// Unit: degC. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub standard_temperature: f32,
         /// Pressure that the model has at this altitude.
         ///
         /// Unit: mbar. Range: at least 0. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub standard_pressure: f32,
         /// Air density that the model has at this altitude.
         ///
         /// Unit: kg/m^3. Range: at least 0. Valid if [`valid_flags.valid`](ValidFlags::valid) is
         /// set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub standard_density: f32,
         /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
@@ -2329,6 +2361,7 @@ record! {
         /// Altitude in the standard atmosphere that has the measured pressure.
         ///
         /// Unit: m. Range: at most 84852. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub pressure_altitude: f32,
         /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
@@ -2368,6 +2401,7 @@ record! {
         /// Altitude in the standard atmosphere that has the present air density.
         ///
         /// Unit: m. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub density_altitude: f32,
         /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
@@ -2414,7 +2448,7 @@ record! {
     /// Source: mip-sdk-4: Magnetometer offset (0x82,0x25).
     #[derive(Copy, Default)]
     pub struct MagOffset {
-        /// Hard iron offset.
+        /// Estimated constant field of magnetized parts near the magnetometer.
         ///
         /// Elements: x, y, z. Unit: gauss. Frame: sensor. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
@@ -2631,7 +2665,7 @@ record! {
     /// Source: mip-sdk-4: Magnetometer residual vector (0x82,0x2C).
     #[derive(Copy, Default)]
     pub struct MagResidualVector {
-        /// Residual.
+        /// Difference between the measured magnetic field and the one that the filter expects.
         ///
         /// Elements: x, y, z. Unit: gauss. Frame: vehicle. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
@@ -2676,7 +2710,7 @@ record! {
     /// Source: mip-sdk-4: Antenna offset correction (0x82,0x30).
     #[derive(Copy, Default)]
     pub struct AntennaOffsetCorrection {
-        /// Correction of the offset.
+        /// Estimated correction of the antenna offset that was set.
         ///
         /// Elements: x, y, z. Unit: m. Frame: vehicle. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
@@ -2761,10 +2795,12 @@ record! {
         /// Bias of the clock.
         ///
         /// Unit: s. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub bias: f32,
         /// Drift of the clock.
         ///
         /// Unit: s/s. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub bias_drift: f32,
         /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
@@ -2813,10 +2849,12 @@ record! {
         /// Standard deviation of the bias.
         ///
         /// Unit: s. Range: at least 0. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub bias_uncertainty: f32,
         /// Standard deviation of the drift.
         ///
         /// Unit: s/s. Range: at least 0. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub bias_drift_uncertainty: f32,
         /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
@@ -2868,7 +2906,7 @@ record! {
     pub struct MultiAntennaOffsetCorrection {
         /// Receiver that the antenna belongs to.
         pub receiver_id: u8,
-        /// Correction of the offset.
+        /// Estimated correction of the antenna offset that was set.
         ///
         /// Elements: x, y, z. Unit: m. Frame: vehicle. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
@@ -3207,6 +3245,7 @@ record! {
         /// GPS time of week of the last measurement.
         ///
         /// Unit: s. Range: 0 to 604800.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub tow: f32,
         /// How the measurements are used.
         pub status: GnssAidingStatus,
@@ -3256,6 +3295,7 @@ record! {
         ///
         /// Unit: s. Range: 0 to 604800. Uncertain: Whether it is the time of the measurement or
         /// that of its processing.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub tow: f32,
         /// How the measurements are used.
         pub status: GnssAidingStatus,
@@ -3302,6 +3342,7 @@ record! {
         ///
         /// Unit: s. Range: 0 to 604800. Uncertain: Whether it is the time of the measurement or
         /// that of its processing.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub tow: f32,
         /// Source of the heading.
         #[cfg_attr(feature = "serde", serde(rename = "type"))]
@@ -3309,6 +3350,7 @@ record! {
         /// Reserved.
         ///
         /// Reserved.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub reserved: [f32; 2],
     }
     wire 13 {
@@ -3356,6 +3398,7 @@ record! {
         /// GPS time of week at the end of the interval.
         ///
         /// Unit: s. Range: 0 to 604800.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub tow: f32,
         /// Number of the source of the measurement.
         pub source: u8,
@@ -3415,6 +3458,7 @@ record! {
         /// Relative error.
         ///
         /// Unit: 1. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub scale_factor_error: f32,
         /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
@@ -3453,6 +3497,7 @@ record! {
         /// Uncertainty of the relative error.
         ///
         /// Unit: 1. Range: at least 0. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub scale_factor_error_uncertainty: f32,
         /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
@@ -3495,15 +3540,18 @@ record! {
         /// GPS time of week of the last measurement.
         ///
         /// Unit: s. Range: 0 to 604800. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub tow: f32,
         /// Heading that follows from the baseline of the antennas.
         ///
         /// Unit: rad. Positive: clockwise seen from above. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub heading: f32,
         /// Standard deviation of the heading.
         ///
         /// Unit: rad. Range: at least 0. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub heading_uncertainty: f32,
         /// Kind of solution.
         pub fix_type: DualAntennaFixType,

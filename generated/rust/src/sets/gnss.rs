@@ -59,7 +59,7 @@ bitfield! {
         /// L1 C/A. Bit 0.
         L1CA: bool = 0,
             l1ca, set_l1ca, with_l1ca;
-        /// L2C. Bit 1.
+        /// L2c. Bit 1.
         L2C: bool = 1,
             l2c, set_l2c, with_l2c;
         /// L5. Bit 2.
@@ -71,10 +71,10 @@ bitfield! {
 bitfield! {
     /// GLONASS signals that are enabled.
     GlonassSignals: u8 {
-        /// L1OF. Bit 0.
+        /// L1of. Bit 0.
         L1OF: bool = 0,
             l1of, set_l1of, with_l1of;
-        /// L2OF. Bit 1.
+        /// L2of. Bit 1.
         L2OF: bool = 1,
             l2of, set_l2of, with_l2of;
     }

@@ -51,13 +51,13 @@ pub const GNSS_EXTERNAL_2_SET: u8 = 0x95;
 bitfield! {
     /// Which parts of the position are valid.
     LlhPositionFlags: u16 {
-        /// Latitude and longitude. Bit 0.
+        /// `latitude` and `longitude` are valid. Bit 0.
         LAT_LON: bool = 0,
             lat_lon, set_lat_lon, with_lat_lon;
-        /// Height above the ellipsoid. Bit 1.
+        /// `ellipsoid_height` is valid. Bit 1.
         ELLIPSOID_HEIGHT: bool = 1,
             ellipsoid_height, set_ellipsoid_height, with_ellipsoid_height;
-        /// Height above mean sea level. Bit 2.
+        /// `msl_height` is valid. Bit 2.
         MSL_HEIGHT: bool = 2,
             msl_height, set_msl_height, with_msl_height;
         /// `horizontal_accuracy` is valid. Bit 3.
@@ -66,7 +66,7 @@ bitfield! {
         /// `vertical_accuracy` is valid. Bit 4.
         VERTICAL_ACCURACY: bool = 4,
             vertical_accuracy, set_vertical_accuracy, with_vertical_accuracy;
-        /// All of them. Bits 0 to 4. Overlaps other bits.
+        /// All values are valid. Bits 0 to 4. Overlaps other bits.
         FLAGS: u8 = 0..=4,
             flags, set_flags, with_flags;
     }
@@ -78,10 +78,10 @@ bitfield! {
         /// `position` is valid. Bit 0.
         POSITION: bool = 0,
             position, set_position, with_position;
-        /// Accuracy of the position. Bit 1.
+        /// `position_accuracy` is valid. Bit 1.
         POSITION_ACCURACY: bool = 1,
             position_accuracy, set_position_accuracy, with_position_accuracy;
-        /// All of them. Bits 0 to 1. Overlaps other bits.
+        /// All values are valid. Bits 0 to 1. Overlaps other bits.
         FLAGS: u8 = 0..=1,
             flags, set_flags, with_flags;
     }
@@ -90,25 +90,25 @@ bitfield! {
 bitfield! {
     /// Which parts of the velocity are valid.
     NedVelocityFlags: u16 {
-        /// Velocity vector. Bit 0.
+        /// `velocity` is valid. Bit 0.
         VELOCITY: bool = 0,
             velocity, set_velocity, with_velocity;
-        /// Speed in space. Bit 1.
+        /// `speed` is valid. Bit 1.
         SPEED_3D: bool = 1,
             speed_3d, set_speed_3d, with_speed_3d;
-        /// Speed over ground. Bit 2.
+        /// `ground_speed` is valid. Bit 2.
         GROUND_SPEED: bool = 2,
             ground_speed, set_ground_speed, with_ground_speed;
         /// `heading` is valid. Bit 3.
         HEADING: bool = 3,
             heading, set_heading, with_heading;
-        /// Accuracy of the speed. Bit 4.
+        /// `speed_accuracy` is valid. Bit 4.
         SPEED_ACCURACY: bool = 4,
             speed_accuracy, set_speed_accuracy, with_speed_accuracy;
-        /// Accuracy of the heading. Bit 5.
+        /// `heading_accuracy` is valid. Bit 5.
         HEADING_ACCURACY: bool = 5,
             heading_accuracy, set_heading_accuracy, with_heading_accuracy;
-        /// All of them. Bits 0 to 5. Overlaps other bits.
+        /// All values are valid. Bits 0 to 5. Overlaps other bits.
         FLAGS: u8 = 0..=5,
             flags, set_flags, with_flags;
     }
@@ -120,10 +120,10 @@ bitfield! {
         /// `velocity` is valid. Bit 0.
         VELOCITY: bool = 0,
             velocity, set_velocity, with_velocity;
-        /// Accuracy of the velocity. Bit 1.
+        /// `velocity_accuracy` is valid. Bit 1.
         VELOCITY_ACCURACY: bool = 1,
             velocity_accuracy, set_velocity_accuracy, with_velocity_accuracy;
-        /// All of them. Bits 0 to 1. Overlaps other bits.
+        /// All values are valid. Bits 0 to 1. Overlaps other bits.
         FLAGS: u8 = 0..=1,
             flags, set_flags, with_flags;
     }
@@ -132,28 +132,28 @@ bitfield! {
 bitfield! {
     /// Which dilutions of precision are valid.
     DopFlags: u16 {
-        /// Geometric. Bit 0.
+        /// `gdop` is valid. Bit 0.
         GDOP: bool = 0,
             gdop, set_gdop, with_gdop;
-        /// Position. Bit 1.
+        /// `pdop` is valid. Bit 1.
         PDOP: bool = 1,
             pdop, set_pdop, with_pdop;
-        /// Horizontal. Bit 2.
+        /// `hdop` is valid. Bit 2.
         HDOP: bool = 2,
             hdop, set_hdop, with_hdop;
-        /// Vertical. Bit 3.
+        /// `vdop` is valid. Bit 3.
         VDOP: bool = 3,
             vdop, set_vdop, with_vdop;
-        /// Time. Bit 4.
+        /// `tdop` is valid. Bit 4.
         TDOP: bool = 4,
             tdop, set_tdop, with_tdop;
-        /// Northing. Bit 5.
+        /// `ndop` is valid. Bit 5.
         NDOP: bool = 5,
             ndop, set_ndop, with_ndop;
-        /// Easting. Bit 6.
+        /// `edop` is valid. Bit 6.
         EDOP: bool = 6,
             edop, set_edop, with_edop;
-        /// All of them. Bits 0 to 6. Overlaps other bits.
+        /// All values are valid. Bits 0 to 6. Overlaps other bits.
         FLAGS: u8 = 0..=6,
             flags, set_flags, with_flags;
     }
@@ -168,7 +168,7 @@ bitfield! {
         /// The leap seconds between GPS time and UTC are known. Bit 1.
         LEAP_SECONDS_KNOWN: bool = 1,
             leap_seconds_known, set_leap_seconds_known, with_leap_seconds_known;
-        /// All of them. Bits 0 to 1. Overlaps other bits.
+        /// All values are valid. Bits 0 to 1. Overlaps other bits.
         FLAGS: u8 = 0..=1,
             flags, set_flags, with_flags;
     }
@@ -177,13 +177,13 @@ bitfield! {
 bitfield! {
     /// Which parts of the time are valid.
     GpsTimeFlags: u16 {
-        /// Time of week. Bit 0.
+        /// `tow` is valid. Bit 0.
         TOW: bool = 0,
             tow, set_tow, with_tow;
         /// `week_number` is valid. Bit 1.
         WEEK_NUMBER: bool = 1,
             week_number, set_week_number, with_week_number;
-        /// All of them. Bits 0 to 1. Overlaps other bits.
+        /// All values are valid. Bits 0 to 1. Overlaps other bits.
         FLAGS: u8 = 0..=1,
             flags, set_flags, with_flags;
     }
@@ -198,10 +198,10 @@ bitfield! {
         /// `drift` is valid. Bit 1.
         DRIFT: bool = 1,
             drift, set_drift, with_drift;
-        /// Accuracy. Bit 2.
+        /// `accuracy_estimate` is valid. Bit 2.
         ACCURACY_ESTIMATE: bool = 2,
             accuracy_estimate, set_accuracy_estimate, with_accuracy_estimate;
-        /// All of them. Bits 0 to 2. Overlaps other bits.
+        /// All values are valid. Bits 0 to 2. Overlaps other bits.
         FLAGS: u8 = 0..=2,
             flags, set_flags, with_flags;
     }
@@ -222,16 +222,16 @@ bitfield! {
 bitfield! {
     /// Which parts of the fix information are valid.
     FixInfoFlags: u16 {
-        /// Type of the fix. Bit 0.
+        /// `fix_type` is valid. Bit 0.
         FIX_TYPE: bool = 0,
             fix_type, set_fix_type, with_fix_type;
-        /// Number of satellites. Bit 1.
+        /// `num_sv` is valid. Bit 1.
         NUM_SV: bool = 1,
             num_sv, set_num_sv, with_num_sv;
         /// `fix_flags` is valid. Bit 2.
         FIX_FLAGS: bool = 2,
             fix_flags, set_fix_flags, with_fix_flags;
-        /// All of them. Bits 0 to 2. Overlaps other bits.
+        /// All values are valid. Bits 0 to 2. Overlaps other bits.
         FLAGS: u8 = 0..=2,
             flags, set_flags, with_flags;
     }
@@ -243,7 +243,7 @@ bitfield! {
         /// The position fix uses it. Bit 0.
         USED_FOR_NAVIGATION: bool = 0,
             used_for_navigation, set_used_for_navigation, with_used_for_navigation;
-        /// It is healthy. Bit 1.
+        /// The satellite reports that its signals can be used. Bit 1.
         HEALTHY: bool = 1,
             healthy, set_healthy, with_healthy;
     }
@@ -255,10 +255,10 @@ bitfield! {
         /// `channel` is valid. Bit 0.
         CHANNEL: bool = 0,
             channel, set_channel, with_channel;
-        /// Satellite. Bit 1.
+        /// `satellite_id` is valid. Bit 1.
         SATELLITE_ID: bool = 1,
             satellite_id, set_satellite_id, with_satellite_id;
-        /// Carrier to noise density ratio. Bit 2.
+        /// `carrier_noise_ratio` is valid. Bit 2.
         CARRIER_NOISE_RATIO: bool = 2,
             carrier_noise_ratio, set_carrier_noise_ratio, with_carrier_noise_ratio;
         /// `azimuth` is valid. Bit 3.
@@ -267,17 +267,17 @@ bitfield! {
         /// `elevation` is valid. Bit 4.
         ELEVATION: bool = 4,
             elevation, set_elevation, with_elevation;
-        /// State of the satellite. Bit 5.
+        /// `sv_flags` is valid. Bit 5.
         SV_FLAGS: bool = 5,
             sv_flags, set_sv_flags, with_sv_flags;
-        /// All of them. Bits 0 to 5. Overlaps other bits.
+        /// All values are valid. Bits 0 to 5. Overlaps other bits.
         FLAGS: u8 = 0..=5,
             flags, set_flags, with_flags;
     }
 }
 
 open_enum! {
-    /// State of the receiver.
+    /// Whether a GNSS receiver is powered and works.
     ReceiverState: u8 {
         /// Off.
         OFF = 0, "off";
@@ -289,7 +289,7 @@ open_enum! {
 }
 
 open_enum! {
-    /// State of the antenna.
+    /// Electrical condition of a GNSS antenna.
     AntennaState: u8 {
         /// Being initialized.
         INIT = 1, "init";
@@ -319,16 +319,16 @@ open_enum! {
 bitfield! {
     /// Which parts of the hardware status are valid.
     HardwareStatusFlags: u16 {
-        /// State of the receiver. Bit 0.
+        /// `receiver_state` is valid. Bit 0.
         SENSOR_STATE: bool = 0,
             sensor_state, set_sensor_state, with_sensor_state;
-        /// State of the antenna. Bit 1.
+        /// `antenna_state` is valid. Bit 1.
         ANTENNA_STATE: bool = 1,
             antenna_state, set_antenna_state, with_antenna_state;
-        /// Supply of the antenna. Bit 2.
+        /// `antenna_power` is valid. Bit 2.
         ANTENNA_POWER: bool = 2,
             antenna_power, set_antenna_power, with_antenna_power;
-        /// All of them. Bits 0 to 2. Overlaps other bits.
+        /// All values are valid. Bits 0 to 2. Overlaps other bits.
         FLAGS: u8 = 0..=2,
             flags, set_flags, with_flags;
     }
@@ -340,16 +340,16 @@ bitfield! {
         /// `age` is valid. Bit 0.
         AGE: bool = 0,
             age, set_age, with_age;
-        /// Number of the base station. Bit 1.
+        /// `base_station_id` is valid. Bit 1.
         BASE_STATION_ID: bool = 1,
             base_station_id, set_base_station_id, with_base_station_id;
-        /// State of the base station. Bit 2.
+        /// `base_station_status` is valid. Bit 2.
         BASE_STATION_STATUS: bool = 2,
             base_station_status, set_base_station_status, with_base_station_status;
-        /// Number of channels. Bit 3.
+        /// `num_channels` is valid. Bit 3.
         NUM_CHANNELS: bool = 3,
             num_channels, set_num_channels, with_num_channels;
-        /// All of them. Bits 0 to 3. Overlaps other bits.
+        /// All values are valid. Bits 0 to 3. Overlaps other bits.
         FLAGS: u8 = 0..=3,
             flags, set_flags, with_flags;
     }
@@ -358,19 +358,19 @@ bitfield! {
 bitfield! {
     /// Which parts of a differential correction are valid.
     DgpsChannelFlags: u16 {
-        /// Satellite. Bit 0.
+        /// `satellite_id` is valid. Bit 0.
         SATELLITE_ID: bool = 0,
             satellite_id, set_satellite_id, with_satellite_id;
         /// `age` is valid. Bit 1.
         AGE: bool = 1,
             age, set_age, with_age;
-        /// Correction of the range. Bit 2.
+        /// `range_correction` is valid. Bit 2.
         RANGE_CORRECTION: bool = 2,
             range_correction, set_range_correction, with_range_correction;
-        /// Correction of the range rate. Bit 3.
+        /// `range_rate_correction` is valid. Bit 3.
         RANGE_RATE_CORRECTION: bool = 3,
             range_rate_correction, set_range_rate_correction, with_range_rate_correction;
-        /// All of them. Bits 0 to 3. Overlaps other bits.
+        /// All values are valid. Bits 0 to 3. Overlaps other bits.
         FLAGS: u8 = 0..=3,
             flags, set_flags, with_flags;
     }
@@ -385,13 +385,13 @@ bitfield! {
         /// `drift` is valid. Bit 1.
         DRIFT: bool = 1,
             drift, set_drift, with_drift;
-        /// Accuracy of the bias. Bit 2.
+        /// `bias_accuracy_estimate` is valid. Bit 2.
         BIAS_ACCURACY: bool = 2,
             bias_accuracy, set_bias_accuracy, with_bias_accuracy;
-        /// Accuracy of the drift. Bit 3.
+        /// `drift_accuracy_estimate` is valid. Bit 3.
         DRIFT_ACCURACY: bool = 3,
             drift_accuracy, set_drift_accuracy, with_drift_accuracy;
-        /// All of them. Bits 0 to 3. Overlaps other bits.
+        /// All values are valid. Bits 0 to 3. Overlaps other bits.
         FLAGS: u8 = 0..=3,
             flags, set_flags, with_flags;
     }
@@ -443,25 +443,25 @@ bitfield! {
 bitfield! {
     /// Which parts of the SBAS status are valid.
     SbasInfoFlags: u16 {
-        /// Time of week. Bit 0.
+        /// `tow` is valid. Bit 0.
         TOW: bool = 0,
             tow, set_tow, with_tow;
         /// `week_number` is valid. Bit 1.
         WEEK_NUMBER: bool = 1,
             week_number, set_week_number, with_week_number;
-        /// System. Bit 2.
+        /// `sbas_system` is valid. Bit 2.
         SBAS_SYSTEM: bool = 2,
             sbas_system, set_sbas_system, with_sbas_system;
-        /// Satellite. Bit 3.
+        /// `sbas_id` is valid. Bit 3.
         SBAS_ID: bool = 3,
             sbas_id, set_sbas_id, with_sbas_id;
-        /// Number of corrections. Bit 4.
+        /// `count` is valid. Bit 4.
         COUNT: bool = 4,
             count, set_count, with_count;
-        /// Status of the service. Bit 5.
+        /// `sbas_status` is valid. Bit 5.
         SBAS_STATUS: bool = 5,
             sbas_status, set_sbas_status, with_sbas_status;
-        /// All of them. Bits 0 to 5. Overlaps other bits.
+        /// All values are valid. Bits 0 to 5. Overlaps other bits.
         FLAGS: u8 = 0..=5,
             flags, set_flags, with_flags;
     }
@@ -470,16 +470,16 @@ bitfield! {
 bitfield! {
     /// Which parts of an SBAS correction are valid.
     SbasCorrectionFlags: u16 {
-        /// Indicator of the range error. Bit 0.
+        /// `udrei` is valid. Bit 0.
         UDREI: bool = 0,
             udrei, set_udrei, with_udrei;
-        /// Correction of the pseudorange. Bit 1.
+        /// `pseudorange_correction` is valid. Bit 1.
         PSEUDORANGE_CORRECTION: bool = 1,
             pseudorange_correction, set_pseudorange_correction, with_pseudorange_correction;
-        /// Correction of the ionospheric delay. Bit 2.
+        /// `iono_correction` is valid. Bit 2.
         IONO_CORRECTION: bool = 2,
             iono_correction, set_iono_correction, with_iono_correction;
-        /// All of them. Bits 0 to 2. Overlaps other bits.
+        /// All values are valid. Bits 0 to 2. Overlaps other bits.
         FLAGS: u8 = 0..=2,
             flags, set_flags, with_flags;
     }
@@ -530,19 +530,19 @@ open_enum! {
 bitfield! {
     /// Which parts of the detection are valid.
     RfErrorDetectionFlags: u16 {
-        /// Band. Bit 0.
+        /// `rf_band` is valid. Bit 0.
         RF_BAND: bool = 0,
             rf_band, set_rf_band, with_rf_band;
-        /// Jamming. Bit 1.
+        /// `jamming_state` is valid. Bit 1.
         JAMMING_STATE: bool = 1,
             jamming_state, set_jamming_state, with_jamming_state;
-        /// Spoofing. Bit 2.
+        /// `spoofing_state` is valid. Bit 2.
         SPOOFING_STATE: bool = 2,
             spoofing_state, set_spoofing_state, with_spoofing_state;
         /// Frequency; only set by firmware that sends it. Bit 3.
         FREQUENCY: bool = 3,
             frequency, set_frequency, with_frequency;
-        /// All of them. Bits 0 to 3. Overlaps other bits.
+        /// All values are valid. Bits 0 to 3. Overlaps other bits.
         FLAGS: u8 = 0..=3,
             flags, set_flags, with_flags;
     }
@@ -566,13 +566,13 @@ bitfield! {
         /// `heading` is valid. Bit 0.
         HEADING: bool = 0,
             heading, set_heading, with_heading;
-        /// Uncertainty of the heading. Bit 1.
+        /// `uncertainty` is valid. Bit 1.
         UNCERTAINTY: bool = 1,
             uncertainty, set_uncertainty, with_uncertainty;
-        /// Kind of the fix. Bit 2.
+        /// `fix_type` is valid. Bit 2.
         FIX_TYPE: bool = 2,
             fix_type, set_fix_type, with_fix_type;
-        /// All of them. Bits 0 to 2. Overlaps other bits.
+        /// All values are valid. Bits 0 to 2. Overlaps other bits.
         FLAGS: u8 = 0..=2,
             flags, set_flags, with_flags;
     }
@@ -581,16 +581,16 @@ bitfield! {
 bitfield! {
     /// Which parts of the satellite status are valid.
     SatelliteStatusFlags: u16 {
-        /// Time of week. Bit 0.
+        /// `tow` is valid. Bit 0.
         TOW: bool = 0,
             tow, set_tow, with_tow;
         /// `week_number` is valid. Bit 1.
         WEEK_NUMBER: bool = 1,
             week_number, set_week_number, with_week_number;
-        /// Constellation. Bit 2.
+        /// `gnss_id` is valid. Bit 2.
         GNSS_ID: bool = 2,
             gnss_id, set_gnss_id, with_gnss_id;
-        /// Satellite. Bit 3.
+        /// `satellite_id` is valid. Bit 3.
         SATELLITE_ID: bool = 3,
             satellite_id, set_satellite_id, with_satellite_id;
         /// `elevation` is valid. Bit 4.
@@ -602,7 +602,7 @@ bitfield! {
         /// `health` is valid. Bit 6.
         HEALTH: bool = 6,
             health, set_health, with_health;
-        /// All of them. Bits 0 to 6. Overlaps other bits.
+        /// All values are valid. Bits 0 to 6. Overlaps other bits.
         FLAGS: u8 = 0..=6,
             flags, set_flags, with_flags;
     }
@@ -629,31 +629,31 @@ open_enum! {
 bitfield! {
     /// Which parts of the observation are valid.
     RawFlags: u16 {
-        /// Time of week. Bit 0.
+        /// `tow` is valid. Bit 0.
         TOW: bool = 0,
             tow, set_tow, with_tow;
         /// `week_number` is valid. Bit 1.
         WEEK_NUMBER: bool = 1,
             week_number, set_week_number, with_week_number;
-        /// Receiver or reference station. Bit 2.
+        /// `receiver_id` is valid. Bit 2.
         RECEIVER_ID: bool = 2,
             receiver_id, set_receiver_id, with_receiver_id;
         /// `tracking_channel` is valid. Bit 3.
         TRACKING_CHANNEL: bool = 3,
             tracking_channel, set_tracking_channel, with_tracking_channel;
-        /// Constellation. Bit 4.
+        /// `gnss_id` is valid. Bit 4.
         GNSS_ID: bool = 4,
             gnss_id, set_gnss_id, with_gnss_id;
-        /// Satellite. Bit 5.
+        /// `satellite_id` is valid. Bit 5.
         SATELLITE_ID: bool = 5,
             satellite_id, set_satellite_id, with_satellite_id;
-        /// Signal. Bit 6.
+        /// `signal_id` is valid. Bit 6.
         SIGNAL_ID: bool = 6,
             signal_id, set_signal_id, with_signal_id;
         /// `signal_strength` is valid. Bit 7.
         SIGNAL_STRENGTH: bool = 7,
             signal_strength, set_signal_strength, with_signal_strength;
-        /// Signal quality. Bit 8.
+        /// `quality` is valid. Bit 8.
         QUALITY: bool = 8,
             quality, set_quality, with_quality;
         /// `pseudorange` is valid. Bit 9.
@@ -662,22 +662,22 @@ bitfield! {
         /// `carrier_phase` is valid. Bit 10.
         CARRIER_PHASE: bool = 10,
             carrier_phase, set_carrier_phase, with_carrier_phase;
-        /// Doppler shift. Bit 11.
+        /// `doppler` is valid. Bit 11.
         DOPPLER: bool = 11,
             doppler, set_doppler, with_doppler;
-        /// Uncertainty of the pseudorange. Bit 12.
+        /// `range_uncertainty` is valid. Bit 12.
         RANGE_UNCERTAINTY: bool = 12,
             range_uncertainty, set_range_uncertainty, with_range_uncertainty;
-        /// Uncertainty of the carrier phase. Bit 13.
+        /// `phase_uncertainty` is valid. Bit 13.
         CARRIER_PHASE_UNCERTAINTY: bool = 13,
             carrier_phase_uncertainty, set_carrier_phase_uncertainty, with_carrier_phase_uncertainty;
-        /// Uncertainty of the Doppler shift. Bit 14.
+        /// `doppler_uncertainty` is valid. Bit 14.
         DOPPLER_UNCERTAINTY: bool = 14,
             doppler_uncertainty, set_doppler_uncertainty, with_doppler_uncertainty;
         /// `lock_time` is valid. Bit 15.
         LOCK_TIME: bool = 15,
             lock_time, set_lock_time, with_lock_time;
-        /// All of them. Bits 0 to 15. Overlaps other bits.
+        /// All values are valid. Bits 0 to 15. Overlaps other bits.
         FLAGS: u16 = 0..=15,
             flags, set_flags, with_flags;
     }
@@ -719,25 +719,25 @@ bitfield! {
 bitfield! {
     /// Which values are valid.
     BaseStationInfoFlags: u16 {
-        /// Time of week. Bit 0.
+        /// `tow` is valid. Bit 0.
         TOW: bool = 0,
             tow, set_tow, with_tow;
         /// `week_number` is valid. Bit 1.
         WEEK_NUMBER: bool = 1,
             week_number, set_week_number, with_week_number;
-        /// Position. Bit 2.
+        /// `ecef_position` is valid. Bit 2.
         ECEF_POSITION: bool = 2,
             ecef_position, set_ecef_position, with_ecef_position;
-        /// Antenna height. Bit 3.
+        /// `height` is valid. Bit 3.
         HEIGHT: bool = 3,
             height, set_height, with_height;
-        /// Station. Bit 4.
+        /// `station_id` is valid. Bit 4.
         STATION_ID: bool = 4,
             station_id, set_station_id, with_station_id;
         /// `indicators` is valid. Bit 5.
         INDICATORS: bool = 5,
             indicators, set_indicators, with_indicators;
-        /// All of them. Bits 0 to 5. Overlaps other bits.
+        /// All values are valid. Bits 0 to 5. Overlaps other bits.
         FLAGS: u8 = 0..=5,
             flags, set_flags, with_flags;
     }
@@ -746,10 +746,10 @@ bitfield! {
 bitfield! {
     /// Corrections received during an epoch.
     RtkEpochStatus: u16 {
-        /// Antenna location. Bit 0.
+        /// The position of the base station's antenna has arrived. Bit 0.
         ANTENNA_LOCATION_RECEIVED: bool = 0,
             antenna_location_received, set_antenna_location_received, with_antenna_location_received;
-        /// Antenna description. Bit 1.
+        /// The description of the base station's antenna has arrived. Bit 1.
         ANTENNA_DESCRIPTION_RECEIVED: bool = 1,
             antenna_description_received, set_antenna_description_received, with_antenna_description_received;
         /// GPS corrections. Bit 2.
@@ -780,7 +780,7 @@ bitfield! {
 bitfield! {
     /// Which values are valid.
     RtkCorrectionsStatusFlags: u16 {
-        /// Time of week. Bit 0.
+        /// `tow` is valid. Bit 0.
         TOW: bool = 0,
             tow, set_tow, with_tow;
         /// `week_number` is valid. Bit 1.
@@ -789,22 +789,22 @@ bitfield! {
         /// `epoch_status` is valid. Bit 2.
         EPOCH_STATUS: bool = 2,
             epoch_status, set_epoch_status, with_epoch_status;
-        /// Status of the dongle. Bit 3.
+        /// `dongle_status` is valid. Bit 3.
         DONGLE_STATUS: bool = 3,
             dongle_status, set_dongle_status, with_dongle_status;
-        /// Latency of GPS corrections. Bit 4.
+        /// `gps_correction_latency` is valid. Bit 4.
         GPS_LATENCY: bool = 4,
             gps_latency, set_gps_latency, with_gps_latency;
-        /// Latency of GLONASS corrections. Bit 5.
+        /// `glonass_correction_latency` is valid. Bit 5.
         GLONASS_LATENCY: bool = 5,
             glonass_latency, set_glonass_latency, with_glonass_latency;
-        /// Latency of Galileo corrections. Bit 6.
+        /// `galileo_correction_latency` is valid. Bit 6.
         GALILEO_LATENCY: bool = 6,
             galileo_latency, set_galileo_latency, with_galileo_latency;
-        /// Latency of BeiDou corrections. Bit 7.
+        /// `beidou_correction_latency` is valid. Bit 7.
         BEIDOU_LATENCY: bool = 7,
             beidou_latency, set_beidou_latency, with_beidou_latency;
-        /// All of them. Bits 0 to 7. Overlaps other bits.
+        /// All values are valid. Bits 0 to 7. Overlaps other bits.
         FLAGS: u8 = 0..=7,
             flags, set_flags, with_flags;
     }
@@ -822,7 +822,7 @@ bitfield! {
         /// `isc_l2c` is the correction for L5, not for L2. Bit 2.
         ISC_L5: bool = 2,
             isc_l5, set_isc_l5, with_isc_l5;
-        /// All of them. Bits 0 to 2. Overlaps other bits.
+        /// All values are valid. Bits 0 to 2. Overlaps other bits.
         FLAGS: u8 = 0..=2,
             flags, set_flags, with_flags;
     }
@@ -831,9 +831,9 @@ bitfield! {
 open_enum! {
     /// Generation of a GLONASS satellite.
     GlonassSatelliteType: u8 {
-        /// GLONASS.
+        /// Glonass.
         GLONASS = 0, "glonass";
-        /// GLONASS-M.
+        /// Glonass m.
         GLONASS_M = 1, "glonass_m";
     }
 }
@@ -853,19 +853,19 @@ bitfield! {
 bitfield! {
     /// Which parts of the model are valid.
     GpsIonoCorrectionFlags: u16 {
-        /// Time of week. Bit 0.
+        /// `tow` is valid. Bit 0.
         TOW: bool = 0,
             tow, set_tow, with_tow;
         /// `week_number` is valid. Bit 1.
         WEEK_NUMBER: bool = 1,
             week_number, set_week_number, with_week_number;
-        /// Coefficients alpha. Bit 2.
+        /// `alpha` is valid. Bit 2.
         ALPHA: bool = 2,
             alpha, set_alpha, with_alpha;
-        /// Coefficients beta. Bit 3.
+        /// `beta` is valid. Bit 3.
         BETA: bool = 3,
             beta, set_beta, with_beta;
-        /// All of them. Bits 0 to 3. Overlaps other bits.
+        /// All values are valid. Bits 0 to 3. Overlaps other bits.
         FLAGS: u8 = 0..=3,
             flags, set_flags, with_flags;
     }
@@ -874,19 +874,19 @@ bitfield! {
 bitfield! {
     /// Which parts of the model are valid.
     GalileoIonoCorrectionFlags: u16 {
-        /// Time of week. Bit 0.
+        /// `tow` is valid. Bit 0.
         TOW: bool = 0,
             tow, set_tow, with_tow;
         /// `week_number` is valid. Bit 1.
         WEEK_NUMBER: bool = 1,
             week_number, set_week_number, with_week_number;
-        /// Coefficients. Bit 2.
+        /// `alpha` is valid. Bit 2.
         ALPHA: bool = 2,
             alpha, set_alpha, with_alpha;
-        /// Storm flags. Bit 3.
+        /// `disturbance_flags` is valid. Bit 3.
         DISTURBANCE_FLAGS: bool = 3,
             disturbance_flags, set_disturbance_flags, with_disturbance_flags;
-        /// All of them. Bits 0 to 3. Overlaps other bits.
+        /// All values are valid. Bits 0 to 3. Overlaps other bits.
         FLAGS: u8 = 0..=3,
             flags, set_flags, with_flags;
     }
@@ -895,22 +895,22 @@ bitfield! {
 bitfield! {
     /// Which parts of the model are valid.
     BeidouIonoCorrectionFlags: u16 {
-        /// Time of week. Bit 0.
+        /// `tow` is valid. Bit 0.
         TOW: bool = 0,
             tow, set_tow, with_tow;
         /// `week_number` is valid. Bit 1.
         WEEK_NUMBER: bool = 1,
             week_number, set_week_number, with_week_number;
-        /// Coefficients alpha. Bit 2.
+        /// `alpha` is valid. Bit 2.
         ALPHA: bool = 2,
             alpha, set_alpha, with_alpha;
-        /// Coefficients beta. Bit 3.
+        /// `beta` is valid. Bit 3.
         BETA: bool = 3,
             beta, set_beta, with_beta;
-        /// Further coefficients. Bit 4.
+        /// `alpha_correction` is valid. Bit 4.
         ALPHA_CORRECTION: bool = 4,
             alpha_correction, set_alpha_correction, with_alpha_correction;
-        /// All of them. Bits 0 to 4. Overlaps other bits.
+        /// All values are valid. Bits 0 to 4. Overlaps other bits.
         FLAGS: u8 = 0..=4,
             flags, set_flags, with_flags;
     }
@@ -945,30 +945,36 @@ record! {
         ///
         /// Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if
         /// [`valid_flags.lat_lon`](LlhPositionFlags::lat_lon) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub latitude: f64,
         /// Geodetic longitude.
         ///
         /// Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if
         /// [`valid_flags.lat_lon`](LlhPositionFlags::lat_lon) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub longitude: f64,
         /// Height above the ellipsoid.
         ///
         /// Unit: m. Frame: llh. Valid if
         /// [`valid_flags.ellipsoid_height`](LlhPositionFlags::ellipsoid_height) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub ellipsoid_height: f64,
         /// Height above mean sea level.
         ///
         /// Unit: m. Valid if [`valid_flags.msl_height`](LlhPositionFlags::msl_height) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub msl_height: f64,
         /// Estimated error of latitude and longitude.
         ///
         /// Unit: m. Range: at least 0. Valid if
         /// [`valid_flags.horizontal_accuracy`](LlhPositionFlags::horizontal_accuracy) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub horizontal_accuracy: f32,
         /// Estimated error of the heights.
         ///
         /// Unit: m. Range: at least 0. Valid if
         /// [`valid_flags.vertical_accuracy`](LlhPositionFlags::vertical_accuracy) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub vertical_accuracy: f32,
         /// Which parts of the position are valid.
         pub valid_flags: LlhPositionFlags,
@@ -1032,6 +1038,7 @@ record! {
         ///
         /// Unit: m. Range: at least 0. Valid if
         /// [`valid_flags.position_accuracy`](EcefPositionFlags::position_accuracy) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub position_accuracy: f32,
         /// Which parts of the position are valid.
         pub valid_flags: EcefPositionFlags,
@@ -1092,26 +1099,31 @@ record! {
         ///
         /// Unit: m/s. Range: at least 0. Valid if
         /// [`valid_flags.speed_3d`](NedVelocityFlags::speed_3d) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub speed: f32,
         /// Speed over ground.
         ///
         /// Unit: m/s. Range: at least 0. Valid if
         /// [`valid_flags.ground_speed`](NedVelocityFlags::ground_speed) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub ground_speed: f32,
         /// Direction of the motion over ground.
         ///
         /// Unit: deg. Frame: ned. Positive: clockwise seen from above. Valid if
         /// [`valid_flags.heading`](NedVelocityFlags::heading) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub heading: f32,
         /// Estimated error of the speed.
         ///
         /// Unit: m/s. Range: at least 0. Valid if
         /// [`valid_flags.speed_accuracy`](NedVelocityFlags::speed_accuracy) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub speed_accuracy: f32,
         /// Estimated error of the heading.
         ///
         /// Unit: deg. Range: at least 0. Valid if
         /// [`valid_flags.heading_accuracy`](NedVelocityFlags::heading_accuracy) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub heading_accuracy: f32,
         /// Which parts of the velocity are valid.
         pub valid_flags: NedVelocityFlags,
@@ -1174,6 +1186,7 @@ record! {
         ///
         /// Unit: m/s. Range: at least 0. Valid if
         /// [`valid_flags.velocity_accuracy`](EcefVelocityFlags::velocity_accuracy) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub velocity_accuracy: f32,
         /// Which parts of the velocity are valid.
         pub valid_flags: EcefVelocityFlags,
@@ -1222,30 +1235,37 @@ record! {
         /// Geometric dilution.
         ///
         /// Unit: 1. Range: at least 0. Valid if [`valid_flags.gdop`](DopFlags::gdop) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub gdop: f32,
         /// Position dilution.
         ///
         /// Unit: 1. Range: at least 0. Valid if [`valid_flags.pdop`](DopFlags::pdop) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub pdop: f32,
         /// Horizontal dilution.
         ///
         /// Unit: 1. Range: at least 0. Valid if [`valid_flags.hdop`](DopFlags::hdop) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub hdop: f32,
         /// Vertical dilution.
         ///
         /// Unit: 1. Range: at least 0. Valid if [`valid_flags.vdop`](DopFlags::vdop) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub vdop: f32,
         /// Time dilution.
         ///
         /// Unit: 1. Range: at least 0. Valid if [`valid_flags.tdop`](DopFlags::tdop) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub tdop: f32,
         /// Northing dilution.
         ///
         /// Unit: 1. Range: at least 0. Valid if [`valid_flags.ndop`](DopFlags::ndop) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub ndop: f32,
         /// Easting dilution.
         ///
         /// Unit: 1. Range: at least 0. Valid if [`valid_flags.edop`](DopFlags::edop) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub edop: f32,
         /// Which dilutions of precision are valid.
         pub valid_flags: DopFlags,
@@ -1399,6 +1419,7 @@ record! {
         ///
         /// Unit: s. Range: at least 0, less than 604800. Valid if
         /// [`valid_flags.tow`](GpsTimeFlags::tow) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub tow: f64,
         /// GPS week number.
         ///
@@ -1451,15 +1472,18 @@ record! {
         /// Bias of the clock.
         ///
         /// Unit: s. Valid if [`valid_flags.bias`](ClockInfoFlags::bias) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub bias: f64,
         /// Drift of the clock.
         ///
         /// Unit: s/s. Valid if [`valid_flags.drift`](ClockInfoFlags::drift) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub drift: f64,
         /// Estimated error of the bias.
         ///
         /// Unit: s. Range: at least 0. Valid if
         /// [`valid_flags.accuracy_estimate`](ClockInfoFlags::accuracy_estimate) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub accuracy_estimate: f64,
         /// Which clock parameters are valid.
         pub valid_flags: ClockInfoFlags,
@@ -1684,11 +1708,11 @@ record! {
     /// Status (0x92,0x0D).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct HardwareStatus {
-        /// State of the receiver.
+        /// Whether the receiver is powered and works.
         ///
         /// Valid if [`valid_flags.sensor_state`](HardwareStatusFlags::sensor_state) is set.
         pub receiver_state: ReceiverState,
-        /// State of the antenna.
+        /// Electrical condition of the antenna.
         ///
         /// Valid if [`valid_flags.antenna_state`](HardwareStatusFlags::antenna_state) is set.
         pub antenna_state: AntennaState,
@@ -1751,6 +1775,7 @@ record! {
         ///
         /// Unit: s. Range: at least 0. Valid if [`valid_flags.age`](DgpsInfoFlags::age) is set.
         /// Uncertain: The unit, which follows from [`DgpsChannel`].
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub age: f32,
         /// Number of the base station.
         ///
@@ -1823,14 +1848,17 @@ record! {
         ///
         /// Unit: s. Range: at least 0. Valid if [`valid_flags.age`](DgpsInfoFlags::age) is set.
         /// Uncertain: The unit, which follows from [`DgpsChannel`].
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub age: f32,
-        /// Correction of the range.
+        /// Differential correction of the pseudorange.
         ///
         /// Unit: m. Uncertain: The unit, which follows from [`DgpsChannel`].
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub range_correction: f32,
-        /// Correction of the range rate.
+        /// How fast the correction changes.
         ///
         /// Unit: m/s. Uncertain: The unit, which follows from [`DgpsChannel`].
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub range_rate_correction: f32,
         /// Which parts of the state of the corrections are valid.
         pub valid_flags: DgpsInfoFlags,
@@ -1890,16 +1918,19 @@ record! {
         /// Age of the correction.
         ///
         /// Unit: s. Range: at least 0. Valid if [`valid_flags.age`](DgpsChannelFlags::age) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub age: f32,
-        /// Correction of the range.
+        /// Differential correction of the pseudorange.
         ///
         /// Unit: m. Valid if [`valid_flags.range_correction`](DgpsChannelFlags::range_correction)
         /// is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub range_correction: f32,
-        /// Correction of the range rate.
+        /// How fast the correction changes.
         ///
         /// Unit: m/s. Valid if
         /// [`valid_flags.range_rate_correction`](DgpsChannelFlags::range_rate_correction) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub range_rate_correction: f32,
         /// Which parts of a differential correction are valid.
         pub valid_flags: DgpsChannelFlags,
@@ -1952,20 +1983,24 @@ record! {
         /// Bias of the clock.
         ///
         /// Unit: s. Valid if [`valid_flags.bias`](ClockInfo2Flags::bias) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub bias: f64,
         /// Drift of the clock.
         ///
         /// Unit: s/s. Valid if [`valid_flags.drift`](ClockInfo2Flags::drift) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub drift: f64,
         /// Estimated error of the bias.
         ///
         /// Unit: s. Range: at least 0. Valid if
         /// [`valid_flags.bias_accuracy`](ClockInfo2Flags::bias_accuracy) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub bias_accuracy_estimate: f64,
         /// Estimated error of the drift.
         ///
         /// Unit: s/s. Range: at least 0. Valid if
         /// [`valid_flags.drift_accuracy`](ClockInfo2Flags::drift_accuracy) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub drift_accuracy_estimate: f64,
         /// Which clock parameters are valid.
         pub valid_flags: ClockInfo2Flags,
@@ -2060,6 +2095,7 @@ record! {
         ///
         /// Unit: s. Range: at least 0, less than 604800. Valid if
         /// [`valid_flags.tow`](SbasInfoFlags::tow) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub tow: f64,
         /// GPS week number.
         ///
@@ -2141,6 +2177,7 @@ record! {
         /// GPS time of week of the reception.
         ///
         /// Unit: s. Range: at least 0, less than 604800.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub tow: f64,
         /// GPS week number.
         ///
@@ -2155,16 +2192,18 @@ record! {
         ///
         /// Range: 0 to 15. Valid if [`valid_flags.udrei`](SbasCorrectionFlags::udrei) is set.
         pub udrei: u8,
-        /// Correction of the pseudorange.
+        /// Correction of the pseudorange by the augmentation system.
         ///
         /// Unit: m. Valid if
         /// [`valid_flags.pseudorange_correction`](SbasCorrectionFlags::pseudorange_correction) is
         /// set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub pseudorange_correction: f32,
         /// Correction of the ionospheric delay.
         ///
         /// Unit: m. Valid if [`valid_flags.iono_correction`](SbasCorrectionFlags::iono_correction)
         /// is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub iono_correction: f32,
         /// Which parts of an SBAS correction are valid.
         pub valid_flags: SbasCorrectionFlags,
@@ -2229,11 +2268,11 @@ record! {
         ///
         /// Valid if [`valid_flags.rf_band`](RfErrorDetectionFlags::rf_band) is set.
         pub rf_band: RfBand,
-        /// Jamming.
+        /// Whether signals are jammed in this band.
         ///
         /// Valid if [`valid_flags.jamming_state`](RfErrorDetectionFlags::jamming_state) is set.
         pub jamming_state: JammingState,
-        /// Spoofing.
+        /// Whether false signals are detected in this band.
         ///
         /// Valid if [`valid_flags.spoofing_state`](RfErrorDetectionFlags::spoofing_state) is set.
         pub spoofing_state: SpoofingState,
@@ -2294,12 +2333,14 @@ record! {
         /// Unit: deg. Valid if [`valid_flags.heading`](HeadingFlags::heading) is set. Uncertain:
         /// The reference and the range. Clockwise from true north is usual; the SDK only states
         /// degrees.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub heading: f32,
         /// Uncertainty of the heading.
         ///
         /// Unit: deg. Range: at least 0. Valid if
         /// [`valid_flags.uncertainty`](HeadingFlags::uncertainty) is set. Uncertain: Whether it is
         /// one standard deviation.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub uncertainty: f32,
         /// Kind of the fix.
         ///
@@ -2362,6 +2403,7 @@ record! {
         ///
         /// Unit: s. Range: at least 0, less than 604800. Valid if
         /// [`valid_flags.tow`](SatelliteStatusFlags::tow) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub tow: f64,
         /// GPS week number.
         ///
@@ -2380,10 +2422,12 @@ record! {
         ///
         /// Unit: deg. Range: -90 to 90. Valid if
         /// [`valid_flags.elevation`](SatelliteStatusFlags::elevation) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub elevation: f32,
         /// Azimuth, as seen from the rover.
         ///
         /// Unit: deg. Valid if [`valid_flags.azimuth`](SatelliteStatusFlags::azimuth) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub azimuth: f32,
         /// Whether the satellite is healthy.
         ///
@@ -2456,6 +2500,7 @@ record! {
         ///
         /// Unit: s. Range: at least 0, less than 604800. Valid if
         /// [`valid_flags.tow`](RawFlags::tow) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub tow: f64,
         /// GPS week number.
         ///
@@ -2484,6 +2529,7 @@ record! {
         /// Carrier to noise density ratio.
         ///
         /// Unit: dB-Hz. Valid if [`valid_flags.signal_strength`](RawFlags::signal_strength) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub signal_strength: f32,
         /// How well the signal is tracked.
         ///
@@ -2493,34 +2539,41 @@ record! {
         ///
         /// Unit: m. Range: at least 0. Valid if [`valid_flags.pseudorange`](RawFlags::pseudorange)
         /// is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub pseudorange: f64,
         /// Accumulated phase of the carrier; its initial number of cycles is arbitrary.
         ///
         /// Unit: cycle. Valid if [`valid_flags.carrier_phase`](RawFlags::carrier_phase) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub carrier_phase: f64,
         /// Doppler shift.
         ///
         /// Unit: Hz. Valid if [`valid_flags.doppler`](RawFlags::doppler) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub doppler: f32,
         /// Uncertainty of the pseudorange.
         ///
         /// Unit: m. Range: at least 0. Valid if
         /// [`valid_flags.range_uncertainty`](RawFlags::range_uncertainty) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub range_uncertainty: f32,
         /// Uncertainty of the carrier phase.
         ///
         /// Unit: cycle. Range: at least 0. Valid if
         /// [`valid_flags.carrier_phase_uncertainty`](RawFlags::carrier_phase_uncertainty) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub phase_uncertainty: f32,
         /// Uncertainty of the Doppler shift.
         ///
         /// Unit: Hz. Range: at least 0. Valid if
         /// [`valid_flags.doppler_uncertainty`](RawFlags::doppler_uncertainty) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub doppler_uncertainty: f32,
         /// Lower limit of the time that the carrier phase has been locked.
         ///
         /// Unit: s. Range: at least 0. Valid if [`valid_flags.lock_time`](RawFlags::lock_time) is
         /// set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub lock_time: f32,
         /// Which parts of the observation are valid.
         pub valid_flags: RawFlags,
@@ -2600,6 +2653,7 @@ record! {
         ///
         /// Unit: s. Range: at least 0, less than 604800. Valid if
         /// [`valid_flags.tow`](BaseStationInfoFlags::tow) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub tow: f64,
         /// GPS week number.
         ///
@@ -2614,6 +2668,7 @@ record! {
         /// Height of the antenna above the marker that was surveyed.
         ///
         /// Unit: m. Valid if [`valid_flags.height`](BaseStationInfoFlags::height) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub height: f32,
         /// Number of the station.
         ///
@@ -2682,6 +2737,7 @@ record! {
         ///
         /// Unit: s. Range: at least 0, less than 604800. Valid if
         /// [`valid_flags.tow`](RtkCorrectionsStatusFlags::tow) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub tow: f64,
         /// GPS week number.
         ///
@@ -2703,21 +2759,25 @@ record! {
         ///
         /// Unit: s. Range: at least 0. Valid if
         /// [`valid_flags.gps_latency`](RtkCorrectionsStatusFlags::gps_latency) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub gps_correction_latency: f32,
         /// Latency of the last GLONASS correction.
         ///
         /// Unit: s. Range: at least 0. Valid if
         /// [`valid_flags.glonass_latency`](RtkCorrectionsStatusFlags::glonass_latency) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub glonass_correction_latency: f32,
         /// Latency of the last Galileo correction.
         ///
         /// Unit: s. Range: at least 0. Valid if
         /// [`valid_flags.galileo_latency`](RtkCorrectionsStatusFlags::galileo_latency) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub galileo_correction_latency: f32,
         /// Latency of the last BeiDou correction.
         ///
         /// Unit: s. Range: at least 0. Valid if
         /// [`valid_flags.beidou_latency`](RtkCorrectionsStatusFlags::beidou_latency) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub beidou_correction_latency: f32,
         /// Reserved.
         pub reserved: [u32; 4],
@@ -2785,6 +2845,7 @@ record! {
         /// GPS time of week.
         ///
         /// Unit: s. Range: at least 0, less than 604800.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub tow: f64,
         /// GPS week number.
         ///
@@ -2808,105 +2869,130 @@ record! {
         ///
         /// Unit: s. Range: at least 0, less than 604800. Valid if
         /// [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub t_oc: f64,
         /// Clock bias.
         ///
         /// Unit: s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub af0: f64,
         /// Clock drift.
         ///
         /// Unit: s/s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub af1: f64,
         /// Clock drift rate.
         ///
         /// Unit: s/s^2. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub af2: f64,
         /// Group delay.
         ///
         /// Unit: s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub t_gd: f64,
         /// Inter-signal correction for L1.
         ///
         /// Unit: s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub isc_l1ca: f64,
         /// Inter-signal correction for L2, or for L5 if `isc_l5` is set.
         ///
         /// Unit: s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub isc_l2c: f64,
         /// Reference time of the ephemeris.
         ///
         /// Unit: s. Range: at least 0, less than 604800. Valid if
         /// [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub t_oe: f64,
         /// Semi-major axis.
         ///
         /// Unit: m. Range: greater than 0. Valid if
         /// [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub a: f64,
         /// Rate of the semi-major axis.
         ///
         /// Unit: m/s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub a_dot: f64,
         /// Mean anomaly at the reference time.
         ///
         /// Unit: rad. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub mean_anomaly: f64,
         /// Correction of the mean motion.
         ///
         /// Unit: rad/s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub delta_mean_motion: f64,
         /// Rate of the correction of the mean motion.
         ///
         /// Unit: rad/s^2. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub delta_mean_motion_dot: f64,
         /// Eccentricity of the orbit.
         ///
         /// Unit: 1. Range: at least 0, less than 1. Valid if
         /// [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub eccentricity: f64,
         /// Angle from the ascending node to the perigee.
         ///
         /// Unit: rad. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub argument_of_perigee: f64,
         /// Longitude of the ascending node.
         ///
         /// Unit: rad. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub omega: f64,
         /// Rate of the right ascension.
         ///
         /// Unit: rad/s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub omega_dot: f64,
         /// Inclination of the orbit at the reference time.
         ///
         /// Unit: rad. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub inclination: f64,
         /// Rate of the inclination.
         ///
         /// Unit: rad/s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub inclination_dot: f64,
         /// Cosine harmonic correction of the inclination.
         ///
         /// Unit: rad. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub c_ic: f64,
         /// Sine harmonic correction of the inclination.
         ///
         /// Unit: rad. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub c_is: f64,
         /// Cosine harmonic correction of the argument of latitude.
         ///
         /// Unit: rad. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub c_uc: f64,
         /// Sine harmonic correction of the argument of latitude.
         ///
         /// Unit: rad. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub c_us: f64,
         /// Cosine harmonic correction of the orbit radius.
         ///
         /// Unit: m. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub c_rc: f64,
         /// Sine harmonic correction of the orbit radius.
         ///
         /// Unit: m. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub c_rs: f64,
         /// What the ephemeris holds.
         pub valid_flags: EphemerisFlags,
@@ -3022,6 +3108,7 @@ record! {
         /// GPS time of week.
         ///
         /// Unit: s. Range: at least 0, less than 604800.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub tow: f64,
         /// GPS week number.
         ///
@@ -3049,10 +3136,12 @@ record! {
         /// Relative deviation of the carrier frequency from its nominal value.
         ///
         /// Unit: 1. Valid if [`valid_flags.ephemeris`](GlonassEphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub gamma: f64,
         /// Correction of the satellite time relative to GLONASS time.
         ///
         /// Unit: s. Valid if [`valid_flags.ephemeris`](GlonassEphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub tau_n: f64,
         /// Position of the satellite in PZ-90.
         ///
@@ -3084,6 +3173,7 @@ record! {
         /// Time difference between L1 and L2.
         ///
         /// Unit: s. Valid if [`valid_flags.ephemeris`](GlonassEphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub delta_tau_n: f32,
         /// Code of the user range accuracy.
         ///
@@ -3207,6 +3297,7 @@ record! {
         /// GPS time of week.
         ///
         /// Unit: s. Range: at least 0, less than 604800.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub tow: f64,
         /// GPS week number.
         ///
@@ -3230,105 +3321,130 @@ record! {
         ///
         /// Unit: s. Range: at least 0, less than 604800. Valid if
         /// [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub t_oc: f64,
         /// Clock bias.
         ///
         /// Unit: s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub af0: f64,
         /// Clock drift.
         ///
         /// Unit: s/s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub af1: f64,
         /// Clock drift rate.
         ///
         /// Unit: s/s^2. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub af2: f64,
         /// Group delay.
         ///
         /// Unit: s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub t_gd: f64,
         /// Place of the inter-signal correction for L1 of GPS.
         ///
         /// Unit: s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub isc_l1ca: f64,
         /// Place of the inter-signal correction for L2 or L5 of GPS.
         ///
         /// Unit: s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub isc_l2c: f64,
         /// Reference time of the ephemeris.
         ///
         /// Unit: s. Range: at least 0, less than 604800. Valid if
         /// [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub t_oe: f64,
         /// Semi-major axis.
         ///
         /// Unit: m. Range: greater than 0. Valid if
         /// [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub a: f64,
         /// Rate of the semi-major axis.
         ///
         /// Unit: m/s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub a_dot: f64,
         /// Mean anomaly at the reference time.
         ///
         /// Unit: rad. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub mean_anomaly: f64,
         /// Correction of the mean motion.
         ///
         /// Unit: rad/s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub delta_mean_motion: f64,
         /// Rate of the correction of the mean motion.
         ///
         /// Unit: rad/s^2. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub delta_mean_motion_dot: f64,
         /// Eccentricity of the orbit.
         ///
         /// Unit: 1. Range: at least 0, less than 1. Valid if
         /// [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub eccentricity: f64,
         /// Angle from the ascending node to the perigee.
         ///
         /// Unit: rad. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub argument_of_perigee: f64,
         /// Longitude of the ascending node.
         ///
         /// Unit: rad. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub omega: f64,
         /// Rate of the right ascension.
         ///
         /// Unit: rad/s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub omega_dot: f64,
         /// Inclination of the orbit at the reference time.
         ///
         /// Unit: rad. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub inclination: f64,
         /// Rate of the inclination.
         ///
         /// Unit: rad/s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub inclination_dot: f64,
         /// Cosine harmonic correction of the inclination.
         ///
         /// Unit: rad. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub c_ic: f64,
         /// Sine harmonic correction of the inclination.
         ///
         /// Unit: rad. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub c_is: f64,
         /// Cosine harmonic correction of the argument of latitude.
         ///
         /// Unit: rad. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub c_uc: f64,
         /// Sine harmonic correction of the argument of latitude.
         ///
         /// Unit: rad. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub c_us: f64,
         /// Cosine harmonic correction of the orbit radius.
         ///
         /// Unit: m. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub c_rc: f64,
         /// Sine harmonic correction of the orbit radius.
         ///
         /// Unit: m. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub c_rs: f64,
         /// What the ephemeris holds.
         pub valid_flags: EphemerisFlags,
@@ -3445,6 +3561,7 @@ record! {
         /// GPS time of week.
         ///
         /// Unit: s. Range: at least 0, less than 604800.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub tow: f64,
         /// GPS week number.
         ///
@@ -3468,105 +3585,130 @@ record! {
         ///
         /// Unit: s. Range: at least 0, less than 604800. Valid if
         /// [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub t_oc: f64,
         /// Clock bias.
         ///
         /// Unit: s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub af0: f64,
         /// Clock drift.
         ///
         /// Unit: s/s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub af1: f64,
         /// Clock drift rate.
         ///
         /// Unit: s/s^2. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub af2: f64,
         /// Group delay.
         ///
         /// Unit: s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub t_gd: f64,
         /// Place of the inter-signal correction for L1 of GPS.
         ///
         /// Unit: s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub isc_l1ca: f64,
         /// Place of the inter-signal correction for L2 or L5 of GPS.
         ///
         /// Unit: s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub isc_l2c: f64,
         /// Reference time of the ephemeris.
         ///
         /// Unit: s. Range: at least 0, less than 604800. Valid if
         /// [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub t_oe: f64,
         /// Semi-major axis.
         ///
         /// Unit: m. Range: greater than 0. Valid if
         /// [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub a: f64,
         /// Rate of the semi-major axis.
         ///
         /// Unit: m/s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub a_dot: f64,
         /// Mean anomaly at the reference time.
         ///
         /// Unit: rad. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub mean_anomaly: f64,
         /// Correction of the mean motion.
         ///
         /// Unit: rad/s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub delta_mean_motion: f64,
         /// Rate of the correction of the mean motion.
         ///
         /// Unit: rad/s^2. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub delta_mean_motion_dot: f64,
         /// Eccentricity of the orbit.
         ///
         /// Unit: 1. Range: at least 0, less than 1. Valid if
         /// [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub eccentricity: f64,
         /// Angle from the ascending node to the perigee.
         ///
         /// Unit: rad. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub argument_of_perigee: f64,
         /// Longitude of the ascending node.
         ///
         /// Unit: rad. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub omega: f64,
         /// Rate of the right ascension.
         ///
         /// Unit: rad/s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub omega_dot: f64,
         /// Inclination of the orbit at the reference time.
         ///
         /// Unit: rad. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub inclination: f64,
         /// Rate of the inclination.
         ///
         /// Unit: rad/s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub inclination_dot: f64,
         /// Cosine harmonic correction of the inclination.
         ///
         /// Unit: rad. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub c_ic: f64,
         /// Sine harmonic correction of the inclination.
         ///
         /// Unit: rad. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub c_is: f64,
         /// Cosine harmonic correction of the argument of latitude.
         ///
         /// Unit: rad. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub c_uc: f64,
         /// Sine harmonic correction of the argument of latitude.
         ///
         /// Unit: rad. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub c_us: f64,
         /// Cosine harmonic correction of the orbit radius.
         ///
         /// Unit: m. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub c_rc: f64,
         /// Sine harmonic correction of the orbit radius.
         ///
         /// Unit: m. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub c_rs: f64,
         /// What the ephemeris holds.
         pub valid_flags: EphemerisFlags,
@@ -3674,6 +3816,7 @@ record! {
         ///
         /// Unit: s. Range: at least 0, less than 604800. Valid if
         /// [`valid_flags.tow`](GpsIonoCorrectionFlags::tow) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub tow: f64,
         /// GPS week number.
         ///
@@ -3684,11 +3827,13 @@ record! {
         ///
         /// Valid if [`valid_flags.alpha`](GpsIonoCorrectionFlags::alpha) is set. Uncertain: The
         /// units.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub alpha: [f64; 4],
         /// Coefficients beta 0 to 3.
         ///
         /// Valid if [`valid_flags.beta`](GpsIonoCorrectionFlags::beta) is set. Uncertain: The
         /// units.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub beta: [f64; 4],
         /// Which parts of the model are valid.
         pub valid_flags: GpsIonoCorrectionFlags,
@@ -3738,6 +3883,7 @@ record! {
         ///
         /// Unit: s. Range: at least 0, less than 604800. Valid if
         /// [`valid_flags.tow`](GalileoIonoCorrectionFlags::tow) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub tow: f64,
         /// GPS week number.
         ///
@@ -3748,6 +3894,7 @@ record! {
         ///
         /// Valid if [`valid_flags.alpha`](GalileoIonoCorrectionFlags::alpha) is set. Uncertain: The
         /// units.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub alpha: [f64; 3],
         /// Ionospheric storms, one bit (1 to 5) for each of five regions.
         ///
@@ -3803,6 +3950,7 @@ record! {
         ///
         /// Unit: s. Range: at least 0, less than 604800. Valid if
         /// [`valid_flags.tow`](BeidouIonoCorrectionFlags::tow) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub tow: f64,
         /// GPS week number.
         ///
@@ -3813,16 +3961,19 @@ record! {
         ///
         /// Valid if [`valid_flags.alpha`](BeidouIonoCorrectionFlags::alpha) is set. Uncertain: The
         /// units.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub alpha: [f64; 4],
         /// Coefficients beta 0 to 3.
         ///
         /// Valid if [`valid_flags.beta`](BeidouIonoCorrectionFlags::beta) is set. Uncertain: The
         /// units.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub beta: [f64; 4],
         /// Nine further coefficients of the delay.
         ///
         /// Valid if [`valid_flags.alpha_correction`](BeidouIonoCorrectionFlags::alpha_correction)
         /// is set. Uncertain: The units.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub alpha_correction: [f64; 9],
         /// Which parts of the model are valid.
         pub valid_flags: BeidouIonoCorrectionFlags,

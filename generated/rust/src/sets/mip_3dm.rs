@@ -190,9 +190,9 @@ open_enum! {
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A).
     EventSupportQuery: u8 {
-        /// Triggers.
+        /// Which types of triggers there are.
         TRIGGER_TYPES = 1, "trigger_types";
-        /// Actions.
+        /// Which types of actions there are.
         ACTION_TYPES = 2, "action_types";
     }
 }
@@ -415,13 +415,13 @@ open_enum! {
     SensorRangeType: u8 {
         /// All sensors; for save, load and default only.
         ALL = 0, "all";
-        /// Accelerometer.
+        /// Accel.
         ACCEL = 1, "accel";
-        /// Gyroscope.
+        /// Gyro.
         GYRO = 2, "gyro";
-        /// Magnetometer.
+        /// Mag.
         MAG = 3, "mag";
-        /// Pressure sensor.
+        /// Pressure.
         PRESSURE = 4, "pressure";
     }
 }
@@ -435,6 +435,7 @@ record! {
         /// Value for [`SensorRange`].
         pub setting: u8,
         /// Largest measurable value.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub range: f32,
     }
 }
@@ -556,8 +557,9 @@ record! {
     /// [3DM-GX3-15](crate::devices::GX3_15), [3DM-GX3-25](crate::devices::GX3_25),
     /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45),
     /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10),
-    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX4-IMU](crate::devices::GX4_IMU),
+    /// [3DM-GX5-10](crate::devices::GX5_10), [3DM-GX5-25](crate::devices::GX5_25),
+    /// [3DM-GX5-45](crate::devices::GX5_45) and [3DM-RQ1-IMU](crate::devices::RQ1_IMU).
     ///
     /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
     /// [`descriptors`](PollImuData::descriptors).
@@ -789,8 +791,9 @@ record! {
     /// [3DM-GX3-15](crate::devices::GX3_15), [3DM-GX3-25](crate::devices::GX3_25),
     /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45),
     /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10),
-    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-35](crate::devices::GX5_35).
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX4-IMU](crate::devices::GX4_IMU),
+    /// [3DM-GX5-10](crate::devices::GX5_10), [3DM-GX5-25](crate::devices::GX5_25),
+    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-RQ1-IMU](crate::devices::RQ1_IMU).
     ///
     /// Source: 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06).
     #[derive(Copy, Default, Eq, Hash)]
@@ -871,7 +874,8 @@ record! {
     /// [3DM-GX3-25](crate::devices::GX3_25), [3DM-GX3-35](crate::devices::GX3_35),
     /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
     /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX5-10](crate::devices::GX5_10) and [3DM-GX5-25](crate::devices::GX5_25).
+    /// [3DM-GX4-IMU](crate::devices::GX4_IMU), [3DM-GX5-10](crate::devices::GX5_10),
+    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-RQ1-IMU](crate::devices::RQ1_IMU).
     ///
     /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
     /// [`descriptors`](ImuMessageFormat::descriptors). Required for
@@ -1770,7 +1774,7 @@ record! {
     pub struct GnssAssistedFix {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
-        /// Assisted fix.
+        /// Whether the receiver keeps data for a faster first fix.
         ///
         /// Default: [`AssistedFixOption::NONE`]. Required for
         /// [write](types::FunctionSelector::WRITE). On the [3DM-GX5-35](crate::devices::GX5_35):
@@ -1839,14 +1843,16 @@ record! {
         ///
         /// Unit: s. Range: at least 0, less than 604800. Required for
         /// [write](types::FunctionSelector::WRITE).
+        #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub tow: Option<f64>,
         /// GPS week number since 1980.
         ///
         /// Unit: week. Required for [write](types::FunctionSelector::WRITE).
         pub week_number: Option<u16>,
-        /// Accuracy of the time.
+        /// Estimated accuracy of the time that is sent.
         ///
         /// Unit: s. Range: at least 0. Required for [write](types::FunctionSelector::WRITE).
+        #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub accuracy: Option<f32>,
     }
     wire 15 {
@@ -2086,7 +2092,7 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C).
     #[derive(Default, Eq, Hash)]
     pub struct GetEventTriggerStatus {
-        /// Trigger instances.
+        /// Numbers of the triggers to report; none for all.
         pub requested_instances: crate::List<u8, 252>,
     }
     wire 253 {
@@ -2132,7 +2138,7 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D).
     #[derive(Default, Eq, Hash)]
     pub struct GetEventActionStatus {
-        /// Action instances.
+        /// Numbers of the actions to report; none for all.
         pub requested_instances: crate::List<u8, 252>,
     }
     wire 253 {
@@ -2491,14 +2497,17 @@ record! {
         /// Rotation about the x axis.
         ///
         /// Unit: rad. Required for [write](types::FunctionSelector::WRITE).
+        #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub roll: Option<f32>,
         /// Rotation about the y axis.
         ///
         /// Unit: rad. Required for [write](types::FunctionSelector::WRITE).
+        #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub pitch: Option<f32>,
         /// Rotation about the z axis.
         ///
         /// Unit: rad. Required for [write](types::FunctionSelector::WRITE).
+        #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub yaw: Option<f32>,
     }
     wire 13 {
@@ -2839,7 +2848,7 @@ record! {
         /// Unit: s. Range: 1 to 1000. Default: 10. Required for
         /// [write](types::FunctionSelector::WRITE).
         pub north_compensation: Option<u16>,
-        /// Bandwidth of the magnetometer.
+        /// Bandwidth of the magnetometer of 3-series devices.
         ///
         /// Required for [write](types::FunctionSelector::WRITE).
         pub mag_bandwidth: Option<MagBandwidth>,
@@ -2976,8 +2985,9 @@ record! {
     /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
     /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX4-15](crate::devices::GX4_15),
     /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX5-10](crate::devices::GX5_10), [3DM-GX5-25](crate::devices::GX5_25) and
-    /// [3DM-GX5-45](crate::devices::GX5_45). On the
+    /// [3DM-GX4-IMU](crate::devices::GX4_IMU), [3DM-GX5-10](crate::devices::GX5_10),
+    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-GX5-45](crate::devices::GX5_45) and
+    /// [3DM-RQ1-IMU](crate::devices::RQ1_IMU). On the
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT) only.
@@ -2988,7 +2998,7 @@ record! {
     pub struct AccelBias {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
-        /// Accelerometer bias.
+        /// Bias that the device subtracts from the measured acceleration.
         ///
         /// Elements: x, y, z. Unit: g. Frame: sensor. Required for
         /// [write](types::FunctionSelector::WRITE) and [apply](types::FunctionSelector::APPLY).
@@ -3060,9 +3070,10 @@ record! {
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
     /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS),
     /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10),
-    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-GX5-35](crate::devices::GX5_35) and
-    /// [3DM-GX5-45](crate::devices::GX5_45). On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS):
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX4-IMU](crate::devices::GX4_IMU),
+    /// [3DM-GX5-10](crate::devices::GX5_10), [3DM-GX5-25](crate::devices::GX5_25),
+    /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-GX5-45](crate::devices::GX5_45) and
+    /// [3DM-RQ1-IMU](crate::devices::RQ1_IMU). On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS):
     /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT) only. On the
@@ -3080,7 +3091,7 @@ record! {
     pub struct GyroBias {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
-        /// Gyroscope bias.
+        /// Bias that the device subtracts from the measured angular rate.
         ///
         /// Elements: x, y, z. Unit: rad/s. Frame: sensor. Required for
         /// [write](types::FunctionSelector::WRITE) and [apply](types::FunctionSelector::APPLY).
@@ -3151,8 +3162,9 @@ record! {
     /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
     /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS),
     /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10),
-    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX4-IMU](crate::devices::GX4_IMU),
+    /// [3DM-GX5-10](crate::devices::GX5_10), [3DM-GX5-25](crate::devices::GX5_25),
+    /// [3DM-GX5-45](crate::devices::GX5_45) and [3DM-RQ1-IMU](crate::devices::RQ1_IMU).
     ///
     /// - The device must be at rest, with as little vibration as possible, for the whole time.
     /// - The reply comes after the averaging time.
@@ -3210,11 +3222,12 @@ record! {
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
     /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS),
     /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-35](crate::devices::GX5_35). On the
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS): [write](types::FunctionSelector::WRITE),
-    /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
-    /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT) only.
-    /// On the [3DM-CV7-AR](crate::devices::CV7_AR): [write](types::FunctionSelector::WRITE),
+    /// [3DM-GX4-IMU](crate::devices::GX4_IMU), [3DM-GX5-25](crate::devices::GX5_25) and
+    /// [3DM-GX5-35](crate::devices::GX5_35). On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS):
+    /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT) only. On the
+    /// [3DM-CV7-AR](crate::devices::CV7_AR): [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT) only.
     /// On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS):
@@ -3235,7 +3248,7 @@ record! {
     pub struct MagHardIronOffset {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
-        /// Hard iron offset.
+        /// Offset that the device subtracts from the measured magnetic field.
         ///
         /// Elements: x, y, z. Unit: gauss. Frame: sensor. Required for
         /// [write](types::FunctionSelector::WRITE) and [apply](types::FunctionSelector::APPLY). On
@@ -3303,11 +3316,12 @@ record! {
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
     /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS),
     /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45). On the
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS): [write](types::FunctionSelector::WRITE),
-    /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
-    /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT) only.
-    /// On the [3DM-CV7-AR](crate::devices::CV7_AR): [write](types::FunctionSelector::WRITE),
+    /// [3DM-GX4-IMU](crate::devices::GX4_IMU), [3DM-GX5-25](crate::devices::GX5_25) and
+    /// [3DM-GX5-45](crate::devices::GX5_45). On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS):
+    /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT) only. On the
+    /// [3DM-CV7-AR](crate::devices::CV7_AR): [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT) only.
     /// On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS):
@@ -3393,8 +3407,9 @@ record! {
     /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-35](crate::devices::CX5_35),
     /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GX4-15](crate::devices::GX4_15),
     /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX5-10](crate::devices::GX5_10), [3DM-GX5-25](crate::devices::GX5_25),
-    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// [3DM-GX4-IMU](crate::devices::GX4_IMU), [3DM-GX5-10](crate::devices::GX5_10),
+    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-GX5-35](crate::devices::GX5_35),
+    /// [3DM-GX5-45](crate::devices::GX5_45) and [3DM-RQ1-IMU](crate::devices::RQ1_IMU).
     ///
     /// Source: 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E).
     #[derive(Copy, Eq, Hash)]
@@ -3476,7 +3491,7 @@ record! {
     pub struct UartBaudRate {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
-        /// Baud rate.
+        /// Baud rate, one of those that the port supports.
         ///
         /// Unit: Bd. Required for [write](types::FunctionSelector::WRITE). On the
         /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45): default
@@ -3778,10 +3793,12 @@ record! {
         /// Unit: pulse/m. Required for [write](types::FunctionSelector::WRITE).
         ///
         /// - Pulses on line A per turn of the wheel, divided by the circumference of the wheel.
+        #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub scaling: Option<f32>,
         /// Relative uncertainty of the scaling, 1 sigma.
         ///
         /// Unit: 1. Range: at least 0. Required for [write](types::FunctionSelector::WRITE).
+        #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub uncertainty: Option<f32>,
     }
     wire 10 {
@@ -4003,11 +4020,13 @@ record! {
         ///
         /// Unit: s. Range: 1 to 1000. Default: 10. Required for
         /// [write](types::FunctionSelector::WRITE).
+        #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub pitch_roll_time_constant: Option<f32>,
         /// Time constant of the correction of the heading.
         ///
         /// Unit: s. Range: 1 to 1000. Default: 10. Required for
         /// [write](types::FunctionSelector::WRITE).
+        #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub heading_time_constant: Option<f32>,
     }
     wire 11 {
@@ -4211,6 +4230,7 @@ record! {
         /// Cutoff; a write ignores it if `manual` is false, a read returns the cutoff in use.
         ///
         /// Unit: Hz. Range: at least 0. Required for [write](types::FunctionSelector::WRITE).
+        #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub frequency: Option<f32>,
     }
     wire 9 {
@@ -4283,7 +4303,7 @@ record! {
         pub function: types::FunctionSelector,
         /// Stream whose format is set or read.
         pub stream: Option<InternalSensor>,
-        /// Its format.
+        /// Format of a data stream.
         pub format: Option<StreamFormat>,
     }
     wire 3 {
@@ -4345,7 +4365,7 @@ record! {
         pub function: types::FunctionSelector,
         /// The sensor.
         pub device: Option<InternalSensor>,
-        /// Its power state.
+        /// Power state of an internal sensor.
         ///
         /// Required for [write](types::FunctionSelector::WRITE).
         pub state: Option<SensorPowerState>,
@@ -4440,26 +4460,28 @@ record! {
     ///
     /// Gets the state of the device, in basic form or with counters.
     ///
-    /// For advanced use. Answered by [`DeviceStatusBasicResponse`],
-    /// [`DeviceStatusBasicWithoutStateResponse`], [`DeviceStatusDiagnosticResponse`],
-    /// [`DeviceStatusDiagnosticGnssResponse`], [`DeviceStatusDiagnosticGq4_45Response`],
-    /// [`DeviceStatusDiagnosticRq1_45Response`], [`DeviceStatusDiagnosticGx4Response`],
-    /// [`DeviceStatusDiagnosticImuResponse`], [`DeviceStatusBasicGx3Response`] or
-    /// [`DeviceStatusDiagnosticGx3Response`]. Supported by [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
-    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Probably supported by
-    /// [3DM-CL5-10](crate::devices::CL5_10), [3DM-CL5-15](crate::devices::CL5_15),
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-10](crate::devices::CV5_10),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-10](crate::devices::CX5_10),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-GX3-15](crate::devices::GX3_15), [3DM-GX3-25](crate::devices::GX3_25),
-    /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10) and
-    /// [3DM-GX5-25](crate::devices::GX5_25).
+    /// For advanced use. Answered by [`DeviceStatusBasicRq1ImuResponse`],
+    /// [`DeviceStatusBasicResponse`], [`DeviceStatusBasicWithoutStateResponse`],
+    /// [`DeviceStatusDiagnosticResponse`], [`DeviceStatusDiagnosticGnssResponse`],
+    /// [`DeviceStatusDiagnosticGq4_45Response`], [`DeviceStatusDiagnosticRq1_45Response`],
+    /// [`DeviceStatusDiagnosticGx4Response`], [`DeviceStatusDiagnosticImuResponse`],
+    /// [`DeviceStatusDiagnosticGx4ImuResponse`], [`DeviceStatusDiagnosticRq1ImuResponse`],
+    /// [`DeviceStatusBasicGx3Response`] or [`DeviceStatusDiagnosticGx3Response`]. Supported by
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
+    /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-GX5-45](crate::devices::GX5_45),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// Probably supported by [3DM-CL5-10](crate::devices::CL5_10),
+    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
+    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
+    /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-CX5-15](crate::devices::CX5_15),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-35](crate::devices::CX5_35),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GX3-15](crate::devices::GX3_15),
+    /// [3DM-GX3-25](crate::devices::GX3_25), [3DM-GX3-35](crate::devices::GX3_35),
+    /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
+    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
+    /// [3DM-GX4-IMU](crate::devices::GX4_IMU), [3DM-GX5-10](crate::devices::GX5_10),
+    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-RQ1-IMU](crate::devices::RQ1_IMU).
     ///
     /// - The device expects its own model number, which
     ///   [`base::GetDeviceInfo`](crate::base::GetDeviceInfo) returns.
@@ -4496,13 +4518,16 @@ field! {
 
 command! {
     DeviceStatus -> DeviceStatusResponses;
-    responds DeviceStatusBasicResponse | DeviceStatusBasicWithoutStateResponse | DeviceStatusBasicGx3Response, if status_selector = DeviceStatusSelector::BASIC;
-    responds DeviceStatusDiagnosticResponse | DeviceStatusDiagnosticGnssResponse | DeviceStatusDiagnosticGq4_45Response | DeviceStatusDiagnosticRq1_45Response | DeviceStatusDiagnosticGx4Response | DeviceStatusDiagnosticImuResponse | DeviceStatusDiagnosticGx3Response, if status_selector = DeviceStatusSelector::DIAGNOSTIC;
+    responds DeviceStatusBasicRq1ImuResponse | DeviceStatusBasicResponse | DeviceStatusBasicWithoutStateResponse | DeviceStatusBasicGx3Response, if status_selector = DeviceStatusSelector::BASIC;
+    responds DeviceStatusDiagnosticResponse | DeviceStatusDiagnosticGnssResponse | DeviceStatusDiagnosticGq4_45Response | DeviceStatusDiagnosticRq1_45Response | DeviceStatusDiagnosticGx4Response | DeviceStatusDiagnosticImuResponse | DeviceStatusDiagnosticGx4ImuResponse | DeviceStatusDiagnosticRq1ImuResponse | DeviceStatusDiagnosticGx3Response, if status_selector = DeviceStatusSelector::DIAGNOSTIC;
 }
 
 responses! {
     /// The answer to [`DeviceStatus`].
     pub enum DeviceStatusResponses {
+        /// The response [`DeviceStatusBasicRq1ImuResponse`].
+        #[cfg_attr(feature = "serde", serde(rename = "device_status_basic_rq1_imu_response"))]
+        BasicRq1Imu(DeviceStatusBasicRq1ImuResponse),
         /// The response [`DeviceStatusBasicResponse`].
         #[cfg_attr(feature = "serde", serde(rename = "device_status_basic_response"))]
         Basic(DeviceStatusBasicResponse),
@@ -4527,6 +4552,12 @@ responses! {
         /// The response [`DeviceStatusDiagnosticImuResponse`].
         #[cfg_attr(feature = "serde", serde(rename = "device_status_diagnostic_imu_response"))]
         DiagnosticImu(DeviceStatusDiagnosticImuResponse),
+        /// The response [`DeviceStatusDiagnosticGx4ImuResponse`].
+        #[cfg_attr(feature = "serde", serde(rename = "device_status_diagnostic_gx4_imu_response"))]
+        DiagnosticGx4Imu(DeviceStatusDiagnosticGx4ImuResponse),
+        /// The response [`DeviceStatusDiagnosticRq1ImuResponse`].
+        #[cfg_attr(feature = "serde", serde(rename = "device_status_diagnostic_rq1_imu_response"))]
+        DiagnosticRq1Imu(DeviceStatusDiagnosticRq1ImuResponse),
         /// The response [`DeviceStatusBasicGx3Response`].
         #[cfg_attr(feature = "serde", serde(rename = "device_status_basic_gx3_response"))]
         BasicGx3(DeviceStatusBasicGx3Response),
@@ -4552,8 +4583,9 @@ record! {
     /// [3DM-GX3-15](crate::devices::GX3_15), [3DM-GX3-25](crate::devices::GX3_25),
     /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45),
     /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10) and
-    /// [3DM-GX5-25](crate::devices::GX5_25).
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX4-IMU](crate::devices::GX4_IMU),
+    /// [3DM-GX5-10](crate::devices::GX5_10), [3DM-GX5-25](crate::devices::GX5_25) and
+    /// [3DM-RQ1-IMU](crate::devices::RQ1_IMU).
     ///
     /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
     /// [`descriptors`](ImuMessageFormatResponse::descriptors).
@@ -4687,8 +4719,9 @@ record! {
     /// [3DM-GX3-15](crate::devices::GX3_15), [3DM-GX3-25](crate::devices::GX3_25),
     /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45),
     /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10),
-    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-35](crate::devices::GX5_35).
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX4-IMU](crate::devices::GX4_IMU),
+    /// [3DM-GX5-10](crate::devices::GX5_10), [3DM-GX5-25](crate::devices::GX5_25),
+    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-RQ1-IMU](crate::devices::RQ1_IMU).
     ///
     /// Source: 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06).
     #[derive(Copy, Default, Eq, Hash)]
@@ -4895,7 +4928,7 @@ record! {
         ///
         /// Unit: s. Range: 1 to 1000. Default: 10.
         pub north_compensation: u16,
-        /// Bandwidth of the magnetometer.
+        /// Bandwidth of the magnetometer of 3-series devices.
         pub mag_bandwidth: MagBandwidth,
         /// Reserved.
         pub reserved: u16,
@@ -4957,7 +4990,7 @@ record! {
     /// (0x0C,0x40).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct UartBaudRateResponse {
-        /// Baud rate.
+        /// Baud rate, one of those that the port supports.
         ///
         /// Unit: Bd.
         pub baud: u32,
@@ -4993,7 +5026,7 @@ record! {
     pub struct DataStreamFormatResponse {
         /// Stream whose format is set or read.
         pub stream: InternalSensor,
-        /// Its format.
+        /// Format of a data stream.
         pub format: StreamFormat,
     }
 }
@@ -5029,7 +5062,7 @@ record! {
     pub struct DevicePowerStateResponse {
         /// The sensor.
         pub device: InternalSensor,
-        /// Its power state.
+        /// Power state of an internal sensor.
         pub state: SensorPowerState,
     }
 }
@@ -5295,6 +5328,56 @@ field! {
 }
 
 record! {
+    /// Basic Device Status of the inertial sensor of the 3DM-RQ1-45 (0x0C,0x90).
+    ///
+    /// Timer only, in microseconds.
+    ///
+    /// Answers [`DeviceStatus`]. Sent if [`status_selector`](DeviceStatus::status_selector) is
+    /// [`DeviceStatusSelector::BASIC`]. Probably supported by
+    /// [3DM-RQ1-IMU](crate::devices::RQ1_IMU). Uncertain: The SDK of 2014 names the values and
+    /// gives the unit of the timer; the descriptions follow from the names.
+    ///
+    /// The wire format also contains `model_number`: Model number of the inertial sensor. Always
+    /// 6238.
+    ///
+    /// The wire format also contains `status_selector`: Basic status. Always 1.
+    ///
+    /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64); 3dm-gx5-35: 4.2.22 Device Status
+    /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device Status
+    /// (0x0C,0x64).
+    #[derive(Copy, Default, Eq, Hash)]
+    pub struct DeviceStatusBasicRq1ImuResponse {
+        /// Reserved.
+        pub status_flags: u32,
+        /// Time since start-up.
+        ///
+        /// Unit: us.
+        pub system_timer: u64,
+    }
+    wire 15 {
+        [model_number: u16 = 6238]
+        [status_selector: u8 = 1]
+        [status_flags]
+        [system_timer]
+    }
+}
+
+constructors! {
+    DeviceStatusBasicRq1ImuResponse
+
+    /// Creates it from its values.
+    fn new(status_flags: u32, system_timer: u64);
+}
+
+field! {
+    DeviceStatusBasicRq1ImuResponse: 0x90, "3dm.device_status_basic_rq1_imu_response";
+    in [0x0C];
+    constants [0: 24 94] [2: 1];
+    sizes 15..=usize::MAX;
+    answers DeviceStatus;
+}
+
+record! {
     /// Basic Device Status (0x0C,0x90).
     ///
     /// State and timer.
@@ -5386,11 +5469,12 @@ record! {
     /// [`status_selector`](DeviceStatus::status_selector) is [`DeviceStatusSelector::BASIC`].
     /// Probably supported by [3DM-CL5-10](crate::devices::CL5_10),
     /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CX5-10](crate::devices::CX5_10),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25) and
-    /// [3DM-GX5-10](crate::devices::GX5_10). Uncertain: MSCL has it for the 3DM-GX4-15, 3DM-GX4-25,
-    /// 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10; that the 3DM-CL5-10 has it is inferred. Uncertain:
-    /// The manual of the 3DM-GX5-45 gives it too, but for the model number of another device; MSCL
-    /// has the layout with a state for that device.
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-IMU](crate::devices::GX4_IMU) and [3DM-GX5-10](crate::devices::GX5_10). Uncertain:
+    /// MSCL has it for the 3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10, the SDK
+    /// of 2014 for the 3DM-GX4-15, the 3DM-GX4-25 and the inertial sensor of the 3DM-GX4-45; that
+    /// the 3DM-CL5-10 has it is inferred. Uncertain: The manual of the 3DM-GX5-45 gives it too, but
+    /// for the model number of another device; MSCL has the layout with a state for that device.
     ///
     /// The wire format also contains `status_selector`: Basic status. Always 1.
     ///
@@ -5442,7 +5526,8 @@ record! {
     ///
     /// Answers [`DeviceStatus`]. Distinguished from [`DeviceStatusDiagnosticGnssResponse`],
     /// [`DeviceStatusDiagnosticGq4_45Response`], [`DeviceStatusDiagnosticRq1_45Response`],
-    /// [`DeviceStatusDiagnosticGx4Response`], [`DeviceStatusDiagnosticImuResponse`] and
+    /// [`DeviceStatusDiagnosticGx4Response`], [`DeviceStatusDiagnosticImuResponse`],
+    /// [`DeviceStatusDiagnosticGx4ImuResponse`], [`DeviceStatusDiagnosticRq1ImuResponse`] and
     /// [`DeviceStatusDiagnosticGx3Response`] by the size of its data. Sent if
     /// [`status_selector`](DeviceStatus::status_selector) is [`DeviceStatusSelector::DIAGNOSTIC`].
     /// Supported by [3DM-GX5-15](crate::devices::GX5_15). Probably supported by
@@ -5481,11 +5566,11 @@ record! {
         ///
         /// Unit: 1.
         pub filter_dropped_packets: u32,
-        /// Bytes written to the port.
+        /// Bytes sent over the port.
         ///
         /// Unit: byte.
         pub comm_port_bytes_written: u32,
-        /// Bytes read from the port.
+        /// Bytes received over the port.
         ///
         /// Unit: byte.
         pub comm_port_bytes_read: u32,
@@ -5568,7 +5653,8 @@ record! {
     ///
     /// Answers [`DeviceStatus`]. Distinguished from [`DeviceStatusDiagnosticResponse`],
     /// [`DeviceStatusDiagnosticGq4_45Response`], [`DeviceStatusDiagnosticRq1_45Response`],
-    /// [`DeviceStatusDiagnosticGx4Response`], [`DeviceStatusDiagnosticImuResponse`] and
+    /// [`DeviceStatusDiagnosticGx4Response`], [`DeviceStatusDiagnosticImuResponse`],
+    /// [`DeviceStatusDiagnosticGx4ImuResponse`], [`DeviceStatusDiagnosticRq1ImuResponse`] and
     /// [`DeviceStatusDiagnosticGx3Response`] by the size of its data. Sent if
     /// [`status_selector`](DeviceStatus::status_selector) is [`DeviceStatusSelector::DIAGNOSTIC`].
     /// Supported by [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45).
@@ -5624,11 +5710,11 @@ record! {
         ///
         /// Unit: 1.
         pub filter_dropped_packets: u32,
-        /// Bytes written to the port.
+        /// Bytes sent over the port.
         ///
         /// Unit: byte.
         pub comm_port_bytes_written: u32,
-        /// Bytes read from the port.
+        /// Bytes received over the port.
         ///
         /// Unit: byte.
         pub comm_port_bytes_read: u32,
@@ -5739,7 +5825,8 @@ record! {
     ///
     /// Answers [`DeviceStatus`]. Distinguished from [`DeviceStatusDiagnosticResponse`],
     /// [`DeviceStatusDiagnosticGnssResponse`], [`DeviceStatusDiagnosticRq1_45Response`],
-    /// [`DeviceStatusDiagnosticGx4Response`], [`DeviceStatusDiagnosticImuResponse`] and
+    /// [`DeviceStatusDiagnosticGx4Response`], [`DeviceStatusDiagnosticImuResponse`],
+    /// [`DeviceStatusDiagnosticGx4ImuResponse`], [`DeviceStatusDiagnosticRq1ImuResponse`] and
     /// [`DeviceStatusDiagnosticGx3Response`] by the size of its data. Sent if
     /// [`status_selector`](DeviceStatus::status_selector) is [`DeviceStatusSelector::DIAGNOSTIC`].
     /// Supported by [3DM-GQ4-45](crate::devices::GQ4_45). Uncertain: No known manual gives it.
@@ -5791,11 +5878,11 @@ record! {
         ///
         /// Unit: 1.
         pub filter_dropped_packets: u32,
-        /// Bytes written to the port.
+        /// Bytes sent over the port.
         ///
         /// Unit: byte.
         pub comm_port_bytes_written: u32,
-        /// Bytes read from the port.
+        /// Bytes received over the port.
         ///
         /// Unit: byte.
         pub comm_port_bytes_read: u32,
@@ -5918,7 +6005,8 @@ record! {
     ///
     /// Answers [`DeviceStatus`]. Distinguished from [`DeviceStatusDiagnosticResponse`],
     /// [`DeviceStatusDiagnosticGnssResponse`], [`DeviceStatusDiagnosticGq4_45Response`],
-    /// [`DeviceStatusDiagnosticGx4Response`], [`DeviceStatusDiagnosticImuResponse`] and
+    /// [`DeviceStatusDiagnosticGx4Response`], [`DeviceStatusDiagnosticImuResponse`],
+    /// [`DeviceStatusDiagnosticGx4ImuResponse`], [`DeviceStatusDiagnosticRq1ImuResponse`] and
     /// [`DeviceStatusDiagnosticGx3Response`] by the size of its data. Sent if
     /// [`status_selector`](DeviceStatus::status_selector) is [`DeviceStatusSelector::DIAGNOSTIC`].
     /// Supported by [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
@@ -5950,6 +6038,7 @@ record! {
         /// Temperature of the board.
         ///
         /// Unit: degC. Uncertain: The unit is inferred.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub temperature: f32,
         /// System timer at the last temperature.
         ///
@@ -5981,11 +6070,11 @@ record! {
         ///
         /// Unit: 1.
         pub filter_dropped_packets: u32,
-        /// Bytes written to the port.
+        /// Bytes sent over the port.
         ///
         /// Unit: byte.
         pub comm_port_bytes_written: u32,
-        /// Bytes read from the port.
+        /// Bytes received over the port.
         ///
         /// Unit: byte.
         pub comm_port_bytes_read: u32,
@@ -6102,7 +6191,8 @@ record! {
     ///
     /// Answers [`DeviceStatus`]. Distinguished from [`DeviceStatusDiagnosticResponse`],
     /// [`DeviceStatusDiagnosticGnssResponse`], [`DeviceStatusDiagnosticGq4_45Response`],
-    /// [`DeviceStatusDiagnosticRq1_45Response`], [`DeviceStatusDiagnosticImuResponse`] and
+    /// [`DeviceStatusDiagnosticRq1_45Response`], [`DeviceStatusDiagnosticImuResponse`],
+    /// [`DeviceStatusDiagnosticGx4ImuResponse`], [`DeviceStatusDiagnosticRq1ImuResponse`] and
     /// [`DeviceStatusDiagnosticGx3Response`] by the size of its data. Sent if
     /// [`status_selector`](DeviceStatus::status_selector) is [`DeviceStatusSelector::DIAGNOSTIC`].
     /// Probably supported by [3DM-GX4-15](crate::devices::GX4_15) and
@@ -6146,11 +6236,11 @@ record! {
         ///
         /// Unit: 1.
         pub filter_dropped_packets: u32,
-        /// Bytes written to the port.
+        /// Bytes sent over the port.
         ///
         /// Unit: byte.
         pub comm_port_bytes_written: u32,
-        /// Bytes read from the port.
+        /// Bytes received over the port.
         ///
         /// Unit: byte.
         pub comm_port_bytes_read: u32,
@@ -6162,11 +6252,11 @@ record! {
         ///
         /// Unit: 1.
         pub comm_port_read_overruns: u32,
-        /// Bytes written to USB.
+        /// Bytes sent over USB.
         ///
         /// Unit: byte.
         pub usb_bytes_written: u32,
-        /// Bytes read from USB.
+        /// Bytes received over USB.
         ///
         /// Unit: byte.
         pub usb_bytes_read: u32,
@@ -6259,7 +6349,8 @@ record! {
     ///
     /// Answers [`DeviceStatus`]. Distinguished from [`DeviceStatusDiagnosticResponse`],
     /// [`DeviceStatusDiagnosticGnssResponse`], [`DeviceStatusDiagnosticGq4_45Response`],
-    /// [`DeviceStatusDiagnosticRq1_45Response`], [`DeviceStatusDiagnosticGx4Response`] and
+    /// [`DeviceStatusDiagnosticRq1_45Response`], [`DeviceStatusDiagnosticGx4Response`],
+    /// [`DeviceStatusDiagnosticGx4ImuResponse`], [`DeviceStatusDiagnosticRq1ImuResponse`] and
     /// [`DeviceStatusDiagnosticGx3Response`] by the size of its data. Sent if
     /// [`status_selector`](DeviceStatus::status_selector) is [`DeviceStatusSelector::DIAGNOSTIC`].
     /// Probably supported by [3DM-CL5-10](crate::devices::CL5_10),
@@ -6290,7 +6381,7 @@ record! {
         pub has_pressure: crate::Bool,
         /// Power state of the sensors.
         pub power_state: u8,
-        /// Range of the gyroscope.
+        /// Largest angular rate that can be measured.
         pub gyro_range: u16,
         /// Largest acceleration that can be measured.
         pub accel_range: u16,
@@ -6299,6 +6390,7 @@ record! {
         /// Temperature of the board.
         ///
         /// Unit: degC. Uncertain: The unit is inferred.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub temperature: f32,
         /// System timer at the last temperature.
         ///
@@ -6320,11 +6412,11 @@ record! {
         ///
         /// Unit: 1.
         pub imu_dropped_packets: u32,
-        /// Bytes written to the port.
+        /// Bytes sent over the port.
         ///
         /// Unit: byte.
         pub comm_port_bytes_written: u32,
-        /// Bytes read from the port.
+        /// Bytes received over the port.
         ///
         /// Unit: byte.
         pub comm_port_bytes_read: u32,
@@ -6393,7 +6485,294 @@ field! {
     DeviceStatusDiagnosticImuResponse: 0x90, "3dm.device_status_diagnostic_imu_response";
     in [0x0C];
     constants [2: 2];
-    sizes 60..=72;
+    sizes 60..=60;
+    answers DeviceStatus;
+}
+
+record! {
+    /// Diagnostic Device Status of the inertial sensor of the 3DM-GX4-45 (0x0C,0x90).
+    ///
+    /// Timer, available sensors and their ranges, temperature, and the counters of pulses, stream
+    /// and port.
+    ///
+    /// Answers [`DeviceStatus`]. Distinguished from [`DeviceStatusDiagnosticResponse`],
+    /// [`DeviceStatusDiagnosticGnssResponse`], [`DeviceStatusDiagnosticGq4_45Response`],
+    /// [`DeviceStatusDiagnosticRq1_45Response`], [`DeviceStatusDiagnosticGx4Response`],
+    /// [`DeviceStatusDiagnosticImuResponse`], [`DeviceStatusDiagnosticRq1ImuResponse`] and
+    /// [`DeviceStatusDiagnosticGx3Response`] by the size of its data. Sent if
+    /// [`status_selector`](DeviceStatus::status_selector) is [`DeviceStatusSelector::DIAGNOSTIC`].
+    /// Probably supported by [3DM-GX4-IMU](crate::devices::GX4_IMU). Uncertain: The SDK of 2014
+    /// names the values and gives the units of temperature and times; the descriptions follow from
+    /// the names. Uncertain: The units of the ranges are not known.
+    ///
+    /// The wire format also contains `status_selector`: Diagnostic status. Always 2.
+    ///
+    /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64); 3dm-gx5-35: 4.2.22 Device Status
+    /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device Status
+    /// (0x0C,0x64).
+    #[derive(Copy, Default)]
+    pub struct DeviceStatusDiagnosticGx4ImuResponse {
+        /// Model number of the inertial sensor.
+        pub model_number: u16,
+        /// Reserved.
+        pub status_flags: u32,
+        /// Time since start-up.
+        ///
+        /// Unit: ms.
+        pub system_timer: u32,
+        /// Whether it has a magnetometer.
+        pub has_mag: crate::Bool,
+        /// Whether it has a pressure sensor.
+        pub has_pressure: crate::Bool,
+        /// Largest angular rate that can be measured.
+        pub gyro_range: u16,
+        /// Largest acceleration that can be measured.
+        pub accel_range: u8,
+        /// Largest magnetic field that can be measured.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
+        pub mag_range: f32,
+        /// Largest pressure that can be measured.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
+        pub pressure_range: f32,
+        /// Temperature of the board.
+        ///
+        /// Unit: degC. Uncertain: The unit is inferred.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
+        pub temperature: f32,
+        /// System timer at the last temperature.
+        ///
+        /// Unit: ms.
+        pub temperature_last_time: u32,
+        /// State of the temperature measurement; 0 is normal.
+        pub temperature_error: u8,
+        /// Pulses per second that were counted.
+        ///
+        /// Unit: 1.
+        pub pps_count: u32,
+        /// System timer at the last pulse.
+        ///
+        /// Unit: ms.
+        pub pps_last_time: u32,
+        /// Whether sensor data is streamed.
+        pub imu_stream_enabled: crate::Bool,
+        /// Sensor data packets that were not sent.
+        ///
+        /// Unit: 1.
+        pub imu_dropped_packets: u32,
+        /// Bytes sent over the port.
+        ///
+        /// Unit: byte.
+        pub comm_port_bytes_written: u32,
+        /// Bytes received over the port.
+        ///
+        /// Unit: byte.
+        pub comm_port_bytes_read: u32,
+        /// Overruns while writing to the port.
+        ///
+        /// Unit: 1.
+        pub comm_port_write_overruns: u32,
+        /// Overruns while reading from the port.
+        ///
+        /// Unit: 1.
+        pub comm_port_read_overruns: u32,
+    }
+    wire 62 {
+        [model_number]
+        [status_selector: u8 = 2]
+        [status_flags]
+        [system_timer]
+        [has_mag]
+        [has_pressure]
+        [gyro_range]
+        [accel_range]
+        [mag_range]
+        [pressure_range]
+        [temperature]
+        [temperature_last_time]
+        [temperature_error]
+        [pps_count]
+        [pps_last_time]
+        [imu_stream_enabled]
+        [imu_dropped_packets]
+        [comm_port_bytes_written]
+        [comm_port_bytes_read]
+        [comm_port_write_overruns]
+        [comm_port_read_overruns]
+    }
+}
+
+constructors! {
+    DeviceStatusDiagnosticGx4ImuResponse
+
+    /// Creates it from its values.
+    fn new(
+        model_number: u16,
+        status_flags: u32,
+        system_timer: u32,
+        has_mag: bool,
+        has_pressure: bool,
+        gyro_range: u16,
+        accel_range: u8,
+        mag_range: f32,
+        pressure_range: f32,
+        temperature: f32,
+        temperature_last_time: u32,
+        temperature_error: u8,
+        pps_count: u32,
+        pps_last_time: u32,
+        imu_stream_enabled: bool,
+        imu_dropped_packets: u32,
+        comm_port_bytes_written: u32,
+        comm_port_bytes_read: u32,
+        comm_port_write_overruns: u32,
+        comm_port_read_overruns: u32,
+    );
+}
+
+field! {
+    DeviceStatusDiagnosticGx4ImuResponse: 0x90, "3dm.device_status_diagnostic_gx4_imu_response";
+    in [0x0C];
+    constants [2: 2];
+    sizes 62..=72;
+    answers DeviceStatus;
+}
+
+record! {
+    /// Diagnostic Device Status of the inertial sensor of the 3DM-RQ1-45 (0x0C,0x90).
+    ///
+    /// Timer, temperature and supply, and the counters of pulses, stream and port.
+    ///
+    /// Answers [`DeviceStatus`]. Distinguished from [`DeviceStatusDiagnosticResponse`],
+    /// [`DeviceStatusDiagnosticGnssResponse`], [`DeviceStatusDiagnosticGq4_45Response`],
+    /// [`DeviceStatusDiagnosticRq1_45Response`], [`DeviceStatusDiagnosticGx4Response`],
+    /// [`DeviceStatusDiagnosticImuResponse`], [`DeviceStatusDiagnosticGx4ImuResponse`] and
+    /// [`DeviceStatusDiagnosticGx3Response`] by the size of its data. Sent if
+    /// [`status_selector`](DeviceStatus::status_selector) is [`DeviceStatusSelector::DIAGNOSTIC`].
+    /// Probably supported by [3DM-RQ1-IMU](crate::devices::RQ1_IMU). Uncertain: The SDK of 2014
+    /// names the values and gives the units of temperature and times; the descriptions follow from
+    /// the names.
+    ///
+    /// The wire format also contains `status_selector`: Diagnostic status. Always 2.
+    ///
+    /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64); 3dm-gx5-35: 4.2.22 Device Status
+    /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device Status
+    /// (0x0C,0x64).
+    #[derive(Copy, Default)]
+    pub struct DeviceStatusDiagnosticRq1ImuResponse {
+        /// Model number of the inertial sensor.
+        pub model_number: u16,
+        /// Reserved.
+        pub status_flags: u32,
+        /// Time since start-up.
+        ///
+        /// Unit: us.
+        pub system_timer: u64,
+        /// Temperature of the board.
+        ///
+        /// Unit: degC. Uncertain: The unit is inferred.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
+        pub temperature: f32,
+        /// System timer at the last temperature.
+        ///
+        /// Unit: ms.
+        pub temperature_last_time: u32,
+        /// Whether a temperature sensor is faulty.
+        pub bad_temperature_sensor_detected: crate::Bool,
+        /// Whether the temperature is too low.
+        pub cold_temperature_detected: crate::Bool,
+        /// Whether a supply voltage is out of range.
+        pub bad_voltage_detected: crate::Bool,
+        /// Pulses per second that were counted.
+        ///
+        /// Unit: 1.
+        pub pps_count: u32,
+        /// System timer at the last pulse.
+        ///
+        /// Unit: ms.
+        pub pps_last_time: u32,
+        /// Whether sensor data is streamed.
+        pub imu_stream_enabled: crate::Bool,
+        /// Sensor data packets that were not sent.
+        ///
+        /// Unit: 1.
+        pub imu_dropped_packets: u32,
+        /// State of the port; its values are not known.
+        pub comm_port_state: u16,
+        /// Present baud rate of the port.
+        ///
+        /// Unit: Bd.
+        pub comm_port_baud_rate: u32,
+        /// Bytes sent over the port.
+        ///
+        /// Unit: byte.
+        pub comm_port_bytes_written: u32,
+        /// Bytes received over the port.
+        ///
+        /// Unit: byte.
+        pub comm_port_bytes_read: u32,
+        /// Overruns while writing to the port.
+        ///
+        /// Unit: 1.
+        pub comm_port_write_overruns: u32,
+        /// Overruns while reading from the port.
+        ///
+        /// Unit: 1.
+        pub comm_port_read_overruns: u32,
+    }
+    wire 61 {
+        [model_number]
+        [status_selector: u8 = 2]
+        [status_flags]
+        [system_timer]
+        [temperature]
+        [temperature_last_time]
+        [bad_temperature_sensor_detected]
+        [cold_temperature_detected]
+        [bad_voltage_detected]
+        [pps_count]
+        [pps_last_time]
+        [imu_stream_enabled]
+        [imu_dropped_packets]
+        [comm_port_state]
+        [comm_port_baud_rate]
+        [comm_port_bytes_written]
+        [comm_port_bytes_read]
+        [comm_port_write_overruns]
+        [comm_port_read_overruns]
+    }
+}
+
+constructors! {
+    DeviceStatusDiagnosticRq1ImuResponse
+
+    /// Creates it from its values.
+    fn new(
+        model_number: u16,
+        status_flags: u32,
+        system_timer: u64,
+        temperature: f32,
+        temperature_last_time: u32,
+        bad_temperature_sensor_detected: bool,
+        cold_temperature_detected: bool,
+        bad_voltage_detected: bool,
+        pps_count: u32,
+        pps_last_time: u32,
+        imu_stream_enabled: bool,
+        imu_dropped_packets: u32,
+        comm_port_state: u16,
+        comm_port_baud_rate: u32,
+        comm_port_bytes_written: u32,
+        comm_port_bytes_read: u32,
+        comm_port_write_overruns: u32,
+        comm_port_read_overruns: u32,
+    );
+}
+
+field! {
+    DeviceStatusDiagnosticRq1ImuResponse: 0x90, "3dm.device_status_diagnostic_rq1_imu_response";
+    in [0x0C];
+    constants [2: 2];
+    sizes 61..=61;
     answers DeviceStatus;
 }
 
@@ -6422,9 +6801,9 @@ record! {
         pub comm_mode: u8,
         /// Port in use.
         pub comm_device: u8,
-        /// Flags of the settings.
+        /// Settings of the data streams; their bits are not known.
         pub settings_flags: u32,
-        /// State of the port.
+        /// State of the port; its values are not known.
         pub comm_state: u16,
         /// Baud rate of the port.
         ///
@@ -6471,8 +6850,9 @@ record! {
     ///
     /// Answers [`DeviceStatus`]. Distinguished from [`DeviceStatusDiagnosticResponse`],
     /// [`DeviceStatusDiagnosticGnssResponse`], [`DeviceStatusDiagnosticGq4_45Response`],
-    /// [`DeviceStatusDiagnosticRq1_45Response`], [`DeviceStatusDiagnosticGx4Response`] and
-    /// [`DeviceStatusDiagnosticImuResponse`] by the size of its data. Sent if
+    /// [`DeviceStatusDiagnosticRq1_45Response`], [`DeviceStatusDiagnosticGx4Response`],
+    /// [`DeviceStatusDiagnosticImuResponse`], [`DeviceStatusDiagnosticGx4ImuResponse`] and
+    /// [`DeviceStatusDiagnosticRq1ImuResponse`] by the size of its data. Sent if
     /// [`status_selector`](DeviceStatus::status_selector) is [`DeviceStatusSelector::DIAGNOSTIC`].
     /// Probably supported by [3DM-GX3-35](crate::devices::GX3_35) and
     /// [3DM-GX3-45](crate::devices::GX3_45). Uncertain: Only the SDK of 2014 has it, which names
@@ -6491,19 +6871,19 @@ record! {
         pub comm_mode: u8,
         /// Port in use.
         pub comm_device: u8,
-        /// Flags of the settings.
+        /// Settings of the data streams; their bits are not known.
         pub settings_flags: u32,
-        /// State of the port.
+        /// State of the port; its values are not known.
         pub comm_state: u16,
         /// Baud rate of the port.
         ///
         /// Unit: Bd.
         pub comm_baud_rate: u32,
-        /// Bytes written to the port.
+        /// Bytes sent over the port.
         ///
         /// Unit: byte.
         pub comm_port_bytes_written: u32,
-        /// Bytes read from the port.
+        /// Bytes received over the port.
         ///
         /// Unit: byte.
         pub comm_port_bytes_read: u32,
@@ -6515,13 +6895,13 @@ record! {
         ///
         /// Unit: 1.
         pub comm_port_read_overruns: u32,
-        /// State of USB.
+        /// State of the USB port; its values are not known.
         pub usb_state: u16,
-        /// Bytes written to USB.
+        /// Bytes sent over USB.
         ///
         /// Unit: byte.
         pub usb_bytes_written: u32,
-        /// Bytes read from USB.
+        /// Bytes received over USB.
         ///
         /// Unit: byte.
         pub usb_bytes_read: u32,
@@ -6533,15 +6913,15 @@ record! {
         ///
         /// Unit: 1.
         pub usb_read_overruns: u32,
-        /// State of the driver of the receiver.
+        /// State of the receiver's driver; its values are not known.
         pub gnss_driver_state: u16,
-        /// State of the port of the receiver.
+        /// State of the port to the receiver; its values are not known.
         pub gnss_port_state: u16,
-        /// Bytes written to the receiver.
+        /// Bytes sent to the receiver.
         ///
         /// Unit: byte.
         pub gnss_bytes_written: u32,
-        /// Bytes read from the receiver.
+        /// Bytes received from the receiver.
         ///
         /// Unit: byte.
         pub gnss_bytes_read: u32,
@@ -6553,7 +6933,7 @@ record! {
         ///
         /// Unit: 1.
         pub gnss_read_overruns: u32,
-        /// Messages of the receiver.
+        /// Messages of the receiver that were read.
         ///
         /// Unit: 1.
         pub gnss_message_count: u32,
@@ -6561,15 +6941,15 @@ record! {
         ///
         /// Unit: 1.
         pub gnss_delayed_message_count: u32,
-        /// State of the driver of the IMU.
+        /// State of the IMU's driver; its values are not known.
         pub imu_driver_state: u16,
-        /// State of the port of the IMU.
+        /// State of the port to the IMU; its values are not known.
         pub imu_port_state: u16,
-        /// Bytes written to the IMU.
+        /// Bytes sent to the IMU.
         ///
         /// Unit: byte.
         pub imu_bytes_written: u32,
-        /// Bytes read from the IMU.
+        /// Bytes received from the IMU.
         ///
         /// Unit: byte.
         pub imu_bytes_read: u32,
@@ -6581,7 +6961,7 @@ record! {
         ///
         /// Unit: 1.
         pub imu_read_overruns: u32,
-        /// Messages of the IMU.
+        /// Messages of the IMU that were read.
         ///
         /// Unit: 1.
         pub imu_message_count: u32,
@@ -6773,10 +7153,12 @@ record! {
         /// Time constant of the correction of pitch and roll.
         ///
         /// Unit: s. Range: 1 to 1000. Default: 10.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub pitch_roll_time_constant: f32,
         /// Time constant of the correction of the heading.
         ///
         /// Unit: s. Range: 1 to 1000. Default: 10.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub heading_time_constant: f32,
     }
 }
@@ -6826,14 +7208,15 @@ record! {
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
     /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS),
     /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10),
-    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX4-IMU](crate::devices::GX4_IMU),
+    /// [3DM-GX5-10](crate::devices::GX5_10), [3DM-GX5-25](crate::devices::GX5_25),
+    /// [3DM-GX5-45](crate::devices::GX5_45) and [3DM-RQ1-IMU](crate::devices::RQ1_IMU).
     ///
     /// Source: 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37); 3dm-cv7-gnss-ins: Accelerometer Bias
     /// Configuration (0x0C,0x37).
     #[derive(Copy, Default)]
     pub struct AccelBiasResponse {
-        /// Accelerometer bias.
+        /// Bias that the device subtracts from the measured acceleration.
         ///
         /// Elements: x, y, z. Unit: g. Frame: sensor.
         pub bias: types::Vector3f,
@@ -6880,14 +7263,15 @@ record! {
     /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
     /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX4-15](crate::devices::GX4_15),
     /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX5-10](crate::devices::GX5_10), [3DM-GX5-25](crate::devices::GX5_25) and
-    /// [3DM-GX5-45](crate::devices::GX5_45).
+    /// [3DM-GX4-IMU](crate::devices::GX4_IMU), [3DM-GX5-10](crate::devices::GX5_10),
+    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-GX5-45](crate::devices::GX5_45) and
+    /// [3DM-RQ1-IMU](crate::devices::RQ1_IMU).
     ///
     /// Source: 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38); 3dm-cv7-gnss-ins: Gyroscope Bias
     /// Configuration (0x0C,0x38).
     #[derive(Copy, Default)]
     pub struct GyroBiasResponse {
-        /// Gyroscope bias.
+        /// Bias that the device subtracts from the measured angular rate.
         ///
         /// Elements: x, y, z. Unit: rad/s. Frame: sensor.
         pub bias: types::Vector3f,
@@ -6927,14 +7311,14 @@ record! {
     /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
     /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
     /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25) and
-    /// [3DM-GX5-35](crate::devices::GX5_35).
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX4-IMU](crate::devices::GX4_IMU),
+    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-35](crate::devices::GX5_35).
     ///
     /// Source: 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A); 3dm-gx5-45: (0x0C,
     /// 0x3A).
     #[derive(Copy, Default)]
     pub struct MagHardIronOffsetResponse {
-        /// Hard iron offset.
+        /// Offset that the device subtracts from the measured magnetic field.
         ///
         /// Elements: x, y, z. Unit: gauss. Frame: sensor.
         pub offset: types::Vector3f,
@@ -6974,8 +7358,8 @@ record! {
     /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
     /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
     /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25) and
-    /// [3DM-GX5-45](crate::devices::GX5_45).
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX4-IMU](crate::devices::GX4_IMU),
+    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B); 3dm-gx5-35: (0x0C,
     /// 0x3B).
@@ -7019,9 +7403,10 @@ record! {
     /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
     /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
     /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10),
-    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-GX5-35](crate::devices::GX5_35) and
-    /// [3DM-GX5-45](crate::devices::GX5_45).
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX4-IMU](crate::devices::GX4_IMU),
+    /// [3DM-GX5-10](crate::devices::GX5_10), [3DM-GX5-25](crate::devices::GX5_25),
+    /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-GX5-45](crate::devices::GX5_45) and
+    /// [3DM-RQ1-IMU](crate::devices::RQ1_IMU).
     ///
     /// Source: 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E).
     #[derive(Copy, Default, Eq, Hash)]
@@ -7165,7 +7550,7 @@ record! {
     /// Source: mip-sdk-4: GNSS Assisted Fix (0x0C,0x23).
     #[derive(Copy, Eq, Hash)]
     pub struct GnssAssistedFixResponse {
-        /// Assisted fix.
+        /// Whether the receiver keeps data for a faster first fix.
         ///
         /// Default: [`AssistedFixOption::NONE`].
         pub option: AssistedFixOption,
@@ -7217,14 +7602,16 @@ record! {
         /// GPS time of week.
         ///
         /// Unit: s. Range: at least 0, less than 604800.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub tow: f64,
         /// GPS week number since 1980.
         ///
         /// Unit: week.
         pub week_number: u16,
-        /// Accuracy of the time.
+        /// Estimated accuracy of the time that is sent.
         ///
         /// Unit: s. Range: at least 0.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub accuracy: f32,
     }
 }
@@ -7309,14 +7696,17 @@ record! {
         /// Rotation about the x axis.
         ///
         /// Unit: rad.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub roll: f32,
         /// Rotation about the y axis.
         ///
         /// Unit: rad.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub pitch: f32,
         /// Rotation about the z axis.
         ///
         /// Unit: rad.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub yaw: f32,
     }
 }
@@ -7496,7 +7886,7 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: Event Control (0x0C,0x2B).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct EventControlResponse {
-        /// Trigger instance.
+        /// Number of the trigger.
         pub instance: u8,
         /// Mode of the trigger.
         ///
@@ -7616,7 +8006,7 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E).
     #[derive(Copy, Default)]
     pub struct EventTriggerConfigResponse {
-        /// Trigger instance.
+        /// Number of the trigger.
         pub instance: u8,
         /// Kind of trigger.
         ///
@@ -7663,7 +8053,7 @@ record! {
     /// Cycle.
     #[derive(Default, Eq, Hash)]
     pub struct EventActionConfigResponse {
-        /// Action instance.
+        /// Number of the action.
         pub instance: u8,
         /// Trigger instance that the action follows.
         pub trigger: u8,
@@ -7893,10 +8283,12 @@ record! {
         /// Unit: pulse/m.
         ///
         /// - Pulses on line A per turn of the wheel, divided by the circumference of the wheel.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub scaling: f32,
         /// Relative uncertainty of the scaling, 1 sigma.
         ///
         /// Unit: 1. Range: at least 0.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub uncertainty: f32,
     }
 }
@@ -8033,7 +8425,7 @@ record! {
     pub struct LowPassFilterResponse {
         /// Descriptor set of the field.
         pub descriptor_set: u8,
-        /// Field descriptor.
+        /// Descriptor of the field that is filtered.
         ///
         /// Refers to fields of [`descriptor_set`](LowPassFilterResponse::descriptor_set).
         pub field_descriptor: u8,
@@ -8044,6 +8436,7 @@ record! {
         /// Cutoff in use.
         ///
         /// Unit: Hz. Range: at least 0.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub frequency: f32,
     }
 }

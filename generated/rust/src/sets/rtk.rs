@@ -238,7 +238,7 @@ record! {
     pub struct ConnectedDeviceType {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
-        /// Type of the device.
+        /// Device that the modem is connected to.
         ///
         /// Required for [write](types::FunctionSelector::WRITE).
         pub device_type: Option<ConnectedDevice>,
@@ -281,7 +281,7 @@ command! {
 record! {
     /// Get activation code (0x0F,0x07).
     ///
-    /// Gets the activation code.
+    /// Reads the code with which the modem is activated for its service.
     ///
     /// Also called `get_act_code`. Answered by [`GetActivationCodeResponse`]. Probably supported by
     /// [3DM-RTK](crate::devices::RTK). Known only from the MicroStrain MIP SDK.
@@ -631,7 +631,7 @@ record! {
         ///
         /// Valid if [`valid`](GetRssiResponse::valid) is true. Uncertain: The unit; dBm is likely.
         pub rssi: i32,
-        /// Signal quality.
+        /// Quality of the modem's radio signal.
         ///
         /// Valid if [`valid`](GetRssiResponse::valid) is true. Uncertain: The unit.
         pub signal_quality: i32,
@@ -670,7 +670,7 @@ record! {
     /// Source: mip-sdk-4: Connected device type (0x0F,0x06).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct ConnectedDeviceTypeResponse {
-        /// Type of the device.
+        /// Device that the modem is connected to.
         pub device_type: ConnectedDevice,
     }
 }
@@ -702,7 +702,7 @@ record! {
     /// Source: mip-sdk-4: Get Act Code (0x0F,0x07).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct GetActivationCodeResponse {
-        /// Activation code.
+        /// Code with which the modem is activated for its service.
         pub activation_code: crate::Text<32>,
     }
 }
@@ -769,7 +769,7 @@ record! {
     pub struct ServiceStatusResponse {
         /// State of the service.
         pub flags: ServiceFlags,
-        /// Bytes received.
+        /// Bytes of corrections that the service has sent.
         ///
         /// Unit: byte.
         pub received_bytes: u32,

@@ -53,7 +53,7 @@ bitfield! {
 bitfield! {
     /// Whether the odometer values are valid.
     OdometerFlags: u16 {
-        /// The odometer is configured. Bit 0.
+        /// Set if an odometer is configured; its values are then valid. Bit 0.
         ODOMETER: bool = 0,
             odometer, set_odometer, with_odometer;
     }
@@ -773,16 +773,19 @@ record! {
         ///
         /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. At rest and
         /// level: 0. Positive: right side down.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub roll: f32,
         /// Pitch angle.
         ///
         /// Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. At rest and
         /// level: 0. Positive: nose up.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub pitch: f32,
         /// Yaw angle.
         ///
         /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive:
         /// clockwise seen from above.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub yaw: f32,
     }
 }
@@ -1126,6 +1129,7 @@ record! {
         /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35): valid if
         /// [`valid_flags.time_initialized`](types::Gx5SensorGpsTimestampFlags::time_initialized) is
         /// set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub tow: f64,
         /// GPS week number.
         ///
@@ -1201,14 +1205,17 @@ record! {
         /// Lowest temperature.
         ///
         /// Unit: degC.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub min_temperature: f32,
         /// Highest temperature.
         ///
         /// Unit: degC.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub max_temperature: f32,
         /// Mean of the temperatures inside the device.
         ///
         /// Unit: degC.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub mean_temperature: f32,
     }
 }
@@ -1249,6 +1256,7 @@ record! {
         /// Pressure in counts.
         ///
         /// Unit: 1.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub raw_pressure: f32,
     }
 }
@@ -1322,6 +1330,7 @@ record! {
         /// Ambient pressure.
         ///
         /// Unit: mbar. Range: at least 0.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub scaled_pressure: f32,
     }
 }
@@ -1398,11 +1407,13 @@ record! {
         /// Average speed over the interval; negative values come from quadrature encoders only.
         ///
         /// Unit: m/s. Valid if [`valid_flags.odometer`](OdometerFlags::odometer) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub speed: f32,
         /// Uncertainty of the speed.
         ///
         /// Unit: m/s. Range: at least 0. Valid if [`valid_flags.odometer`](OdometerFlags::odometer)
         /// is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub uncertainty: f32,
         /// Whether the values are valid.
         pub valid_flags: OdometerFlags,

@@ -99,7 +99,7 @@ record! {
     /// Source: mip-sdk-4: Ticks (0xFF,0xD1).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct Ticks {
-        /// Ticks.
+        /// Base periods since the device started, modulo 2^32.
         ///
         /// Unit: 1.
         pub ticks: u32,
@@ -136,7 +136,7 @@ record! {
     /// Source: mip-sdk-4: Delta ticks (0xFF,0xD2).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct DeltaTicks {
-        /// Ticks.
+        /// Base periods since the previous field of this kind.
         ///
         /// Unit: 1.
         pub ticks: u32,
@@ -192,6 +192,7 @@ record! {
         ///
         /// Unit: s. Range: at least 0, less than 604800. Valid if
         /// [`valid_flags.tow`](GpsTimestampFlags::tow) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub tow: f64,
         /// GPS week number.
         ///
@@ -247,6 +248,7 @@ record! {
         /// Time since the last output.
         ///
         /// Unit: s. Range: at least 0.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub seconds: f64,
     }
 }

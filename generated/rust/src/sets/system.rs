@@ -18,7 +18,7 @@ bitfield! {
     ///
     /// Source: mip-sdk-4: Interface Control (0x7F,0x02).
     CommProtocols: u32 {
-        /// MIP. Bit 0.
+        /// Mip. Bit 0.
         MIP: bool = 0,
             mip, set_mip, with_mip;
         /// NMEA-0183. Bit 8.
@@ -143,8 +143,9 @@ record! {
     /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45),
     /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT), [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST) and
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX4-IMU](crate::devices::GX4_IMU),
+    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT),
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST), [3DM-RQ1-IMU](crate::devices::RQ1_IMU) and
     /// [3DM-RTK](crate::devices::RTK).
     ///
     /// - The acknowledge is sent in the old mode, just before the switch.
@@ -253,8 +254,9 @@ record! {
     /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45),
     /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT), [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST) and
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX4-IMU](crate::devices::GX4_IMU),
+    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT),
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST), [3DM-RQ1-IMU](crate::devices::RQ1_IMU) and
     /// [3DM-RTK](crate::devices::RTK).
     ///
     /// Source: 3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10).

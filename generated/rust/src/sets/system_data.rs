@@ -16,16 +16,16 @@ pub const SYSTEM_DATA_SET: u8 = 0xA0;
 bitfield! {
     /// Level of each GPIO pin, set for high. Bits of pins that do not exist read 0.
     GpioPinStates: u8 {
-        /// GPIO pin 1. Bit 0.
+        /// GPIO pin 1 is high. Bit 0.
         PIN_1: bool = 0,
             pin_1, set_pin_1, with_pin_1;
-        /// GPIO pin 2. Bit 1.
+        /// GPIO pin 2 is high. Bit 1.
         PIN_2: bool = 1,
             pin_2, set_pin_2, with_pin_2;
-        /// GPIO pin 3. Bit 2.
+        /// GPIO pin 3 is high. Bit 2.
         PIN_3: bool = 2,
             pin_3, set_pin_3, with_pin_3;
-        /// GPIO pin 4. Bit 3.
+        /// GPIO pin 4 is high. Bit 3.
         PIN_4: bool = 3,
             pin_4, set_pin_4, with_pin_4;
     }
@@ -224,6 +224,7 @@ record! {
         /// Scaled voltage.
         ///
         /// Unit: V.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub value: f32,
     }
 }

@@ -184,7 +184,7 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         # layouts
         "program": lambda f: bytecode.program(f, model.layouts(f), model.sizes(f)),
         "numbers_only": lambda f: f.min_size if bytecode.is_numbers(f, model.layouts(f)) else 0,
-        "plain": lambda f: bytecode.plain(f, model.layouts(f)),
+        "shape": lambda f: bytecode.shape(f, model.layouts(f)),
         "interpreter": lambda f: bytecode.interpreter(f, model.layouts(f)),
         "direct": direct.direct,
         "layouts": lambda f: len(model.layouts(f)) > 1,

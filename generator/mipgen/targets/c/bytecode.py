@@ -19,6 +19,12 @@ from .tables import required
 #: The most numbers that the first byte of a step can count.
 _FEW = 31
 
+#: The bits of the numbers of a step.
+_WIDTHS = {"MIP_DOUBLES": 64, "MIP_64_BITS": 64, "MIP_32_BITS": 32, "MIP_16_BITS": 16, "MIP_8_BITS": 8}
+
+#: The most numbers of 64, 32 and 16 bits in MIP_SHAPE.
+_SHAPE = (4, 9, 4)
+
 #: The most parameters of a group that the first byte of a step can count.
 _GROUP = 16
 
@@ -102,10 +108,16 @@ def interpreter(f: m.Field, layouts: Sequence[m.Field]) -> str:
     return "&mip_layout" if len(layouts) > 1 else "&mip_program"
 
 
-def plain(f: m.Field, layouts: Sequence[m.Field]) -> str:
-    """Is it only numbers, which fill the structure but for its end? A condition that the C compiler knows."""
-    filled = is_numbers(f, layouts) and not memory.has_gaps(f)
-    return f"sizeof(struct {record_name(f)}) >= 8" if filled else "false"
+def shape(f: m.Field, layouts: Sequence[m.Field]) -> str:
+    """How many numbers of 64, 32 and 16 bits it has, if it has them in this order, without gaps, and few; else 0."""
+    if not is_numbers(f, layouts) or memory.has_gaps(f):
+        return "0"
+    numbers = [s for s in _joined([*_steps(f.parameters, "")]) if isinstance(s, Numbers)]
+    widths = [w for s in numbers for w in [_WIDTHS[s.macro]] * s.count]
+    counts = [widths.count(w) for w in (64, 32, 16)]
+    simple = widths == sorted(widths, reverse=True) and 8 not in widths
+    most = zip(counts, _SHAPE, strict=True)
+    return f"MIP_SHAPE({', '.join(map(str, counts))})" if simple and all(n <= limit for n, limit in most) else "0"
 
 
 def _is_far(f: m.Field) -> bool:

@@ -145,10 +145,9 @@ def session(model: m.Model) -> Session | None:
     item = found.entries.item.struct
     assert item
     descriptor, decimation = item.parameters
-    known = {rate for d in model.devices for port in d.ports for rate in port.baud_rates}
     return Session(
         headers=tuple(sorted({f"{module(f.family)}_commands" for f in found.commands})),
-        bauds=(found.baud, *sorted(known - {found.baud}, reverse=True)),
+        bauds=found.bauds,
         ping=call(found.ping),
         idle=call(found.idle),
         resume=call(found.resume),

@@ -1,36 +1,139 @@
-"""JavaScript: a codec that interprets the model."""
+"""JavaScript: modules of classes with declarations for TypeScript, and the model for tools."""
 
 from __future__ import annotations
 
+import json as text
 from collections.abc import Callable, Iterator, Mapping
+from functools import partial
 from typing import Any
 
 from mipgen import model as m
 from mipgen.emit import package
-from mipgen.emit.target import File, Target
+from mipgen.emit.target import File, Identifier, Target
+from mipgen.lower import calls
 from mipgen.targets.json import api as json
+
+from . import blocks, docs, members, names, session
+
+#: What programs import, apart from the families: the name, and the path of the module without its ending.
+EXPORTS = {
+    ".": "./mip/index",
+    "./protocol": "./protocol",
+    "./types": "./types",
+    "./registry": "./registry",
+    "./tcp": "./mip/tcp",
+    "./serial": "./mip/serial",
+    "./websocket": "./mip/websocket",
+    "./tools": "./mip/tools",
+    "./model": "./model",
+}
 
 
 def files(model: m.Model) -> Iterator[File]:
-    yield File("model.mjs", "model.mjs.j2")
-    yield File("package.json", "package.json.j2")
+    families = {f"./{names.module(x.name)}": f"./{names.module(x.name)}" for x in model.families}
+    yield File("package.json", "package.json.j2", {"exports": [*EXPORTS.items(), *families.items()]})
     quickstart = model.program("quickstart.mjs")
     if quickstart:
         yield File("quickstart.mjs", "verbatim.j2", {"text": quickstart})
-    yield File("README.md", "README.md.j2", {"quickstart": quickstart.rstrip()})
+    shown = {
+        "quickstart": quickstart.rstrip(),
+        "live": model.program("live.mjs").rstrip(),
+        "typed": model.program("typed.mts").rstrip(),
+        "decode_log": model.program("decode_log.mjs").rstrip(),
+    }
+    yield File("README.md", "README.md.j2", shown)
+    for name in ("model", "types", "protocol", "registry"):
+        yield File(f"{name}.mjs", f"{name}.mjs.j2")
+        yield File(f"{name}.d.mts", f"{name}.d.mts.j2")
+    for name in ("session.mjs", "session.d.mts"):
+        yield File(name, f"{name}.j2", {"session": session.of(model)})
+    for x in model.families:
+        yield File(f"{names.module(x.name)}.mjs", "set.mjs.j2", {"family": x})
+        yield File(f"{names.module(x.name)}.d.mts", "set.d.mts.j2", {"family": x})
 
 
-def filters(_: m.Model) -> Mapping[str, Callable[..., Any]]:
-    return {"document": json.text}
+def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
+    return {
+        "document": json.text,
+        # identifiers
+        "class": names.class_name,
+        "constant": names.constant,
+        "home": names.home,
+        "key": blocks.key,
+        "member": names.member,
+        "module": names.module,
+        "namespace": names.namespace,
+        "full_name": lambda t: f"{t.owner}.{t.name}" if t.owner else t.name,
+        # layouts
+        "bits": blocks.bits,
+        "block": blocks.block,
+        "hex": "0x{:02x}".format,
+        "more": lambda f: blocks.more(f, model),
+        "scalar_of": blocks.scalar_of,
+        "sets": blocks.sets,
+        # declarations
+        "answer": lambda function, f: members.answer(function, f, model),
+        "answers": lambda f: members.answers(f, model),
+        "constructors": calls.constructors,
+        "depends": lambda f: members.depends(f, model),
+        "given": members.given,
+        "hint": members.hint,
+        "may_be_absent": members.may_be_absent,
+        "member_key": members.key,
+        "members": members.members,
+        "number": members.number,
+        "quoted": text.dumps,
+        "unneeded": members.unneeded,
+        # comments
+        "bits_doc": partial(docs.of_bits, model=model),
+        "family_doc": partial(docs.of_family, model=model),
+        "field_doc": partial(docs.of_field, model=model),
+        "function_doc": docs.of_function,
+        "member_doc": partial(docs.of_member, model=model),
+        "type_doc": partial(docs.of_type, model=model),
+        "value_doc": partial(docs.of_value, model=model),
+    }
+
+
+# --------------------------------------------------------------------------- identifiers
+
+
+def identifiers(model: m.Model) -> Iterator[Identifier]:
+    yield from json.identifiers(model)  # fields and types are also found by the names that they have in JSON
+    for x in model.families:
+        yield Identifier("package", names.module(x.name), f"set {x.name}", x.position, word=False)
+        yield from _classes(x.name, [*x.types, *x.fields])
+    yield from _classes("types", model.types)
+
+
+def _classes(scope: str, things: list[m.Type | m.Field] | tuple[m.Type, ...]) -> Iterator[Identifier]:
+    for t in things:
+        place = getattr(t, "position", None)
+        yield Identifier(f"module {scope}", names.class_name(t), f"{scope}.{t.name}", place)
+        for name, words, position in _attributes(t):
+            yield Identifier(f"class {scope}.{t.name}", name, words, position or place)
+
+
+def _attributes(t: m.Type | m.Field) -> Iterator[tuple[str, str, m.Position | None]]:
+    """What a class has, as JavaScript and as the specification call it."""
+    if isinstance(t, m.Enum):
+        for v in t.values:
+            yield names.constant(v.name), v.name, v.position
+    elif isinstance(t, m.Bitfield):
+        for b in t.bits:
+            yield names.constant(b.name), b.name, b.position
+    elif isinstance(t, (m.Field, m.Struct)):
+        for p in members.members(t):
+            yield names.member(p.name), p.name, p.position
 
 
 TARGET = Target(
-    title="JavaScript modules without dependencies",
+    title="JavaScript modules with types, without dependencies",
     files=files,
     filters=filters,
-    identifiers=json.identifiers,  # fields and types are found by the names that they have in JSON
+    identifiers=identifiers,
     rename=package.in_source,
     beside="json",
-    conformance=("parse", "decode", "encode"),
+    conformance=("parse", "decode", "encode"),  # its client has no barrier yet
     program="node",
 )

@@ -8,7 +8,8 @@ from __future__ import annotations
 
 import dataclasses
 import json
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
+from operator import attrgetter
 from typing import Any
 
 from mipgen import model as m
@@ -81,6 +82,7 @@ def document(model: m.Model) -> dict[str, Any]:
         "version": p.version,
         "packet": {"sync": list(p.sync), "max_payload": p.max_payload, "max_field_data": m.MAX_FIELD_DATA},
         "acknowledge": p.acknowledge.full_name,
+        "barrier": dict(zip(("set", "descriptor"), p.barrier, strict=True)),
         "ack_code": type_name(p.ack_code),
         "function_selector": type_name(p.function_selector),
         "scalars": {s.name: {"size": s.size, "kind": s.kind} for s in m.SCALARS.values()},
@@ -114,28 +116,31 @@ def types(model: m.Model) -> list[m.Type]:
 
 def plain(value: Any) -> Any:
     """A value inside another: what has a place of its own is named."""
-    if type(value) in (str, int, float, bool):
+    kind = type(value)
+    if kind in (str, int, float, bool):
         return value
-    match value:
-        case tuple() | list():
-            return [plain(v) for v in value]
-        case m.Field():
-            return value.full_name
-        case m.Scalar() | m.Enum() | m.Bitfield() | m.Vector() | m.Struct():
-            return type_name(value)
-        case m.Function() | m.Set():
-            return value.name
-        case m.Union():
-            return value.tag
-        case m.Device():
-            return value.id
-        case simulation.Source():
-            return _attributes(value) | ({"field": value.field.name_in(value.set)} if value.set is not None else {})
-        case bytes():
-            return value.hex()
-        case dict():
-            return {key: plain(v) for key, v in value.items()}
-    return _attributes(value) if dataclasses.is_dataclass(value) else value
+    if kind in _PLAIN:
+        return _PLAIN[kind](value)
+    if isinstance(value, (tuple, list)):
+        return [plain(v) for v in value]
+    return _attributes(value) if dataclasses.is_dataclass(kind) else value
+
+
+def _source(source: simulation.Source) -> dict[str, Any]:
+    return _attributes(source) | ({"field": source.field.name_in(source.set)} if source.set is not None else {})
+
+
+#: Class -> what is in place of an object inside another.
+_PLAIN: dict[type, Callable[[Any], Any]] = {
+    m.Field: attrgetter("full_name"),
+    **dict.fromkeys((m.Scalar, m.Enum, m.Bitfield, m.Vector, m.Struct), type_name),
+    **dict.fromkeys((m.Function, m.Set), attrgetter("name")),
+    m.Union: attrgetter("tag"),
+    m.Device: attrgetter("id"),
+    simulation.Source: _source,
+    bytes: bytes.hex,
+    dict: lambda values: {key: plain(v) for key, v in values.items()},
+}
 
 
 def _attributes(thing: Any) -> dict[str, Any]:
@@ -145,20 +150,8 @@ def _attributes(thing: Any) -> dict[str, Any]:
         for name, default in _written(type(thing))
         if (v := getattr(thing, name)) is not default and _said(v, default)  # most are the default itself
     }
-    if isinstance(thing, (m.Field, m.Struct)):
-        attributes = _behind(attributes, "parameters", "operations", operations(thing))
-    match thing:
-        case m.Parameter():
-            return _parameter(thing, attributes)
-        case m.Field():
-            return _field(thing, attributes)
-        case m.Variant() if thing.only:
-            return {**attributes, "only": [x.name for x in thing.only]}
-        case m.Vector():
-            return {"kind": thing.kind, **attributes}
-        case m.Enum() | m.Bitfield() | m.Struct():
-            return {"kind": thing.kind, **attributes, "name": type_name(thing), "symbols": symbols(thing)}
-    return attributes
+    more = _MORE.get(type(thing))
+    return more(thing, attributes) if more else attributes
 
 
 #: Class -> the attributes that are written, and their defaults.
@@ -183,6 +176,22 @@ def _said(value: Any, default: Any) -> bool:
     return value is not None and not (type(value) is type(default) and value == default)
 
 
+def _variant(v: m.Variant, attributes: dict[str, Any]) -> dict[str, Any]:
+    return {**attributes, "only": [x.name for x in v.only]} if v.only else attributes
+
+
+def _vector(t: m.Vector, attributes: dict[str, Any]) -> dict[str, Any]:
+    return {"kind": t.kind, **attributes}
+
+
+def _type(t: m.Enum | m.Bitfield | m.Struct, attributes: dict[str, Any]) -> dict[str, Any]:
+    return {"kind": t.kind, **attributes, "name": type_name(t), "symbols": symbols(t)}
+
+
+def _struct(t: m.Struct, attributes: dict[str, Any]) -> dict[str, Any]:
+    return _type(t, _behind(attributes, "parameters", "operations", operations(t)))
+
+
 def _parameter(p: m.Parameter, attributes: dict[str, Any]) -> dict[str, Any]:
     head = {"name": attributes.pop("name"), **({"type": type_name(p.element)} if p.element is not None else {})}
     cases = [{"tag": c.tag.name, **({"parameter": plain(c.parameter)} if c.parameter else {})} for c in p.cases]
@@ -191,8 +200,9 @@ def _parameter(p: m.Parameter, attributes: dict[str, Any]) -> dict[str, Any]:
 
 def _field(f: m.Field, attributes: dict[str, Any]) -> dict[str, Any]:
     """Names are full: those of responses, and of the command that owns a response."""
+    attributes = _behind(attributes, "parameters", "operations", operations(f))
     attributes = {"set": f.set, **attributes, "name": f.full_name, "symbols": symbols(f)}
-    if [f.name_in(o.set) for o in f.occurrences] != [f.full_name]:
+    if len(f.names) > 1:
         attributes["occurrences"] = [_occurrence(o, f) for o in f.occurrences]
     if f.functions:
         attributes["calls"] = [
@@ -209,6 +219,18 @@ def _field(f: m.Field, attributes: dict[str, Any]) -> dict[str, Any]:
             {"offset": at, "size": len(octets), "value": int.from_bytes(octets, "big")} for at, octets in f.signature
         ]
     return attributes
+
+
+#: Class -> what is added to the attributes of an object.
+_MORE: dict[type, Callable[[Any, dict[str, Any]], dict[str, Any]]] = {
+    m.Parameter: _parameter,
+    m.Field: _field,
+    m.Variant: _variant,
+    m.Vector: _vector,
+    m.Struct: _struct,
+    m.Enum: _type,
+    m.Bitfield: _type,
+}
 
 
 def _set(s: m.Set, model: m.Model) -> dict[str, Any]:
@@ -246,9 +268,11 @@ def _device(d: m.Device, model: m.Model) -> dict[str, Any]:
         attributes["evidence"] = [
             {"answer": e.answer, **_attributes(e), "why": describe.why(e, model)} for e in d.evidence
         ]
+    distinct = {id(s.evidence): s.evidence for s in (*d.supports, *d.refuses)}
+    places = {key: d.evidence.index(evidence) for key, evidence in distinct.items()}
     for name, said in (("supports", d.supports), ("refuses", d.refuses)):
         if said:
-            attributes[name] = [_support(s, d.evidence.index(s.evidence)) for s in said]
+            attributes[name] = [_support(s, places[id(s.evidence)]) for s in said]
     return attributes
 
 

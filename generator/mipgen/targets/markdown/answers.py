@@ -18,20 +18,20 @@ def answers(page: Page, f: m.Field) -> str:
     asks = page.model.replies(f)
     plain = not asks or (f.functions and any(not x.responds for x in f.functions if x.reply))
     if plain or f.silent_when:
-        rows.append(["Acknowledge", _packet(page, f, codes[0].value), _code(codes[0])])
+        rows.append(["Acknowledge", _packet(page, f, codes[0].value)])
     for reply in asks:
         for r in reply.layouts:
             data = page.index.samples.data(r)
             with_data = code(spaced(acknowledge(page.model, f, codes[0].value, (r.descriptor, data))))
-            rows.append([f"Acknowledge and {page.link(r)}", with_data, _code(codes[0])])
-    for refusal in codes[1:]:
-        rows.append(["Refusal", _packet(page, f, refusal.value), _code(refusal)])
-    return table(rows, ["Answer", "Packet", "Code"])
+            rows.append([f"Acknowledge and {page.link(r)}", with_data])
+    return table(rows, ["Reply", "Packet"])
+
+
+def rejected(page: Page, f: m.Field) -> str:
+    """A packet with which a device rejects a command, and the name of its code."""
+    first = page.model.protocol.ack_code.values[1]
+    return f"{code(first.name)} (0x{first.value:02X}): {_packet(page, f, first.value)}"
 
 
 def _packet(page: Page, f: m.Field, value: int) -> str:
     return code(spaced(acknowledge(page.model, f, value)))
-
-
-def _code(v: m.EnumValue) -> str:
-    return f"{code(v.name)} (0x{v.value:02X})"

@@ -89,12 +89,14 @@ class Shown:
 
     example: m.Example
     table: str
+    more: list[m.Example]
 
 
-def shown_examples(page: Page, f: m.Field) -> list[Shown]:
-    """The examples of a field and of its responses; if the manuals give none, one of typical values."""
+def shown_examples(page: Page, f: m.Field) -> Shown:
+    """The first example of a field, and the others by name; if the manuals give none, one of typical values."""
     examples = {x.id: x for g in on_page(page, f) for x in page.index.examples(g)}
-    return [Shown(x, packet_table(page, x)) for x in examples.values() or [made(page, f)]]
+    first, *more = examples.values() or [made(page, f)]
+    return Shown(first, packet_table(page, first), more)
 
 
 def made(page: Page, f: m.Field) -> m.Example:

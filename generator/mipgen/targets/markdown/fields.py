@@ -14,20 +14,35 @@ from mipgen.lower.extent import Extent, totals
 from .places import Page
 from .text import code, hexadecimal, inline, opening, spaced, table
 
-#: Facts that the table of forms has, and those that have a line each.
+#: Facts that tables have, and those with sections of their own.
 TABLED = ("functions", "responses")
-LISTED = ("affects", "may_affect", "affected", "flags", "note")
+RELATIONS = ("affects", "may_affect", "affected", "flags")
+DEVICES = ("devices", "perhaps", "refused", "deprecation", "firmware", "support")
 
 
 def facts(page: Page, f: m.Field) -> str:
     """The facts about a field besides its description, in sentences."""
-    facts = (x for x in describe.field(f, page.model) if x.topic not in (*TABLED, *LISTED))
+    facts = (x for x in describe.field(f, page.model) if x.topic not in (*TABLED, *RELATIONS, *DEVICES, "note"))
     said = [(x.topic, page.say(x.sentence)) for x in facts]
     return " ".join(f"**{sentence}**" if topic == "deprecated" else sentence for topic, sentence in said)
 
 
 def notes(page: Page, f: m.Field) -> list[str]:
-    return [opening(page.say(x.sentence)) for x in describe.topics(describe.field(f, page.model), *LISTED)]
+    return _listed(page, f, "note")
+
+
+def relations(page: Page, f: m.Field) -> list[str]:
+    """What a field changes, what changes it, and which flags are about it."""
+    return _listed(page, f, *RELATIONS)
+
+
+def on_devices(page: Page, f: m.Field) -> list[str]:
+    """Which devices have a field, and what differs there."""
+    return _listed(page, f, *DEVICES)
+
+
+def _listed(page: Page, f: m.Field, *topics: str) -> list[str]:
+    return [opening(page.say(x.sentence)) for x in describe.topics(describe.field(f, page.model), *topics)]
 
 
 def changed(page: Page, s: m.Set) -> list[str]:

@@ -9,7 +9,7 @@ from mipgen import model as m
 from mipgen.facts import describe
 from mipgen.facts.sample_values import GivenValues
 from mipgen.lower import codec
-from mipgen.model.guides import Guide, Step, Stream
+from mipgen.model.guides import Guide, Question, Step, Stream
 from mipgen.model.guides import Sequence as Steps
 
 from . import examples
@@ -32,7 +32,7 @@ def heading(guide: Guide) -> str:
     return plain(guide.title[0].upper() + guide.title[1:])
 
 
-def named(page: Page, guide: Guide) -> list[str]:
+def named(page: Page, guide: Guide | Question) -> list[str]:
     """Links to the guides and fields that have to do with it."""
     guides = {g.name: g for g in page.model.guides}
     fields = [page.model.field(name) for name in guide.see if name not in guides]

@@ -61,6 +61,8 @@ def of_enumeration(t: m.Enum) -> Row:
 def of_bitfield(t: m.Bitfield) -> Row:
     numbers = {b.name: qualified(b.enum) for b in t.bits if b.enum}
     row = shown({"aliases": tuple(b.name for b in t.bits if b.alias)}) | _spelled(b.name for b in t.bits)
+    concerns = {b.name: code(b.concerns) for b in t.bits if b.concerns}
+    row |= {"concerns": _mapping(concerns)} if concerns else {}
     return row | ({"numbers": _mapping(numbers)} if numbers else {})
 
 

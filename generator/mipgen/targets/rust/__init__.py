@@ -10,7 +10,7 @@ from mipgen.emit import package
 from mipgen.emit.target import File, Identifier, Target
 from mipgen.facts import describe
 
-from . import commands, docs, names, records, tables
+from . import commands, docs, names, records, session, tables
 from .names import LANGUAGE, constant, home, member, method, module, type_name, variant
 from .records import Records
 
@@ -20,27 +20,39 @@ OLDEST = "1.65"
 EXAMPLES = {
     "quickstart": (),
     "log_to_csv": ("std",),
-    "stream": ("std",),
-    "setup": ("std",),
+    "stream": ("open",),
+    "setup": ("open",),
     "json": ("std", "serde"),
     "tokio_codec": ("std",),
     "firmware": (),
 }
 
+#: A package of its own, because of its dependencies: its files, and the programs that they are.
+EMBASSY = {"Cargo.toml": "embassy.toml", "build.rs": "embassy_build.rs", "src/main.rs": "embassy.rs"}
+
 
 def files(model: m.Model) -> Iterable[File]:
     shown = {name: model.program(f"{name}.rs").rstrip() for name in ("quickstart", "client", "device")} | {
+        "stream": model.program("stream.rs").partition("\n\n")[2].rstrip(),
         "oldest": OLDEST,
         "bench": model.program("bench_rust.md").rstrip(),
     }
     examples = {name: needed for name, needed in EXAMPLES.items() if model.program(f"{name}.rs")}
-    yield File("Cargo.toml", "Cargo.toml.j2", {"oldest": OLDEST, "examples": examples, "keywords": keywords(model)})
-    yield File("README.md", "README.md.j2", {**shown, "examples": examples})
+    found = session.of(model)
+    given = {"examples": examples, "session": found, "embassy": model.program("embassy.rs")}
+    yield File("Cargo.toml", "Cargo.toml.j2", {**given, "oldest": OLDEST, "keywords": keywords(model)})
+    yield File("README.md", "README.md.j2", {**given, **shown})
     for name in examples:
         yield File(f"examples/{name}.rs", "verbatim.j2", {"text": model.program(f"{name}.rs")})
+    for path, name in EMBASSY.items():
+        if text := model.program(name):
+            yield File(f"examples/embassy/{path}", "verbatim.j2", {"text": text})
     for page in ("map", "sets"):
         yield File(f"src/{page}.md", f"{page}.md.j2")
-    for path in ("types", "protocol", "sets", "devices/known", "registry/fields"):
+    yield File("src/sets.rs", "sets.rs.j2", {"session": found})
+    if found:
+        yield File("src/sets/session.rs", "session.rs.j2", {"session": found})
+    for path in ("types", "protocol", "devices/known", "registry/fields"):
         yield File(f"src/{path}.rs", f"{path}.rs.j2")
     for family in model.families:
         yield File(f"src/sets/{module(family.name)}.rs", "family.rs.j2", {"family": family})
@@ -77,13 +89,13 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "conversions": lambda _: of.conversions(),
         "derives": of.derives,
         "derives_default": of.derives_default,
-        "is_long": records.is_long,
         "is_sequence": records.is_sequence,
         "needs": of.needs,
         "places": of.places,
         "members": of.members,
         "members_of": of.members_of,
         "readings": of.readings,
+        "serde_module": records.serde_module,
         "settable": of.settable,
         "tuple_of": of.tuple_of,
         "responses_derive": lambda f: records.responses_derive(model.responses(f)),

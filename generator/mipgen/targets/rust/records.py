@@ -347,6 +347,16 @@ def reserved(p: m.Parameter) -> str:
     return f"[{p.reserved}; {p.length}]" if isinstance(p.length, int) else str(p.reserved)
 
 
+def serde_module(p: m.Parameter) -> str:
+    """What serde needs for it: for floats, because a format may have no NaN; for arrays that are too long for it."""
+    item = p
+    while item.kind == "array" and item.vector is None:
+        item = item.item
+    if item.kind == "scalar" and item.named is None and item.scalar.kind == "float":
+        return "crate::readable"
+    return "crate::list::long_array" if is_long(p) else ""
+
+
 def is_long(p: m.Parameter) -> bool:
     """Is it an array that is too long for the traits of Rust and serde?"""
     return p.kind == "array" and p.vector is None and (p.count or 0) > 32

@@ -5,6 +5,7 @@
  * The caller builds a packet, sends it, and passes received packets and the time to the client. The
  * caller also owns the requests: each must stay at its address until it is no longer waiting.
  *
+ *     ... send mip_client_barrier(&client, bytes) bytes ...
  *     mip_builder_start(&builder, buffer, sizeof(buffer), MIP_..._SET);
  *     mip_client_add(&client, &request, &builder, &mip_..._command, &command, now);
  *     mip_client_expect(&request, &mip_..._response_codec, &response);
@@ -29,6 +30,8 @@ extern "C" {
 #define MIP_DEFAULT_TIMEOUT 1000
 /** The longest time-out, 24 days, because the time may wrap around. A longer one is shortened. */
 #define MIP_MAX_TIMEOUT UINT32_C(0x7FFFFFFF)
+/** The bytes of the longest barrier: 63 commands. */
+#define MIP_MAX_BARRIER (6 + 2 * 63)
 
 /* A condition on the data of a command: tests of its bytes, which must all hold. A byte that is not
  * there counts as 0. */
@@ -103,6 +106,8 @@ struct mip_request {
     bool responded;
     /** A mip_error: what is wrong with the response; its structure is then zeroed. */
     uint8_t error;
+    /** The barrier that must be answered first, by the payload of its answer. 0: none. */
+    uint8_t behind;
     /** How the command is answered. */
     const struct mip_exchange *exchange;
     /** The response that it requests; NULL if it requests none. */
@@ -124,6 +129,11 @@ struct mip_client {
     struct mip_request *waiting;
     /** Milliseconds that a device may take to answer; at most MIP_MAX_TIMEOUT. */
     uint32_t timeout;
+    /** The barrier to be sent next, by the payload of its answer: four bytes for each command, and
+     * one command more than there were requests without an answer since the last one. 0: none. */
+    uint8_t missed;
+    /** The barrier that was sent, until it is answered, in the same way. 0: none. */
+    uint8_t behind;
 };
 
 /** Initializes a client: no request is waiting, and the time-out is MIP_DEFAULT_TIMEOUT. */
@@ -180,13 +190,41 @@ MIP_CHECKED MIP_API mip_error mip_client_send(struct mip_client *client,
  * waiting. Data has no effect.
  *
  * An answer belongs to the oldest waiting request of the command whose descriptor it echoes, if its
- * response is of a type that the request expects. MIP has no other mark: the late answer to a
- * request that has timed out or was cancelled answers the next one of the same command, even if
- * that one asks for other values, for example for another descriptor set. It has no effect if no
- * request of its command waits. To be sure, compare what a response repeats of the command, or wait
- * before a command is sent again.
+ * response is of a type that the request expects. MIP has no other mark: without a barrier, the
+ * late answer to a request that has timed out or was cancelled answers the next one of the same
+ * command, even if that one asks for other values, for example for another descriptor set.
  */
 MIP_API bool mip_client_receive(struct mip_client *client, const struct mip_packet *packet);
+
+/**
+ * The barrier that is to be sent before the next packet of commands: its size, and 0, mostly, if no
+ * answer is late. `bytes` has room for MIP_MAX_BARRIER. Call it before the first mip_client_add of
+ * each packet, and send what it gives, so that a late answer is never taken for that of a command:
+ *
+ *     size = mip_client_barrier(&client, bytes);
+ *     ... send these bytes, if there are any ...
+ *     mip_builder_start(...);
+ *     mip_client_add(...);
+ *
+ * It is a packet of several commands that change nothing (MIP_BARRIER_DESCRIPTOR). The device
+ * answers in order, and those of one packet in one packet: how many there are tells which barrier
+ * is answered. Until then, nothing answers the requests behind it, and from then on nothing those
+ * before it, which have timed out. A request whose barrier is not answered times out, although the
+ * device may have carried it out.
+ */
+MIP_API size_t mip_client_barrier(struct mip_client *client, uint8_t *bytes);
+
+/** Is a packet the answer of a barrier that requests are behind? mip_client_receive calls this; who
+ * calls mip_client_next, calls it first, and leaves the packet alone if it is. */
+MIP_API bool mip_client_passes(struct mip_client *client, const struct mip_packet *packet);
+
+/** Counts a command that was sent without a request, and whose answer may still come: the next
+ * packet is to be sent behind a barrier. */
+MIP_API void mip_client_miss(struct mip_client *client);
+
+/** The fields of a barrier without its header, for mip/device.h, where nothing else waits: their
+ * size, or 0. */
+MIP_API size_t mip_client_guard(struct mip_client *client, uint8_t *fields);
 
 /**
  * The same step by step, for callers that also use the other fields of the packet: continues a
@@ -196,6 +234,8 @@ MIP_API bool mip_client_receive(struct mip_client *client, const struct mip_pack
  *
  *     struct mip_walk walk = mip_walk_packet(&packet);
  *     while (mip_client_next(&client, &walk, &answered, &field)) { ... }
+ *
+ * After mip_client_barrier, call mip_client_passes first.
  */
 MIP_API bool mip_client_next(struct mip_client *client, struct mip_walk *walk,
                              struct mip_request **answered, struct mip_field *field);

@@ -62,21 +62,34 @@ static void move_all(const uint8_t *program, uint8_t *wire, uint8_t *value, bool
     }
 }
 
+/** No layout has code of its own. */
+static inline bool move_shape(const struct mip_codec *codec, const uint8_t *wire,
+                              const uint8_t *memory, bool writing) {
+    (void)codec, (void)wire, (void)memory, (void)writing;
+    return false;
+}
+
 #else
 
-/** Reads or writes numbers of 8, 16, 32 or 64 bits. */
-#define MOVE(bits)                                   \
-    do {                                             \
-        uint##bits##_t number;                       \
-        if (writing) {                               \
-            memcpy(&number, memory, sizeof(number)); \
-            mip_put_##bits(wire, number);            \
-        } else {                                     \
-            number = mip_get_##bits(wire);           \
-            memcpy(memory, &number, sizeof(number)); \
-        }                                            \
-        wire += sizeof(number);                      \
-        memory += sizeof(number);                    \
+/** Reads or writes a number of 8, 16, 32 or 64 bits at a place. */
+#define MOVE_1(bits, at)                                    \
+    do {                                                    \
+        uint##bits##_t number;                              \
+        if (writing) {                                      \
+            memcpy(&number, memory + (at), sizeof(number)); \
+            mip_put_##bits(wire + (at), number);            \
+        } else {                                            \
+            number = mip_get_##bits(wire + (at));           \
+            memcpy(memory + (at), &number, sizeof(number)); \
+        }                                                   \
+    } while (0)
+
+/** Reads or writes several. */
+#define MOVE(bits)          \
+    do {                    \
+        MOVE_1(bits, 0);    \
+        wire += bits / 8;   \
+        memory += bits / 8; \
     } while (--count > 0)
 
 /** At least one number. */
@@ -104,6 +117,65 @@ MIP_QUICK void move_all(const uint8_t *program, uint8_t *wire, uint8_t *value, b
     for (unsigned step = *program; step != MIP_END; step = *program) {
         wire = move(wire, value + program[1], step, step & 31, writing);
         program += 2;
+    }
+}
+
+/* Layouts that occur often, without a loop. Two to four numbers of so many bits at a place, and the
+ * gap at the end of the structure. */
+#define MOVE_2(bits, at) \
+    MOVE_1(bits, at);    \
+    MOVE_1(bits, (at) + (bits) / 8)
+#define MOVE_3(bits, at) \
+    MOVE_2(bits, at);    \
+    MOVE_1(bits, (at) + (bits) / 4)
+#define MOVE_4(bits, at) \
+    MOVE_2(bits, at);    \
+    MOVE_2(bits, (at) + (bits) / 4)
+#define CLEAR_END() memset(memory + codec->size - 8, 0, writing ? 0 : 8)
+
+/** Reads or writes a layout of one of the most frequent shapes. False if it has another one. */
+MIP_QUICK bool move_shape(const struct mip_codec *codec, uint8_t *wire, uint8_t *memory,
+                          bool writing) {
+    switch (sizeof(double) == 8 ? codec->shape : 0) {
+    case MIP_SHAPE(0, 1, 0):
+        MOVE_1(32, 0);
+        return true;
+    case MIP_SHAPE(0, 3, 0):
+        MOVE_3(32, 0);
+        return true;
+    case MIP_SHAPE(0, 3, 1):
+        CLEAR_END();
+        MOVE_3(32, 0);
+        MOVE_1(16, 12);
+        return true;
+    case MIP_SHAPE(0, 4, 1):
+        CLEAR_END();
+        MOVE_4(32, 0);
+        MOVE_1(16, 16);
+        return true;
+    case MIP_SHAPE(1, 0, 0):
+        MOVE_1(64, 0);
+        return true;
+    case MIP_SHAPE(1, 0, 1):
+        CLEAR_END();
+        MOVE_1(64, 0);
+        MOVE_1(16, 8);
+        return true;
+    case MIP_SHAPE(1, 0, 2):
+        CLEAR_END();
+        MOVE_1(64, 0);
+        MOVE_2(16, 8);
+        return true;
+    case MIP_SHAPE(3, 0, 1):
+        CLEAR_END();
+        MOVE_3(64, 0);
+        MOVE_1(16, 24);
+        return true;
+    case MIP_SHAPE(0, 0, 3):
+        MOVE_3(16, 0);
+        return true;
+    default:
+        return false;
     }
 }
 
@@ -141,9 +213,21 @@ bool mip_field_is(const struct mip_field *field, const struct mip_codec *codec) 
     return error == MIP_OK || error == MIP_ERROR_TRUNCATED;
 }
 
-MIP_APART mip_error decode(const struct mip_codec *codec, void *value,
-                           const struct mip_field *field, size_t *trailing) {
+/** Decodes most fields, without a call. False if it is another one; then nothing has changed. */
+MIP_QUICK bool decode_shape(const struct mip_codec *codec, void *value,
+                            const struct mip_field *field) {
+    uint8_t *data = (uint8_t *)(uintptr_t)field->data; /* nothing is written to it */
+    return mip_set_has(field->descriptor_set, codec->descriptor_set) &&
+           field->size >= codec->numbers && move_shape(codec, data, (uint8_t *)value, false);
+}
+
+mip_error mip_decode(const struct mip_codec *codec, void *value, const struct mip_field *field,
+                     size_t *trailing) {
     size_t left = field->size;
+    if (trailing == NULL && field->descriptor == codec->descriptor &&
+        decode_shape(codec, value, field)) {
+        return MIP_OK;
+    }
     mip_error error = check(field, codec);
     if (error != MIP_OK || codec->size != codec->numbers) { /* gaps between members, too */
         memset(value, 0, codec->size);
@@ -161,18 +245,9 @@ MIP_APART mip_error decode(const struct mip_codec *codec, void *value,
     return error;
 }
 
-mip_error mip_decode(const struct mip_codec *codec, void *value, const struct mip_field *field,
-                     size_t *trailing) {
-#ifndef __OPTIMIZE_SIZE__
-    /* Most fields, without a call. */
-    if (field->descriptor == codec->descriptor && field->descriptor_set == codec->descriptor_set &&
-        codec->plain && field->size >= codec->numbers && trailing == NULL) {
-        memset((uint8_t *)value + codec->size - 8, 0, 8);
-        move_all(codec->program, (uint8_t *)(uintptr_t)field->data, (uint8_t *)value, false);
-        return MIP_OK;
-    }
-#endif
-    return decode(codec, value, field, trailing);
+mip_error mip_decode_same(const struct mip_codec *codec, void *value,
+                          const struct mip_field *field) {
+    return decode_shape(codec, value, field) ? MIP_OK : mip_decode(codec, value, field, NULL);
 }
 
 mip_error mip_encode(const struct mip_codec *codec, const void *value,
@@ -188,8 +263,10 @@ mip_error mip_encode(const struct mip_codec *codec, const void *value,
         return mip_builder_note(builder, MIP_ERROR_SET);
     }
     if (codec->interpreter == NULL) {
-        /* Nothing is written to the structure. */
-        move_all(codec->program, data, (uint8_t *)(uintptr_t)value, true);
+        uint8_t *memory = (uint8_t *)(uintptr_t)value; /* nothing is written to it */
+        if (!move_shape(codec, data, memory, true)) {
+            move_all(codec->program, data, memory, true);
+        }
     } else {
         const size_t room = builder->capacity - MIP_CHECKSUM_SIZE - start;
         const mip_error error = codec->interpreter->write(codec, value, data, room, &size);

@@ -266,6 +266,9 @@ struct mip_parser {
     uint16_t length;
     /** How many of them are done with: the last packet, and what came before it. */
     uint16_t done;
+    /** How many bytes the packet still needs whose header is at the beginning of the buffer, if the
+     * library is compiled for speed; 0 if that is not known. */
+    uint16_t missing;
     /** The beginning of a packet whose end has not arrived yet. */
     uint8_t buffer[MIP_MAX_PACKET];
 };
@@ -350,8 +353,9 @@ struct mip_codec {
     uint16_t size;
     /** In how many further descriptor sets it occurs. Their numbers are right before `program`. */
     uint8_t more_sets;
-    /** Is it only numbers, which fill a structure of at least eight bytes up to its last seven? */
-    bool plain;
+    /** MIP_SHAPE of a layout that is only numbers, wide ones before others, without gaps; else 0.
+     */
+    uint8_t shape;
     /** The steps that read and write it: see mip/program.h. */
     const uint8_t *program;
     /** What runs them; NULL if they are only numbers. */
@@ -375,6 +379,10 @@ MIP_API bool mip_field_is(const struct mip_field *field, const struct mip_codec 
 MIP_API mip_error mip_decode(const struct mip_codec *codec, void *value,
                              const struct mip_field *field, size_t *trailing);
 
+/** The same for a field with the descriptor of the type. */
+MIP_API mip_error mip_decode_same(const struct mip_codec *codec, void *value,
+                                  const struct mip_field *field);
+
 /** What each _decode calls. Most fields of a packet are others: they are refused before a call,
  * unless size matters more than speed. */
 static inline mip_error mip_decode_only(const struct mip_codec *codec, uint8_t descriptor,
@@ -382,13 +390,14 @@ static inline mip_error mip_decode_only(const struct mip_codec *codec, uint8_t d
 #ifdef __OPTIMIZE_SIZE__
     (void)descriptor;
     (void)size;
+    return mip_decode(codec, value, field, NULL);
 #else
     if (field->descriptor != descriptor) {
         memset(value, 0, size);
         return MIP_ERROR_DESCRIPTOR;
     }
+    return mip_decode_same(codec, value, field);
 #endif
-    return mip_decode(codec, value, field, NULL);
 }
 
 /**

@@ -98,10 +98,6 @@ struct mip_device {
     uint32_t silence;
     /** When the last bytes arrived. */
     uint32_t heard;
-    /** When a command has timed out. */
-    uint32_t missed;
-    /** May its answer still come? */
-    bool owed;
     /** The packet whose field a handler is called with: there, mip_walk_packet finds the fields
      * that belong together, such as a time stamp and the values of that time. NULL outside
      * handlers and observers. */
@@ -211,11 +207,10 @@ MIP_API bool mip_device_poll(struct mip_device *device);
  * response is stored in `response`, the structure of `codec`, or not stored if that is NULL. It is
  * zeroed first, and stays zeroed unless the command succeeds and requests this response.
  *
- * For ten seconds after a command that was not answered, what has already arrived is read and
- * handled before the next one is sent: a late answer is not taken for that of another command of
- * the same type. This takes as long as one read without data; while data keeps arriving, at most 64
- * reads or 100 ms. An answer that comes only after the next command of the same type is sent is
- * taken for its answer; if the device may be so slow, give it a longer `timeout`.
+ * After a command that was not answered, its answer may still come. The next one is therefore sent
+ * behind a barrier (see mip_client_barrier), and what comes before the answer of that is data: a
+ * late answer is never taken for that of another command. This costs a packet each way, and no
+ * further wait.
  *
  * While each read fills all the room that it is given, the answer may be in what is read next: then
  * the call waits up to twice as long as `timeout`, but at most one second longer.

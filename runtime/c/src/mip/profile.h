@@ -48,6 +48,16 @@ struct mip_profile_field {
     const struct mip_profile_evidence *evidence;
 };
 
+/** The firmware that a command or a data field requires. */
+struct mip_profile_firmware {
+    /** Descriptor set of the field. */
+    uint8_t descriptor_set;
+    /** Descriptor of the field. */
+    uint8_t descriptor;
+    /** The versions that have it: "> 1.0.07" or ">= 1.0, < 1.1". */
+    const char *versions;
+};
+
 /** How often a device samples the fields of a data set. */
 struct mip_profile_rate {
     /** The data set. */
@@ -82,6 +92,8 @@ struct mip_profile_limit {
     const char *unit;
     /** What it limits. */
     const char *description;
+    /** The firmware versions that have it: ">= 1.0.04"; empty if all have. */
+    const char *firmware;
 };
 
 /** A note in words, with a table if it has rows. */
@@ -130,6 +142,8 @@ struct mip_profile {
     uint16_t field_count;
     /** Elements of `refuses`. */
     uint16_t refused_count;
+    /** Elements of `firmware`. */
+    uint8_t firmware_count;
     /** Elements of `rates`. */
     uint8_t rate_count;
     /** Elements of `ports`. */
@@ -150,6 +164,8 @@ struct mip_profile {
     const struct mip_profile_field *fields;
     /** What it is known not to have. */
     const struct mip_profile_field *refuses;
+    /** The firmware that some of these fields require. */
+    const struct mip_profile_firmware *firmware;
     /** How often it samples each data set. */
     const struct mip_profile_rate *rates;
     /** Its ports. */
@@ -193,6 +209,11 @@ MIP_API enum mip_support mip_profile_support(const struct mip_profile *profile,
 MIP_API const struct mip_profile_field *mip_profile_find_field(const struct mip_profile *profile,
                                                                uint8_t descriptor_set,
                                                                uint8_t descriptor);
+
+/** The firmware versions that have a command or a data field: "> 1.0.07". NULL if all have it, or
+ * if it is not known. */
+MIP_API const char *mip_profile_firmware_of(const struct mip_profile *profile,
+                                            uint8_t descriptor_set, uint8_t descriptor);
 
 /** The base rate of a data set in Hz: 0 if data is sent as it arrives, negative if it has none. */
 MIP_API double mip_profile_base_rate(const struct mip_profile *profile, uint8_t descriptor_set);

@@ -51,6 +51,10 @@ extern "C" {
 /** More than 31 numbers: MIP_8_BITS(0, MIP_MANY(200, place)). */
 #define MIP_MANY(count, place) count, place
 
+/** How many numbers of 64, 32 and 16 bits a layout has, as one number below 256: at most 4, 9 and 4
+ * of them. */
+#define MIP_SHAPE(longs, words, halves) ((longs) * 50 + (words) * 5 + (halves))
+
 /** The first bytes of the other steps. */
 enum {
     /** Of MIP_END. */

@@ -14,11 +14,6 @@ macro_rules! bitfield {
     ) => {
         $(#[$meta])*
         #[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
-        #[cfg_attr(
-            feature = "serde",
-            derive(serde::Serialize, serde::Deserialize),
-            serde(transparent)
-        )]
         #[cfg_attr(feature = "defmt", derive(defmt::Format))]
         pub struct $name(pub $storage);
 
@@ -69,6 +64,25 @@ macro_rules! bitfield {
 
         newtype!($name: $storage);
         bit_sets!($name: $storage);
+
+        #[cfg(feature = "serde")]
+        impl $crate::readable::Flags for $name {
+            type Storage = $storage;
+
+            const NAMES: &'static [$crate::bits::Bits] = Self::BITS;
+            const NONE: Self = Self::NO_BITS;
+
+            fn storage(self) -> $storage {
+                self.0
+            }
+
+            fn of_storage(storage: $storage) -> Self {
+                Self(storage)
+            }
+        }
+
+        #[cfg(feature = "serde")]
+        readable!($name write_flags read_flags);
 
         impl ::core::fmt::Debug for $name {
             #[inline]

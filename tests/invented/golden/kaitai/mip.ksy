@@ -140,7 +140,7 @@ types:
             kind::tools_pin_response: tools_pin_response
             kind::tools_hello_response: tools_hello_response
             kind::tools_readings_response: tools_readings_response
-            kind::tools_status_short: tools_status_short_layouts
+            kind::tools_status_paged: tools_status_paged_layouts
             kind::tools_bias_vector: tools_bias_vector
             kind::mip_3d_default: mip_3d_default
             kind::measurements_accel: measurements_accel
@@ -171,7 +171,7 @@ types:
     seq:
       - id: bytes
         size-eos: true
-  tools_status_short_layouts:
+  tools_status_paged_layouts:
     -kind: layouts
     doc: The layout of the data, chosen by its constants and its size.
     seq:
@@ -180,10 +180,11 @@ types:
         type:
           switch-on: number
           cases:
-            0: tools_status_short
-            1: tools_status_long
-            2: tools_status_old
-            3: tools_status_full
+            0: tools_status_paged
+            1: tools_status_short
+            2: tools_status_long
+            3: tools_status_old
+            4: tools_status_full
     instances:
       byte_0:
         pos: 0
@@ -197,16 +198,22 @@ types:
         pos: 2
         type: u1
         if: _io.size > 2
+      byte_3:
+        pos: 3
+        type: u1
+        if: _io.size > 3
       fits_0:
-        value: (_io.size <= 0 or byte_0 == 0x12) and (_io.size <= 1 or byte_1 == 0x67) and (_io.size <= 2 or byte_2 == 0x01)
+        value: (_io.size <= 0 or byte_0 == 0x12) and (_io.size <= 1 or byte_1 == 0x67) and (_io.size <= 2 or byte_2 == 0x01) and (_io.size <= 3 or byte_3 == 0x07)
       fits_1:
-        value: (_io.size <= 0 or byte_0 == 0x12) and (_io.size <= 1 or byte_1 == 0x67) and (_io.size <= 2 or byte_2 == 0x02)
+        value: (_io.size <= 0 or byte_0 == 0x12) and (_io.size <= 1 or byte_1 == 0x67) and (_io.size <= 2 or byte_2 == 0x01)
       fits_2:
         value: (_io.size <= 0 or byte_0 == 0x12) and (_io.size <= 1 or byte_1 == 0x67) and (_io.size <= 2 or byte_2 == 0x02)
       fits_3:
         value: (_io.size <= 0 or byte_0 == 0x12) and (_io.size <= 1 or byte_1 == 0x67) and (_io.size <= 2 or byte_2 == 0x02)
+      fits_4:
+        value: (_io.size <= 0 or byte_0 == 0x12) and (_io.size <= 1 or byte_1 == 0x67) and (_io.size <= 2 or byte_2 == 0x02)
       number:
-        value: "fits_3 and _io.size >= 16 ? 3 : fits_1 and _io.size >= 15 ? 1 : fits_0 and _io.size >= 7 ? 0 : fits_2 and _io.size >= 7 ? 2 : fits_0 ? 0 : fits_2 ? 2 : fits_1 ? 1 : fits_3 ? 3 : -1"
+        value: "fits_4 and _io.size >= 16 ? 4 : fits_2 and _io.size >= 15 ? 2 : fits_0 and _io.size >= 7 ? 0 : fits_1 and _io.size >= 7 ? 1 : fits_3 and _io.size >= 7 ? 3 : fits_0 ? 0 : fits_1 ? 1 : fits_3 ? 3 : fits_2 ? 2 : fits_4 ? 4 : -1"
   vector3f:
     -kind: vector
     doc: Three floats.
@@ -265,8 +272,16 @@ types:
       - id: clock
         type: b1
         doc: The clock has failed.
-      - id: unused_1
-        type: b8
+      - id: hot
+        type: b1
+        doc: Too hot.
+      - id: unused_2
+        type: b2
+      - id: level
+        type: b3
+        doc: A number from 0 to 7.
+      - id: unused_7
+        type: b2
       - id: power
         type: b1
         doc: The supply is out of range.
@@ -776,6 +791,28 @@ types:
         -orig-id: last
         type: tools_reading
         doc: The last one.
+  tools_status_paged:
+    -orig-id: tools.status_paged
+    doc: Status response. As long as the short layout. A further constant tells it from that one.
+    seq:
+      - id: model
+        type: u2
+        valid: 4711
+        doc: The model.
+      - id: selector
+        type: u1
+        valid: 1
+        doc: The short layout.
+      - id: page
+        type: u1
+        valid: 7
+        doc: The page.
+      - id: uptime
+        type: u2
+        doc: "Since start. Unit: s."
+      - id: level
+        type: u1
+        doc: How full it is.
   tools_status_short:
     -orig-id: tools.status_short
     doc: "Status response. "
@@ -1224,8 +1261,8 @@ enums:
       -role: response
       doc: Readings response
     0x0190:
-      id: tools_status_short
-      -orig-id: tools.status_short
+      id: tools_status_paged
+      -orig-id: tools.status_paged
       -role: response
       doc: Status response
     0x019b:

@@ -25,6 +25,8 @@ F["state_flags"] = {
 }
 F["health"] = {
   { name = "clock", at = 0, size = 1, mask = 1, shift = 0, width = 1, doc = "The clock has failed." },
+  { name = "hot", at = 0, size = 1, mask = 2, shift = 1, width = 1, doc = "Too hot." },
+  { name = "level", at = 0, size = 1, mask = 112, shift = 4, width = 3, doc = "A number from 0 to 7." },
   { name = "power", at = 1, size = 1, mask = 2, shift = 1, width = 1, doc = "The supply is out of range." },
   { name = "count", at = 3, size = 2, mask = 960, shift = 6, width = 4, little = true, doc = "A number across two bytes." },
   { name = "last", at = 15, size = 1, mask = 128, shift = 7, width = 1, doc = "The very last bit." },
@@ -287,6 +289,17 @@ field({ descriptor = 0x8D, name = "tools.readings_response", role = "response", 
       { kind = "array", name = "readings", counter = "count", capacity = 49, size = 5, doc = "The readings. If drive is pulse: kind has values of pulse_use. Seldom 2. If drive is serial: kind has values of serial_use.", readings = { {by = "drive", value = 1, member = "kind", enum = E["tools.pulse_use"] }, {by = "drive", value = 2, member = "kind", enum = E["tools.serial_use"] }, }, item = { kind = "struct", name = "item", record = S["tools.reading"] } },
       { kind = "struct", name = "last", record = S["tools.reading"], doc = "The last one. If drive is pulse: value has unit s; range 0 to 1. If drive is serial: value: Nothing." },
     } }, { { set = 0x01, name = "tools.readings_response", title = "Readings response" }, })
+field({ descriptor = 0x90, name = "tools.status_paged", role = "response", title = "Status response",
+    doc = "As long as the short layout. A further constant tells it from that one.", least = 7,
+    always = 5,
+    constants = { { at = 0, value = "\18\103" }, { at = 2, value = "\1" }, { at = 3, value = "\7" }, },
+    rows = {
+      { kind = "constant", name = "model", type = "u16", size = 2, value = "\18\103", doc = "The model." },
+      { kind = "constant", name = "selector", type = "u8", size = 1, value = "\1", doc = "The short layout." },
+      { kind = "constant", name = "page", type = "u8", size = 1, value = "\7", doc = "The page." },
+      { kind = "scalar", name = "uptime", type = "u16", size = 2, units = {"s", }, doc = "Since start. Unit: s." },
+      { kind = "scalar", name = "level", type = "u8", size = 1, doc = "How full it is." },
+    } }, { { set = 0x01, name = "tools.status_paged", title = "Status response" }, })
 field({ descriptor = 0x90, name = "tools.status_short", role = "response", title = "Status response",
     doc = "", least = 7,
     always = 3,

@@ -94,6 +94,8 @@ impl Session {
             return Err("request");
         }
         self.tick();
+        let before = self.client.clone();
+        let mut packets = self.client.barrier().map_or_else(Vec::new, |p| p.bytes().to_vec());
         let mut request = self.client.request(set);
         let mut tickets: Vec<Ticket<()>> = Vec::new();
         for field in fields {
@@ -109,15 +111,17 @@ impl Session {
                 Ok(ticket) => tickets.push(ticket),
                 Err("request") => return Err("request"),
                 Err(error) => {
+                    self.client = before; // no barrier was sent
                     self.happens("not_sent", [("error", string(error))]);
                     return Ok(());
                 }
             }
         }
         let packet = request.send(self.now);
-        let bytes = hex(packet.bytes());
+        packets.extend_from_slice(packet.bytes());
+        let bytes = hex(&packets);
         if let Some(port) = &mut self.port {
-            port.write(packet.bytes());
+            port.write(&packets);
         }
         let first = self.sent.len();
         self.sent.extend_from_slice(&tickets);
@@ -196,7 +200,8 @@ impl Session {
         for event in &events {
             self.answer(event);
         }
-        if events.is_empty() || !others.is_empty() {
+        let empty = packet.payload().is_empty(); // else, without anything in it, it answers a barrier
+        if events.is_empty() && empty || !others.is_empty() {
             let set = Json::Integer(packet.set().into());
             self.happens("received", [("set", set), ("fields", Json::Array(others))]);
         }

@@ -64,6 +64,7 @@ FIELDS: dict[str, tuple[str, str, str, str, tuple[str, ...]]] = {
         ("keep_alive_response", "welcome"),
     ),
     "tools.readings_response": ("tools", "ReadingsResponse", "response", "Readings response", ()),
+    "tools.status_paged": ("tools", "StatusPaged", "response", "Status response", ()),
     "tools.status_short": ("tools", "StatusShort", "response", "Status response", ()),
     "tools.status_long": ("tools", "StatusLong", "response", "Status response", ()),
     "tools.status_old": ("tools", "StatusOld", "response", "Status response", ()),

@@ -701,6 +701,76 @@ class ReadingsResponse(Response):
         return codec.finished(out)
 
 
+_STATUS_PAGED_0 = codec.Block("H", "model")
+_STATUS_PAGED_1 = codec.Block("B", "selector")
+_STATUS_PAGED_2 = codec.Block("B", "page")
+_STATUS_PAGED_3 = codec.Block("HB", "uptime", "level")
+
+
+class StatusPaged(Response):
+    """Status response (0x01,0x90).
+
+    As long as the short layout. A further constant tells it from that one.
+
+    Answers `Status`. Sent if `selector` is 1. Supported by Model C.
+
+    - guide: Status
+    """
+
+    __slots__ = ("uptime", "level")
+    __match_args__ = ("uptime", "level")
+
+    SET = 0x01
+    SETS = (0x01,)
+    DESCRIPTOR = 0x90
+    NAME = "tools.status_paged"
+    ROLE = "response"
+
+    # On the wire only: model. The model. Always 4711.
+    # On the wire only: selector. The short layout. Always 1.
+    # On the wire only: page. The page. Always 7.
+    uptime: int
+    """Since start. Unit: s."""
+    level: int
+    """How full it is."""
+
+    def __init__(self, uptime: int, level: int) -> None:
+        self.uptime = uptime
+        self.level = level
+
+    @classmethod
+    def matches(cls, data: bytes) -> bool:
+        return (
+            b"\x12g".startswith(data[0:2])
+            and b"\x01".startswith(data[2:3])
+            and b"\x07".startswith(data[3:4])
+        )
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[StatusPaged, int]:
+        v = _STATUS_PAGED_0.read(raw, at)
+        at += 2
+        codec.constant(v[0], 4711)
+        v = _STATUS_PAGED_1.read(raw, at)
+        at += 1
+        codec.constant(v[0], 1)
+        v = _STATUS_PAGED_2.read(raw, at)
+        at += 1
+        codec.constant(v[0], 7)
+        v = _STATUS_PAGED_3.read(raw, at)
+        at += 3
+        uptime = v[0]
+        level = v[1]
+        return cls(uptime, level), at
+
+    def _write(self) -> bytes:
+        out = _STATUS_PAGED_0.write(4711)
+        out += _STATUS_PAGED_1.write(1)
+        out += _STATUS_PAGED_2.write(7)
+        out += _STATUS_PAGED_3.write(self.uptime, self.level)
+        return codec.finished(out)
+
+
 _STATUS_SHORT_0 = codec.Block("H", "model")
 _STATUS_SHORT_1 = codec.Block("B", "selector")
 _STATUS_SHORT_2 = codec.Block("I", "flags")
@@ -709,7 +779,7 @@ _STATUS_SHORT_2 = codec.Block("I", "flags")
 class StatusShort(Response):
     """Status response (0x01,0x90).
 
-    Answers `Status`. Sent if `selector` is 1. Supported by Model A, Model B and Model C.
+    Answers `Status`. Sent if `selector` is 1. Supported by Model A and Model B.
 
     - guide: Status
     """
@@ -1327,13 +1397,13 @@ _STATUS_0 = codec.Block("H", "model")
 _STATUS_1 = codec.Block("B", "selector")
 
 
-class Status(Command[StatusShort | StatusLong | StatusOld | StatusFull]):
+class Status(Command[StatusPaged | StatusShort | StatusLong | StatusOld | StatusFull]):
     """Status (0x01,0x04).
 
     Layouts of one response, told apart by constants and by size.
 
-    For advanced use. Answered by `StatusShort`, `StatusLong`, `StatusOld` or `StatusFull`. The
-    device may take 2.5 s to answer. Supported by Model A, Model B and Model C.
+    For advanced use. Answered by `StatusPaged`, `StatusShort`, `StatusLong`, `StatusOld` or
+    `StatusFull`. The device may take 2.5 s to answer. Supported by Model A, Model B and Model C.
 
     - guide: Status
     """
@@ -1346,7 +1416,7 @@ class Status(Command[StatusShort | StatusLong | StatusOld | StatusFull]):
     DESCRIPTOR = 0x04
     NAME = "tools.status"
     ROLE = "command"
-    RESPONSES = (StatusShort, StatusLong, StatusOld, StatusFull)
+    RESPONSES = (StatusPaged, StatusShort, StatusLong, StatusOld, StatusFull)
     TIMEOUT = 2.5
 
     # On the wire only: model. The model that the layouts belong to. Always 4711.
@@ -1366,7 +1436,7 @@ class Status(Command[StatusShort | StatusLong | StatusOld | StatusFull]):
     @property
     def expected(self) -> ResponseClasses:
         if self.selector == 1:
-            return (StatusShort,)
+            return (StatusPaged, StatusShort)
         if self.selector == 2:
             return (StatusLong, StatusOld, StatusFull)
         return ()
@@ -2141,6 +2211,7 @@ InventoryResponse.COMMANDS = (Inventory,)
 PinResponse.COMMANDS = (Pin,)
 HelloResponse.COMMANDS = (Hello,)
 ReadingsResponse.COMMANDS = (Readings,)
+StatusPaged.COMMANDS = (Status,)
 StatusShort.COMMANDS = (Status,)
 StatusLong.COMMANDS = (Status,)
 StatusOld.COMMANDS = (Status,)
@@ -2172,6 +2243,6 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x8B: (PinResponse,),
     0x8C: (HelloResponse,),
     0x8D: (ReadingsResponse,),
-    0x90: (StatusShort, StatusLong, StatusOld, StatusFull),
+    0x90: (StatusPaged, StatusShort, StatusLong, StatusOld, StatusFull),
     0x9B: (BiasVector,),
 }

@@ -103,12 +103,26 @@ class Health(IntFlag):
 
     CLOCK = 1 << 0
     """The clock has failed. Bit 0."""
+    HOT = 1 << 1
+    """Too hot. Bit 1. Uncertain: The limit; 85 degrees is likely."""
+    LEVEL = 0x70
+    """A number from 0 to 7. Bits 4 to 6."""
     POWER = 1 << 9
     """The supply is out of range. Bit 9."""
     COUNT = 0x3C0000000
     """A number across two bytes. Bits 30 to 33."""
     LAST = 1 << 127
     """The very last bit. Bit 127."""
+
+    @property
+    def level(self) -> int:
+        """Bits 4 to 6 as a number."""
+        return int((self >> 4) & 0x7)
+
+    def with_level(self, value: int) -> Health:
+        """The same with bits 4 to 6 set to a number."""
+        value = codec.fits("level", value, 3)
+        return Health(int(self) & ~0x70 | value << 4)
 
     @property
     def count(self) -> int:

@@ -107,6 +107,12 @@ bitfield! {
         /// The clock has failed. Bit 0.
         CLOCK: bool = 0,
             clock, set_clock, with_clock;
+        /// Too hot. Bit 1. Uncertain: The limit; 85 degrees is likely.
+        HOT: bool = 1,
+            hot, set_hot, with_hot;
+        /// A number from 0 to 7. Bits 4 to 6.
+        LEVEL: u8 = 4..=6,
+            level, set_level, with_level;
         /// The supply is out of range. Bit 9.
         POWER: bool = 9,
             power, set_power, with_power;

@@ -15,7 +15,7 @@ const struct mip_codec mip_measurements_accel_codec = {0x80,
                                                        14,
                                                        sizeof(struct mip_measurements_accel),
                                                        2,
-                                                       sizeof(struct mip_measurements_accel) >= 8,
+                                                       MIP_SHAPE(0, 3, 1),
                                                        program_accel + 2,
                                                        NULL};
 
@@ -35,15 +35,9 @@ static const uint8_t program_numbers[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_measurements_numbers_codec = {0x80,
-                                                         0x02,
-                                                         MIP_DATA,
-                                                         44,
-                                                         sizeof(struct mip_measurements_numbers),
-                                                         1,
-                                                         false,
-                                                         program_numbers + 1,
-                                                         NULL};
+const struct mip_codec mip_measurements_numbers_codec = {
+    0x80, 0x02, MIP_DATA, 44, sizeof(struct mip_measurements_numbers), 1, 0, program_numbers + 1,
+    NULL};
 
 static const uint8_t program_strings[] = {
     MIP_MORE_SETS(0x81, 0x92),
@@ -64,7 +58,7 @@ const struct mip_codec mip_measurements_strings_codec = {0x80,
                                                          0,
                                                          sizeof(struct mip_measurements_strings),
                                                          2,
-                                                         false,
+                                                         0,
                                                          program_strings + 2,
                                                          &mip_program};
 
@@ -75,15 +69,9 @@ static const uint8_t program_health[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_measurements_health_codec = {0x80,
-                                                        0x04,
-                                                        MIP_DATA,
-                                                        20,
-                                                        sizeof(struct mip_measurements_health),
-                                                        1,
-                                                        sizeof(struct mip_measurements_health) >= 8,
-                                                        program_health + 1,
-                                                        NULL};
+const struct mip_codec mip_measurements_health_codec = {
+    0x80, 0x04, MIP_DATA,           20,  sizeof(struct mip_measurements_health),
+    1,    0,    program_health + 1, NULL};
 
 static const uint8_t program_arrays[] = {
     MIP_MORE_SETS(0x92),
@@ -102,8 +90,8 @@ static const uint8_t program_arrays[] = {
 };
 
 const struct mip_codec mip_measurements_arrays_codec = {
-    0x80, 0x05,  MIP_DATA,           0,           sizeof(struct mip_measurements_arrays),
-    1,    false, program_arrays + 1, &mip_program};
+    0x80, 0x05, MIP_DATA,           0,           sizeof(struct mip_measurements_arrays),
+    1,    0,    program_arrays + 1, &mip_program};
 
 static const uint8_t program_growing[] = {
     MIP_MORE_SETS(0x92),
@@ -122,7 +110,7 @@ const struct mip_codec mip_measurements_growing_codec = {0x80,
                                                          0,
                                                          sizeof(struct mip_measurements_growing),
                                                          1,
-                                                         false,
+                                                         0,
                                                          program_growing + 1,
                                                          &mip_program};
 
@@ -135,23 +123,15 @@ static const uint8_t program_radio[] = {
 };
 
 const struct mip_codec mip_measurements_radio_codec = {
-    0x80, 0x07,  MIP_DATA,          29,  sizeof(struct mip_measurements_radio),
-    1,    false, program_radio + 1, NULL};
+    0x80, 0x07, MIP_DATA, 29, sizeof(struct mip_measurements_radio), 1, 0, program_radio + 1, NULL};
 
 static const uint8_t program_own[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_measurements_own, mode)),
     MIP_END,
 };
 
-const struct mip_codec mip_measurements_own_codec = {0x81,
-                                                     0x07,
-                                                     MIP_DATA,
-                                                     1,
-                                                     sizeof(struct mip_measurements_own),
-                                                     0,
-                                                     sizeof(struct mip_measurements_own) >= 8,
-                                                     program_own,
-                                                     NULL};
+const struct mip_codec mip_measurements_own_codec = {
+    0x81, 0x07, MIP_DATA, 1, sizeof(struct mip_measurements_own), 0, 0, program_own, NULL};
 
 static const uint8_t program_cloud[] = {
     MIP_MORE_SETS(0x92),
@@ -167,8 +147,8 @@ static const uint8_t program_cloud[] = {
 };
 
 const struct mip_codec mip_measurements_cloud_codec = {
-    0x80, 0x08,  MIP_DATA,          0,           sizeof(struct mip_measurements_cloud),
-    1,    false, program_cloud + 1, &mip_program};
+    0x80, 0x08, MIP_DATA,          0,           sizeof(struct mip_measurements_cloud),
+    1,    0,    program_cloud + 1, &mip_program};
 
 static const uint8_t program_gust[] = {
     MIP_MORE_SETS(0x92),
@@ -181,8 +161,8 @@ static const uint8_t program_gust[] = {
 };
 
 const struct mip_codec mip_measurements_gust_codec = {
-    0x80, 0x09,  MIP_DATA,         0,           sizeof(struct mip_measurements_gust),
-    1,    false, program_gust + 1, &mip_program};
+    0x80, 0x09, MIP_DATA,         0,           sizeof(struct mip_measurements_gust),
+    1,    0,    program_gust + 1, &mip_program};
 
 static const uint8_t program_breeze[] = {
     MIP_MORE_SETS(0x92),
@@ -191,12 +171,6 @@ static const uint8_t program_breeze[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_measurements_breeze_codec = {0x80,
-                                                        0x0A,
-                                                        MIP_DATA,
-                                                        24,
-                                                        sizeof(struct mip_measurements_breeze),
-                                                        1,
-                                                        sizeof(struct mip_measurements_breeze) >= 8,
-                                                        program_breeze + 1,
-                                                        NULL};
+const struct mip_codec mip_measurements_breeze_codec = {
+    0x80, 0x0A, MIP_DATA,           24,  sizeof(struct mip_measurements_breeze),
+    1,    0,    program_breeze + 1, NULL};

@@ -65,16 +65,15 @@ const struct mip_names mip_names_state_flags = {
 
 static const char name_health[] = "health";
 static const char labels_health[] = "clock\0"
+                                    "hot\0"
+                                    "level\0"
                                     "power\0"
                                     "count\0"
                                     "last";
 static const struct mip_named_bits bits_health[] = {
-    {0, 1, NULL},
-    {9, 1, NULL},
-    {30, 4, NULL},
-    {127, 1, NULL},
+    {0, 1, NULL}, {1, 1, NULL}, {4, 3, NULL}, {9, 1, NULL}, {30, 4, NULL}, {127, 1, NULL},
 };
-const struct mip_names mip_names_health = {name_health, labels_health, NULL, bits_health, 4, 16};
+const struct mip_names mip_names_health = {name_health, labels_health, NULL, bits_health, 6, 16};
 
 static const char name_tools_shape[] = "tools.shape";
 static const char labels_tools_shape[] = "none\0"

@@ -38,8 +38,8 @@ static const struct mip_profile_port model_a_ports[] = {
 };
 
 static const struct mip_profile_limit model_a_limits[] = {
-    {"segments", 12, "", "In a format."},
-    {"range", 2.5, "g", "Of the sensor."},
+    {"segments", 12, "", "In a format.", ""},
+    {"range", 2.5, "g", "Of the sensor.", ""},
 };
 
 static const char *const model_a_pins_cells[] = {
@@ -70,6 +70,7 @@ const struct mip_profile mip_profile_model_a = {
     0,    /* what is not known */
     25,   /* fields */
     0,    /* refused fields */
+    0,    /* fields of some firmware */
     2,    /* base rates */
     2,    /* ports */
     2,    /* limits */
@@ -79,6 +80,7 @@ const struct mip_profile mip_profile_model_a = {
     NULL,
     NULL,
     model_a_fields,
+    NULL,
     NULL,
     model_a_rates,
     model_a_ports,
@@ -124,6 +126,7 @@ const struct mip_profile mip_profile_model_b = {
     0, /* what is not known */
     4, /* fields */
     0, /* refused fields */
+    0, /* fields of some firmware */
     1, /* base rates */
     0, /* ports */
     0, /* limits */
@@ -133,6 +136,7 @@ const struct mip_profile mip_profile_model_b = {
     NULL,
     NULL,
     model_b_fields,
+    NULL,
     NULL,
     model_b_rates,
     NULL,
@@ -177,6 +181,12 @@ static const struct mip_profile_field model_c_refuses[] = {
     {0x01, 0x08, "WR", &model_c_evidence[3]},
 };
 
+static const struct mip_profile_firmware model_c_firmware[] = {
+    {0x01, 0x06, ">= 1.0, < 1.1"},
+    {0x81, 0x01, "> 1.0.07"},
+    {0x81, 0x07, "> 1.0.07"},
+};
+
 static const struct mip_profile_rate model_c_rates[] = {
     {0x80, 1000},
     {0x81, 250},
@@ -190,7 +200,7 @@ static const struct mip_profile_port model_c_ports[] = {
 };
 
 static const struct mip_profile_limit model_c_limits[] = {
-    {"segments", 6, "", "In a format."},
+    {"segments", 6, "", "In a format.", "< 2.0"},
 };
 
 static const struct mip_profile_reading model_c_readings[] = {
@@ -210,6 +220,7 @@ const struct mip_profile mip_profile_model_c = {
     0,    /* what is not known */
     26,   /* fields */
     1,    /* refused fields */
+    3,    /* fields of some firmware */
     2,    /* base rates */
     2,    /* ports */
     1,    /* limits */
@@ -220,6 +231,7 @@ const struct mip_profile mip_profile_model_c = {
     NULL,
     model_c_fields,
     model_c_refuses,
+    model_c_firmware,
     model_c_rates,
     model_c_ports,
     model_c_limits,
@@ -259,6 +271,7 @@ const struct mip_profile mip_profile_old_1 = {
     1,    /* what is not known */
     2,    /* fields */
     0,    /* refused fields */
+    0,    /* fields of some firmware */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
@@ -268,6 +281,7 @@ const struct mip_profile mip_profile_old_1 = {
     old_1_also,
     old_1_incomplete,
     old_1_fields,
+    NULL,
     NULL,
     NULL,
     NULL,
@@ -303,6 +317,7 @@ const struct mip_profile mip_profile_old_2 = {
     1,    /* what is not known */
     2,    /* fields */
     0,    /* refused fields */
+    0,    /* fields of some firmware */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
@@ -312,6 +327,7 @@ const struct mip_profile mip_profile_old_2 = {
     NULL,
     old_2_incomplete,
     old_2_fields,
+    NULL,
     NULL,
     NULL,
     NULL,

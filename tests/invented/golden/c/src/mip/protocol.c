@@ -7,13 +7,6 @@ static const uint8_t program_acknowledge[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_protocol_acknowledge_codec = {0x00,
-                                                         0xF1,
-                                                         MIP_RESPONSE,
-                                                         2,
-                                                         sizeof(struct mip_protocol_acknowledge),
-                                                         0,
-                                                         sizeof(struct mip_protocol_acknowledge) >=
-                                                             8,
-                                                         program_acknowledge,
-                                                         NULL};
+const struct mip_codec mip_protocol_acknowledge_codec = {
+    0x00, 0xF1, MIP_RESPONSE,        2,   sizeof(struct mip_protocol_acknowledge),
+    0,    0,    program_acknowledge, NULL};

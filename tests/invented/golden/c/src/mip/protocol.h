@@ -34,6 +34,14 @@ enum mip_function_selector MIP_ENUM_8 {
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_function_selector_name(uint8_t value);
 
+#ifndef MIP_BARRIER_SET
+/** Descriptor set of the command that a barrier consists of; 0 if the specification names none, or
+ * if you define it so for the whole library, which then does not know late answers. */
+#define MIP_BARRIER_SET 0x01
+#endif
+/** Its descriptor. */
+#define MIP_BARRIER_DESCRIPTOR 0x01
+
 /**
  * Acknowledge: response 0xF1.
  *

@@ -470,6 +470,24 @@ static const struct mip_record record_tools_readings_response = {
     sizeof(struct mip_tools_readings_response),
 };
 
+static const struct mip_parameter parameters_tools_status_paged[] = {
+    {"model", "", MIP_KIND_CONSTANT, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 4711, 0, 0, 0,
+     NULL, NULL, NULL, NULL, 0},
+    {"selector", "", MIP_KIND_CONSTANT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 1, 0, 0, 0, NULL,
+     NULL, NULL, NULL, 0},
+    {"page", "", MIP_KIND_CONSTANT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 7, 0, 0, 0, NULL,
+     NULL, NULL, NULL, 0},
+    {"uptime", "s", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_tools_status_paged, uptime), 0, NULL, NULL, NULL, NULL, 0},
+    {"level", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_tools_status_paged, level), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_tools_status_paged = {
+    parameters_tools_status_paged,
+    5,
+    sizeof(struct mip_tools_status_paged),
+};
+
 static const struct mip_reading readings_tools_status_short_flags[] = {
     {"model-a", 0, 0, &mip_names_tools_a_faults},
     {"model-b", 0, 0, &mip_names_tools_model_b_faults},
@@ -804,6 +822,7 @@ const struct mip_reflection mip_reflections[] = {
     {&mip_tools_pin_response_codec, &record_tools_pin_response, false, false, NULL, 0, 0},
     {&mip_tools_hello_response_codec, &record_tools_hello_response, false, false, NULL, 0, 0},
     {&mip_tools_readings_response_codec, &record_tools_readings_response, false, false, NULL, 0, 0},
+    {&mip_tools_status_paged_codec, &record_tools_status_paged, false, false, NULL, 0, 0},
     {&mip_tools_status_short_codec, &record_tools_status_short, false, false, NULL, 0, 0},
     {&mip_tools_status_long_codec, &record_tools_status_long, false, false, NULL, 0, 0},
     {&mip_tools_status_old_codec, &record_tools_status_old, false, false, NULL, 0, 0},

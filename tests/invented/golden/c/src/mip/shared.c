@@ -14,6 +14,6 @@ const struct mip_codec mip_shared_timestamp_codec = {0xFF,
                                                      10,
                                                      sizeof(struct mip_shared_timestamp),
                                                      0,
-                                                     sizeof(struct mip_shared_timestamp) >= 8,
+                                                     MIP_SHAPE(1, 0, 1),
                                                      program_timestamp,
                                                      NULL};

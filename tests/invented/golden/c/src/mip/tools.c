@@ -8,7 +8,7 @@ static const uint8_t program_ping[] = {
 };
 
 const struct mip_codec mip_tools_ping_codec = {
-    0x01, 0x01, MIP_COMMAND, 0, sizeof(struct mip_tools_ping), 0, false, program_ping, NULL};
+    0x01, 0x01, MIP_COMMAND, 0, sizeof(struct mip_tools_ping), 0, 0, program_ping, NULL};
 
 const struct mip_exchange mip_tools_ping_exchange = {0x01, 0x01, 0, false, 0, NULL};
 
@@ -31,8 +31,8 @@ static const uint8_t program_settings[] = {
 };
 
 const struct mip_codec mip_tools_settings_codec = {
-    0x01, 0x02,  MIP_COMMAND,      0,           sizeof(struct mip_tools_settings),
-    0,    false, program_settings, &mip_program};
+    0x01, 0x02, MIP_COMMAND,      0,           sizeof(struct mip_tools_settings),
+    0,    0,    program_settings, &mip_program};
 
 static const uint8_t asked_settings_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_APPLY), MIP_WHEN_END};
 static const uint8_t asked_settings_2[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
@@ -67,7 +67,7 @@ const struct mip_codec mip_tools_settings_response_codec = {
     9,
     sizeof(struct mip_tools_settings_response),
     0,
-    false,
+    0,
     program_settings_response,
     NULL};
 
@@ -81,8 +81,8 @@ static const uint8_t program_set_time[] = {
 };
 
 const struct mip_codec mip_tools_set_time_codec = {
-    0x01, 0x03,  MIP_COMMAND,      0,           sizeof(struct mip_tools_set_time),
-    0,    false, program_set_time, &mip_program};
+    0x01, 0x03, MIP_COMMAND,      0,           sizeof(struct mip_tools_set_time),
+    0,    0,    program_set_time, &mip_program};
 
 static const uint8_t asked_set_time_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_APPLY), MIP_WHEN_END};
 static const uint8_t asked_set_time_2[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN(1, 1),
@@ -118,7 +118,7 @@ const struct mip_codec mip_tools_set_time_fast_response_codec = {
     4,
     sizeof(struct mip_tools_set_time_fast_response),
     0,
-    sizeof(struct mip_tools_set_time_fast_response) >= 8,
+    MIP_SHAPE(0, 1, 0),
     program_set_time_fast_response,
     NULL};
 
@@ -134,7 +134,7 @@ const struct mip_codec mip_tools_set_time_slow_response_codec = {
     4,
     sizeof(struct mip_tools_set_time_slow_response),
     0,
-    sizeof(struct mip_tools_set_time_slow_response) >= 8,
+    MIP_SHAPE(0, 1, 0),
     program_set_time_slow_response,
     NULL};
 
@@ -145,12 +145,13 @@ static const uint8_t program_status[] = {
 };
 
 const struct mip_codec mip_tools_status_codec = {
-    0x01, 0x04,  MIP_COMMAND,    0,           sizeof(struct mip_tools_status),
-    0,    false, program_status, &mip_program};
+    0x01, 0x04, MIP_COMMAND,    0,           sizeof(struct mip_tools_status),
+    0,    0,    program_status, &mip_program};
 
 static const uint8_t asked_status_1[] = {MIP_WHEN(2, 1), MIP_WHEN_END};
 static const uint8_t asked_status_2[] = {MIP_WHEN(2, 2), MIP_WHEN_END};
 static const struct mip_response responses_status[] = {
+    {asked_status_1, &mip_tools_status_paged_codec, 0x90, true},
     {asked_status_1, &mip_tools_status_short_codec, 0x90, false},
     {asked_status_2, &mip_tools_status_long_codec, 0x90, true},
     {asked_status_2, &mip_tools_status_old_codec, 0x90, true},
@@ -168,6 +169,20 @@ const struct mip_exchange mip_tools_status_exchange = {
 const struct mip_command mip_tools_status_command = {&mip_tools_status_codec,
                                                      &mip_tools_status_exchange};
 
+static const uint8_t program_status_paged[] = {
+    MIP_LAYOUT(0, 253, 4, 0, 0x12, 1, 0x67, 2, 0x01, 3, 0x07),
+    MIP_CONSTANT(2, 0x12, 0x67),
+    MIP_CONSTANT(1, 0x01),
+    MIP_CONSTANT(1, 0x07),
+    MIP_16_BITS(1, MIP_AT(struct mip_tools_status_paged, uptime)),
+    MIP_8_BITS(1, MIP_AT(struct mip_tools_status_paged, level)),
+    MIP_END,
+};
+
+const struct mip_codec mip_tools_status_paged_codec = {
+    0x01, 0x90, MIP_RESPONSE,         0,          sizeof(struct mip_tools_status_paged),
+    0,    0,    program_status_paged, &mip_layout};
+
 static const uint8_t program_status_short[] = {
     MIP_LAYOUT(0, 253, 3, 0, 0x12, 1, 0x67, 2, 0x01),
     MIP_CONSTANT(2, 0x12, 0x67),
@@ -177,8 +192,8 @@ static const uint8_t program_status_short[] = {
 };
 
 const struct mip_codec mip_tools_status_short_codec = {
-    0x01, 0x90,  MIP_RESPONSE,         0,          sizeof(struct mip_tools_status_short),
-    0,    false, program_status_short, &mip_layout};
+    0x01, 0x90, MIP_RESPONSE,         0,          sizeof(struct mip_tools_status_short),
+    0,    0,    program_status_short, &mip_layout};
 
 static const uint8_t program_status_long[] = {
     MIP_LAYOUT(15, 15, 3, 0, 0x12, 1, 0x67, 2, 0x02),
@@ -190,8 +205,8 @@ static const uint8_t program_status_long[] = {
 };
 
 const struct mip_codec mip_tools_status_long_codec = {
-    0x01, 0x90,  MIP_RESPONSE,        0,          sizeof(struct mip_tools_status_long),
-    0,    false, program_status_long, &mip_layout};
+    0x01, 0x90, MIP_RESPONSE,        0,          sizeof(struct mip_tools_status_long),
+    0,    0,    program_status_long, &mip_layout};
 
 static const uint8_t program_status_old[] = {
     MIP_LAYOUT(0, 14, 3, 0, 0x12, 1, 0x67, 2, 0x02),
@@ -202,8 +217,8 @@ static const uint8_t program_status_old[] = {
 };
 
 const struct mip_codec mip_tools_status_old_codec = {
-    0x01, 0x90,  MIP_RESPONSE,       0,          sizeof(struct mip_tools_status_old),
-    0,    false, program_status_old, &mip_layout};
+    0x01, 0x90, MIP_RESPONSE,       0,          sizeof(struct mip_tools_status_old),
+    0,    0,    program_status_old, &mip_layout};
 
 static const uint8_t program_full[] = {
     MIP_LAYOUT(16, 253, 3, 0, 0x12, 1, 0x67, 2, 0x02),
@@ -216,8 +231,7 @@ static const uint8_t program_full[] = {
 };
 
 const struct mip_codec mip_tools_full_codec = {
-    0x01, 0x90,  MIP_RESPONSE, 0,          sizeof(struct mip_tools_full),
-    0,    false, program_full, &mip_layout};
+    0x01, 0x90, MIP_RESPONSE, 0, sizeof(struct mip_tools_full), 0, 0, program_full, &mip_layout};
 
 static const uint8_t program_bias[] = {
     MIP_REQUIRED(1, 1),
@@ -227,8 +241,7 @@ static const uint8_t program_bias[] = {
 };
 
 const struct mip_codec mip_tools_bias_codec = {
-    0x01, 0x05,  MIP_COMMAND,  0,           sizeof(struct mip_tools_bias),
-    0,    false, program_bias, &mip_program};
+    0x01, 0x05, MIP_COMMAND, 0, sizeof(struct mip_tools_bias), 0, 0, program_bias, &mip_program};
 
 static const uint8_t asked_bias_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_bias[] = {
@@ -251,7 +264,7 @@ const struct mip_codec mip_tools_bias_vector_codec = {0x01,
                                                       12,
                                                       sizeof(struct mip_tools_bias_vector),
                                                       0,
-                                                      sizeof(struct mip_tools_bias_vector) >= 8,
+                                                      MIP_SHAPE(0, 3, 0),
                                                       program_bias_vector,
                                                       NULL};
 
@@ -266,7 +279,7 @@ const struct mip_codec mip_tools_capture_bias_codec = {0x01,
                                                        2,
                                                        sizeof(struct mip_tools_capture_bias),
                                                        0,
-                                                       sizeof(struct mip_tools_capture_bias) >= 8,
+                                                       MIP_SHAPE(0, 0, 1),
                                                        program_capture_bias,
                                                        NULL};
 
@@ -298,8 +311,8 @@ static const uint8_t program_formats[] = {
 };
 
 const struct mip_codec mip_tools_formats_codec = {
-    0x01, 0x07,  MIP_COMMAND,     0,           sizeof(struct mip_tools_formats),
-    0,    false, program_formats, &mip_program};
+    0x01, 0x07, MIP_COMMAND,     0,           sizeof(struct mip_tools_formats),
+    0,    0,    program_formats, &mip_program};
 
 static const uint8_t asked_formats_1[] = {MIP_WHEN_SET(0), MIP_WHEN_END};
 static const struct mip_response responses_formats[] = {
@@ -355,8 +368,8 @@ static const uint8_t program_choice[] = {
 };
 
 const struct mip_codec mip_tools_choice_codec = {
-    0x01, 0x08,  MIP_COMMAND,    0,           sizeof(struct mip_tools_choice),
-    0,    false, program_choice, &mip_program};
+    0x01, 0x08, MIP_COMMAND,    0,           sizeof(struct mip_tools_choice),
+    0,    0,    program_choice, &mip_program};
 
 static const uint8_t asked_choice_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_choice[] = {
@@ -410,7 +423,7 @@ const struct mip_codec mip_tools_choice_response_codec = {0x01,
                                                           0,
                                                           sizeof(struct mip_tools_choice_response),
                                                           0,
-                                                          false,
+                                                          0,
                                                           program_choice_response,
                                                           &mip_program};
 
@@ -425,8 +438,7 @@ static const uint8_t program_list[] = {
 };
 
 const struct mip_codec mip_tools_list_codec = {
-    0x01, 0x09,  MIP_COMMAND,  0,           sizeof(struct mip_tools_list),
-    0,    false, program_list, &mip_program};
+    0x01, 0x09, MIP_COMMAND, 0, sizeof(struct mip_tools_list), 0, 0, program_list, &mip_program};
 
 static const uint8_t asked_list_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_list[] = {
@@ -447,15 +459,15 @@ static const uint8_t program_list_response[] = {
 };
 
 const struct mip_codec mip_tools_list_response_codec = {
-    0x01, 0x89,  MIP_RESPONSE,          0,           sizeof(struct mip_tools_list_response),
-    0,    false, program_list_response, &mip_program};
+    0x01, 0x89, MIP_RESPONSE,          0,           sizeof(struct mip_tools_list_response),
+    0,    0,    program_list_response, &mip_program};
 
 static const uint8_t program_stock[] = {
     MIP_END,
 };
 
 const struct mip_codec mip_tools_stock_codec = {
-    0x01, 0x0A, MIP_COMMAND, 0, sizeof(struct mip_tools_stock), 0, false, program_stock, NULL};
+    0x01, 0x0A, MIP_COMMAND, 0, sizeof(struct mip_tools_stock), 0, 0, program_stock, NULL};
 
 static const struct mip_response responses_stock[] = {
     {NULL, NULL, 0x8A, false},
@@ -474,8 +486,8 @@ static const uint8_t program_stock_response[] = {
 };
 
 const struct mip_codec mip_tools_stock_response_codec = {
-    0x01, 0x8A,  MIP_RESPONSE,           0,           sizeof(struct mip_tools_stock_response),
-    0,    false, program_stock_response, &mip_program};
+    0x01, 0x8A, MIP_RESPONSE,           0,           sizeof(struct mip_tools_stock_response),
+    0,    0,    program_stock_response, &mip_program};
 
 static const uint8_t program_pin[] = {
     MIP_REQUIRED(2, 2, 1),
@@ -487,7 +499,7 @@ static const uint8_t program_pin[] = {
 };
 
 const struct mip_codec mip_tools_pin_codec = {
-    0x01, 0x0B, MIP_COMMAND, 0, sizeof(struct mip_tools_pin), 0, false, program_pin, &mip_program};
+    0x01, 0x0B, MIP_COMMAND, 0, sizeof(struct mip_tools_pin), 0, 0, program_pin, &mip_program};
 
 static const uint8_t asked_pin_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_pin[] = {
@@ -504,15 +516,9 @@ static const uint8_t program_pin_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_tools_pin_response_codec = {0x01,
-                                                       0x8B,
-                                                       MIP_RESPONSE,
-                                                       2,
-                                                       sizeof(struct mip_tools_pin_response),
-                                                       0,
-                                                       sizeof(struct mip_tools_pin_response) >= 8,
-                                                       program_pin_response,
-                                                       NULL};
+const struct mip_codec mip_tools_pin_response_codec = {
+    0x01, 0x8B, MIP_RESPONSE,         2,   sizeof(struct mip_tools_pin_response),
+    0,    0,    program_pin_response, NULL};
 
 static const uint8_t program_hello[] = {
     MIP_OPTIONAL(1), MIP_32_BITS(1, MIP_AT(struct mip_tools_hello, reserved)),
@@ -521,8 +527,7 @@ static const uint8_t program_hello[] = {
 };
 
 const struct mip_codec mip_tools_hello_codec = {
-    0x01, 0x0C,  MIP_COMMAND,   0,           sizeof(struct mip_tools_hello),
-    0,    false, program_hello, &mip_program};
+    0x01, 0x0C, MIP_COMMAND, 0, sizeof(struct mip_tools_hello), 0, 0, program_hello, &mip_program};
 
 static const struct mip_response responses_hello[] = {
     {NULL, NULL, 0x8C, false},
@@ -545,8 +550,7 @@ const struct mip_codec mip_tools_hello_response_codec = {0x01,
                                                          4,
                                                          sizeof(struct mip_tools_hello_response),
                                                          0,
-                                                         sizeof(struct mip_tools_hello_response) >=
-                                                             8,
+                                                         MIP_SHAPE(0, 1, 0),
                                                          program_hello_response,
                                                          NULL};
 
@@ -555,15 +559,8 @@ static const uint8_t program_readings[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_tools_readings_codec = {0x01,
-                                                   0x0D,
-                                                   MIP_COMMAND,
-                                                   1,
-                                                   sizeof(struct mip_tools_readings),
-                                                   0,
-                                                   sizeof(struct mip_tools_readings) >= 8,
-                                                   program_readings,
-                                                   NULL};
+const struct mip_codec mip_tools_readings_codec = {
+    0x01, 0x0D, MIP_COMMAND, 1, sizeof(struct mip_tools_readings), 0, 0, program_readings, NULL};
 
 static const struct mip_response responses_readings[] = {
     {NULL, NULL, 0x8D, false},
@@ -602,7 +599,7 @@ const struct mip_codec mip_tools_readings_response_codec = {
     0,
     sizeof(struct mip_tools_readings_response),
     0,
-    false,
+    0,
     program_readings_response,
     &mip_program};
 
@@ -615,8 +612,7 @@ static const uint8_t program_poll[] = {
 };
 
 const struct mip_codec mip_tools_poll_codec = {
-    0x01, 0x0E,  MIP_COMMAND,  0,           sizeof(struct mip_tools_poll),
-    0,    false, program_poll, &mip_program};
+    0x01, 0x0E, MIP_COMMAND, 0, sizeof(struct mip_tools_poll), 0, 0, program_poll, &mip_program};
 
 const struct mip_exchange mip_tools_poll_exchange = {0x01, 0x0E, 0, false, 0, NULL};
 

@@ -543,9 +543,9 @@ MIP_CHECKED static inline mip_error mip_tools_set_time_slow_response_encode(
  *
  * Layouts of one response, told apart by constants and by size.
  *
- * For advanced use. Answered by mip_tools_status_short, mip_tools_status_long, mip_tools_status_old
- * or mip_tools_full. The device may take 2.5 s to answer. Supported by Model A, Model B and Model
- * C.
+ * For advanced use. Answered by mip_tools_status_paged, mip_tools_status_short,
+ * mip_tools_status_long, mip_tools_status_old or mip_tools_full. The device may take 2.5 s to
+ * answer. Supported by Model A, Model B and Model C.
  *
  * Parameters without a member, on the wire only:
  * - model: The model that the layouts belong to. Always 4711.
@@ -592,7 +592,52 @@ static inline struct mip_tools_status *mip_tools_status_make(struct mip_tools_st
 /**
  * Status response: response (0x01,0x90).
  *
- * Answers mip_tools_status. Sent if selector is 1. Supported by Model A, Model B and Model C.
+ * As long as the short layout. A further constant tells it from that one.
+ *
+ * Answers mip_tools_status. Sent if selector is 1. Supported by Model C.
+ *
+ * Parameters without a member, on the wire only:
+ * - model: The model. Always 4711.
+ * - selector: The short layout. Always 1.
+ * - page: The page. Always 7.
+ *
+ * - guide: Status
+ */
+struct mip_tools_status_paged {
+    /** Since start. Unit: s. */
+    uint16_t uptime;
+    /** How full it is. */
+    uint8_t level;
+};
+
+/**
+ * Descriptor set and descriptor, as mip_field_key gives them. Other layouts have the same: _decode
+ * refuses them with MIP_ERROR_LAYOUT.
+ */
+#define MIP_TOOLS_STATUS_PAGED 0x0190
+/** Its descriptor. */
+#define MIP_TOOLS_STATUS_PAGED_DESCRIPTOR 0x90
+/** Its name in the specification. */
+#define MIP_TOOLS_STATUS_PAGED_NAME "tools.status_paged"
+
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_tools_status_paged_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_tools_status_paged_decode(struct mip_tools_status_paged *value,
+                                                      const struct mip_field *field) {
+    return mip_decode_only(&mip_tools_status_paged_codec, 0x90, value, sizeof(*value), field);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+MIP_CHECKED static inline mip_error mip_tools_status_paged_encode(
+    const struct mip_tools_status_paged *value, struct mip_builder *builder) {
+    return mip_encode(&mip_tools_status_paged_codec, value, builder);
+}
+/**
+ * Status response: response (0x01,0x90).
+ *
+ * Answers mip_tools_status. Sent if selector is 1. Supported by Model A and Model B.
  *
  * Parameters without a member, on the wire only:
  * - model: The model. Always 4711.

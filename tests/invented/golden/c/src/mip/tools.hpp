@@ -35,6 +35,7 @@ MIP_LAYOUT(mip_tools_stock_response, MIP_TOOLS_STOCK_RESPONSE, MIP_TOOLS_STOCK_R
 MIP_LAYOUT(mip_tools_pin_response, MIP_TOOLS_PIN_RESPONSE, MIP_TOOLS_PIN_RESPONSE)
 MIP_LAYOUT(mip_tools_hello_response, MIP_TOOLS_HELLO_RESPONSE, MIP_TOOLS_HELLO_RESPONSE)
 MIP_LAYOUT(mip_tools_readings_response, MIP_TOOLS_READINGS_RESPONSE, MIP_TOOLS_READINGS_RESPONSE)
+MIP_LAYOUT(mip_tools_status_paged, MIP_TOOLS_STATUS_PAGED, MIP_TOOLS_STATUS_PAGED)
 MIP_LAYOUT(mip_tools_status_short, MIP_TOOLS_STATUS_SHORT, MIP_TOOLS_STATUS_SHORT)
 MIP_LAYOUT(mip_tools_status_long, MIP_TOOLS_STATUS_LONG, MIP_TOOLS_STATUS_LONG)
 MIP_LAYOUT(mip_tools_status_old, MIP_TOOLS_STATUS_OLD, MIP_TOOLS_STATUS_OLD)
@@ -154,6 +155,9 @@ using set_time_fast_response = ::mip_tools_set_time_fast_response;
 
 /** Set time response. See struct mip_tools_set_time_slow_response. */
 using set_time_slow_response = ::mip_tools_set_time_slow_response;
+
+/** Status response. See struct mip_tools_status_paged. */
+using status_paged = ::mip_tools_status_paged;
 
 /** Status response. See struct mip_tools_status_short. */
 using status_short = ::mip_tools_status_short;

@@ -298,6 +298,17 @@ static inline mip_error mip_send_tools_status(struct mip_client *client,
  * Adds the command to a packet and waits for its answer: see mip_client_send. Status. The answer is
  * this response.
  */
+static inline mip_error mip_send_for_tools_status_paged(
+    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
+    const struct mip_tools_status *command, struct mip_tools_status_paged *response, uint32_t now) {
+    return mip_client_send(client, request, packet, &mip_tools_status_command, command,
+                           &mip_tools_status_paged_codec, response, now);
+}
+
+/**
+ * Adds the command to a packet and waits for its answer: see mip_client_send. Status. The answer is
+ * this response.
+ */
 static inline mip_error mip_send_for_tools_status_short(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
     const struct mip_tools_status *command, struct mip_tools_status_short *response, uint32_t now) {
@@ -351,6 +362,17 @@ static inline struct mip_result mip_call_tools_status(struct mip_device *device,
     mip_put_8(data + 1, (uint8_t)103);
     mip_put_8(data + 2, (uint8_t)selector);
     return mip_device_send(device, &mip_tools_status_exchange, data, 3, NULL, NULL);
+}
+
+/** Status. The answer is decoded as this response. See mip_device_call. */
+static inline struct mip_result mip_call_for_tools_status_paged(
+    struct mip_device *device, struct mip_tools_status_paged *response) {
+    uint8_t data[3];
+    mip_put_8(data, (uint8_t)18);
+    mip_put_8(data + 1, (uint8_t)103);
+    mip_put_8(data + 2, (uint8_t)1);
+    return mip_device_send(device, &mip_tools_status_exchange, data, 3,
+                           &mip_tools_status_paged_codec, response);
 }
 
 /** Status. The answer is decoded as this response. See mip_device_call. */

@@ -200,6 +200,16 @@ struct status {
     }
 };
 
+/** Status. See mip_call_for_tools_status_paged. */
+struct for_status_paged {
+
+    using command = ::mip_tools_status;
+    using response = ::mip::tools::status_paged;
+    mip_result call(mip_device *device_, response *to_) const {
+        return ::mip_call_for_tools_status_paged(device_, to_);
+    }
+};
+
 /** Status. See mip_call_for_tools_status_short. */
 struct for_status_short {
 

@@ -101,6 +101,24 @@ static inline void mip_health_set_clock(struct mip_health *flags, bool value) {
     mip_set_bits(flags->bytes, 0, 1, value);
 }
 
+/** Bit 1. Too hot. Uncertain: The limit; 85 degrees is likely. */
+static inline bool mip_health_get_hot(const struct mip_health *flags) {
+    return (bool)mip_get_bits(flags->bytes, 1, 1);
+}
+/** Sets it. */
+static inline void mip_health_set_hot(struct mip_health *flags, bool value) {
+    mip_set_bits(flags->bytes, 1, 1, value);
+}
+
+/** Bits 4 to 6. A number from 0 to 7. */
+static inline uint8_t mip_health_get_level(const struct mip_health *flags) {
+    return (uint8_t)mip_get_bits(flags->bytes, 4, 3);
+}
+/** Sets it. */
+static inline void mip_health_set_level(struct mip_health *flags, uint8_t value) {
+    mip_set_bits(flags->bytes, 4, 3, value);
+}
+
 /** Bit 9. The supply is out of range. */
 static inline bool mip_health_get_power(const struct mip_health *flags) {
     return (bool)mip_get_bits(flags->bytes, 9, 1);

@@ -72,6 +72,8 @@ using health = ::mip_health;
 /** Its bits: the first one, and 256 times how many. */
 enum class health_bits : std::uint16_t {
     clock = 0 | 1 << 8,
+    hot = 1 | 1 << 8,
+    level = 4 | 3 << 8,
     power = 9 | 1 << 8,
     count = 30 | 4 << 8,
     last = 127 | 1 << 8,

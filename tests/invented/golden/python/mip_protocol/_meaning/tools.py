@@ -33,7 +33,7 @@ TYPES: dict[str, Info] = {
             Parameter("kind", "kind", "scalar", scalar="u8"),
             Parameter("value", "value", "scalar", scalar="float"),
         )),
-    "ModelAFaults": BitsInfo("tools.model_a_faults", tools.ModelAFaults),
+    "ModelAFaults": BitsInfo("tools.model_a_faults", tools.ModelAFaults, concerns={"sensor": ("measurements.accel", "tools.capture_bias")}),
     "ModelBFaults": BitsInfo("tools.model_b_faults", tools.ModelBFaults),
     "Ping": FieldInfo(
         "tools.ping", tools.Ping, devices=("model-a", "model-b", "model-c", "old-1"), perhaps=("old-2",),
@@ -205,8 +205,18 @@ TYPES: dict[str, Info] = {
             Parameter("last", "last", "struct", type=tools.Reading, variants=(Variant("drive", (1,), {"units": ("s",), "minimum": 0, "maximum": 1}, member="value"), Variant("drive", (2,), {}, member="value"),)),
         ),
     ),
+    "StatusPaged": FieldInfo(
+        "tools.status_paged", tools.StatusPaged, devices=("model-c",),
+        parameters=(
+            Parameter("model", "model", "constant", scalar="u16", constant=4711),
+            Parameter("selector", "selector", "constant", scalar="u8", constant=1),
+            Parameter("page", "page", "constant", scalar="u8", constant=7),
+            Parameter("uptime", "uptime", "scalar", scalar="u16", units=("s",)),
+            Parameter("level", "level", "scalar", scalar="u8"),
+        ),
+    ),
     "StatusShort": FieldInfo(
-        "tools.status_short", tools.StatusShort, devices=("model-a", "model-b", "model-c"),
+        "tools.status_short", tools.StatusShort, devices=("model-a", "model-b"),
         parameters=(
             Parameter("model", "model", "constant", scalar="u16", constant=4711),
             Parameter("selector", "selector", "constant", scalar="u8", constant=1),

@@ -1,7 +1,7 @@
 //! The devices.
 
 #[allow(unused_imports)] // a part of the specification needs fewer
-use super::{BaseRate, Evidence, Limit, Profile, ProfilePort, Support, Variant};
+use super::{BaseRate, Evidence, Firmware, Limit, Profile, ProfilePort, Support, Variant};
 #[allow(unused_imports)]
 use crate::protocol::AckCode;
 
@@ -73,6 +73,8 @@ pub static MODEL_A: Profile = Profile {
     },
     refuses: supported! {
     },
+    firmware: &[
+    ],
     base_rates: &[
         BaseRate { set: 0x80, hertz: 1000.0 },
         BaseRate { set: 0x81, hertz: 500.0 },
@@ -99,12 +101,14 @@ pub static MODEL_A: Profile = Profile {
             value: 12.0,
             unit: None,
             description: "In a format.",
+            firmware: None,
         },
         Limit {
             name: "range",
             value: 2.5,
             unit: Some("g"),
             description: "Of the sensor.",
+            firmware: None,
         },
     ],
     variants: &[
@@ -154,6 +158,8 @@ pub static MODEL_B: Profile = Profile {
     },
     refuses: supported! {
     },
+    firmware: &[
+    ],
     base_rates: &[
         BaseRate { set: 0x80, hertz: 0.0 },
     ],
@@ -253,6 +259,23 @@ pub static MODEL_C: Profile = Profile {
     refuses: supported! {
         0x01 0x08 "tools.choice" [WRITE READ] MODEL_C_4;
     },
+    firmware: &[
+        Firmware {
+            set: 0x01,
+            descriptor: 0x06,
+            versions: ">= 1.0, < 1.1",
+        },
+        Firmware {
+            set: 0x81,
+            descriptor: 0x01,
+            versions: "> 1.0.07",
+        },
+        Firmware {
+            set: 0x81,
+            descriptor: 0x07,
+            versions: "> 1.0.07",
+        },
+    ],
     base_rates: &[
         BaseRate { set: 0x80, hertz: 1000.0 },
         BaseRate { set: 0x81, hertz: 250.0 },
@@ -279,6 +302,7 @@ pub static MODEL_C: Profile = Profile {
             value: 6.0,
             unit: None,
             description: "In a format.",
+            firmware: Some("< 2.0"),
         },
     ],
     variants: &[
@@ -358,6 +382,8 @@ pub static OLD_1: Profile = Profile {
     },
     refuses: supported! {
     },
+    firmware: &[
+    ],
     base_rates: &[
     ],
     ports: &[
@@ -400,6 +426,8 @@ pub static OLD_2: Profile = Profile {
     },
     refuses: supported! {
     },
+    firmware: &[
+    ],
     base_rates: &[
     ],
     ports: &[

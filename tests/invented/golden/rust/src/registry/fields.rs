@@ -35,7 +35,7 @@ registry! {
         ToolsStatus(crate::tools::Status):
             Command 0x04, of 1,
             "tools.status", "Status",
-            ["tools.status_short", "tools.status_long", "tools.status_old", "tools.status_full"], {
+            ["tools.status_paged", "tools.status_short", "tools.status_long", "tools.status_old", "tools.status_full"], {
                 "selector";
             };
         /// Bias (0x01,0x05).
@@ -255,15 +255,23 @@ registry! {
                 };
             };
         /// Status response (0x01,0x90).
+        ToolsStatusPaged(crate::tools::StatusPaged):
+            Response 0x90, of 5,
+            "tools.status_paged", "Status response",
+            ["tools.status"], {
+                "uptime" in ["s"];
+                "level";
+            };
+        /// Status response (0x01,0x90).
         ToolsStatusShort(crate::tools::StatusShort):
-            Response 0x90, of 4,
+            Response 0x90, of 5,
             "tools.status_short", "Status response",
             ["tools.status"], {
                 "flags";
             };
         /// Status response (0x01,0x90).
         ToolsStatusLong(crate::tools::StatusLong):
-            Response 0x90, of 4,
+            Response 0x90, of 5,
             "tools.status_long", "Status response",
             ["tools.status"], {
                 "flags";
@@ -271,14 +279,14 @@ registry! {
             };
         /// Status response (0x01,0x90).
         ToolsStatusOld(crate::tools::StatusOld):
-            Response 0x90, of 4,
+            Response 0x90, of 5,
             "tools.status_old", "Status response",
             ["tools.status"], {
                 "uptime" in ["s"];
             };
         /// Status response (0x01,0x90).
         ToolsStatusFull(crate::tools::StatusFull):
-            Response 0x90, of 4,
+            Response 0x90, of 5,
             "tools.status_full", "Status response",
             ["tools.status"], {
                 "place" {

@@ -106,10 +106,12 @@ record! {
         /// Four bytes.
         ///
         /// Unit: 1.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub float: f32,
         /// Eight bytes.
         ///
         /// Unit: 1.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub double: f64,
         /// True or false.
         pub bool: crate::Bool,
@@ -319,6 +321,7 @@ record! {
         /// From version 3 on.
         ///
         /// Unit: deg. Optional.
+        #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub third: Option<f32>,
     }
     wire 8 {
@@ -364,12 +367,15 @@ record! {
         /// Unit: m. Range: greater than 0, at most 10. Valid if [`connected`](Radio::connected) is
         /// true. On the [Model C](crate::devices::MODEL_C): valid if
         /// [`connected`](Radio::connected) is true; deprecated.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub noise: f32,
         /// Reserved.
         ///
         /// Reserved.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub gap: f32,
         /// Reserved.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub gaps: [f64; 2],
     }
 }
@@ -497,6 +503,7 @@ record! {
         /// Above the plane.
         ///
         /// Unit: m. Valid if [`valid_flags.ready`](types::StateFlags::ready) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub height: f32,
         /// Of the wind.
         ///
@@ -550,6 +557,7 @@ record! {
         /// Above the plane.
         ///
         /// Unit: m.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub height: f32,
         /// Of the vane.
         ///

@@ -21,6 +21,7 @@ record! {
         /// Time of week.
         ///
         /// Unit: s. Valid if [`valid_flags.ready`](types::StateFlags::ready) is set.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub tow: f64,
         /// What is valid.
         pub valid_flags: types::StateFlags,

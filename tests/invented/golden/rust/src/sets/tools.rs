@@ -46,10 +46,12 @@ record! {
         /// Of a stripe.
         ///
         /// Unit: m.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub width: f64,
         /// Of all stripes.
         ///
         /// Unit: deg. Range: -180 to 180.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub angle: f32,
     }
 }
@@ -189,6 +191,7 @@ record! {
         /// Of the reading.
         pub kind: u8,
         /// Of the reading.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub value: f32,
     }
 }
@@ -446,8 +449,8 @@ record! {
     ///
     /// Layouts of one response, told apart by constants and by size.
     ///
-    /// For advanced use. Answered by [`StatusShort`], [`StatusLong`], [`StatusOld`] or
-    /// [`StatusFull`]. The device may take 2.5 s to answer. Supported by [Model
+    /// For advanced use. Answered by [`StatusPaged`], [`StatusShort`], [`StatusLong`],
+    /// [`StatusOld`] or [`StatusFull`]. The device may take 2.5 s to answer. Supported by [Model
     /// A](crate::devices::MODEL_A), [Model B](crate::devices::MODEL_B) and [Model
     /// C](crate::devices::MODEL_C).
     ///
@@ -483,7 +486,7 @@ field! {
 
 command! {
     Status -> StatusResponses;
-    responds StatusShort, if selector = 1;
+    responds StatusPaged | StatusShort, if selector = 1;
     responds StatusLong | StatusOld | StatusFull, if selector = 2;
     timeout 2500;
 }
@@ -492,6 +495,9 @@ responses! {
     /// The answer to [`Status`].
     #[derive(Copy, Eq, Hash)]
     pub enum StatusResponses {
+        /// The response [`StatusPaged`].
+        #[cfg_attr(feature = "serde", serde(rename = "status_paged"))]
+        Paged(StatusPaged),
         /// The response [`StatusShort`].
         #[cfg_attr(feature = "serde", serde(rename = "status_short"))]
         Short(StatusShort),
@@ -912,8 +918,10 @@ record! {
     #[derive(Copy)]
     pub struct Hello {
         /// Reserved: send 1.0.
+        #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub reserved: f32,
         /// Reserved: send 0.0. Optional.
+        #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub later: Option<[f64; 2]>,
     }
     wire 20 {
@@ -1434,9 +1442,55 @@ field! {
 record! {
     /// Status response (0x01,0x90).
     ///
+    /// As long as the short layout. A further constant tells it from that one.
+    ///
     /// Answers [`Status`]. Sent if [`selector`](Status::selector) is 1. Supported by [Model
-    /// A](crate::devices::MODEL_A), [Model B](crate::devices::MODEL_B) and [Model
     /// C](crate::devices::MODEL_C).
+    ///
+    /// The wire format also contains `model`: The model. Always 4711.
+    ///
+    /// The wire format also contains `selector`: The short layout. Always 1.
+    ///
+    /// The wire format also contains `page`: The page. Always 7.
+    ///
+    /// Source: guide: Status.
+    #[derive(Copy, Default, Eq, Hash)]
+    pub struct StatusPaged {
+        /// Since start.
+        ///
+        /// Unit: s.
+        pub uptime: u16,
+        /// How full it is.
+        pub level: u8,
+    }
+    wire 7 {
+        [model: u16 = 4711]
+        [selector: u8 = 1]
+        [page: u8 = 7]
+        [uptime]
+        [level]
+    }
+}
+
+constructors! {
+    StatusPaged
+
+    /// Creates it from its values.
+    fn new(uptime: u16, level: u8);
+}
+
+field! {
+    StatusPaged: 0x90, "tools.status_paged";
+    in [0x01];
+    constants [0: 18 103] [2: 1] [3: 7];
+    answers Status;
+}
+
+record! {
+    /// Status response (0x01,0x90).
+    ///
+    /// Answers [`Status`]. Sent if [`selector`](Status::selector) is 1. Supported by [Model
+    /// A](crate::devices::MODEL_A) and [Model B](crate::devices::MODEL_B).
     ///
     /// The wire format also contains `model`: The model. Always 4711.
     ///

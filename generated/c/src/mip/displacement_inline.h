@@ -1,0 +1,103 @@
+/**
+ * @file
+ * The same as _decode and _encode of mip/displacement.h without tables, for speed: the fields whose
+ * layout never varies.
+ */
+#ifndef MIP_DISPLACEMENT_INLINE_H
+#define MIP_DISPLACEMENT_INLINE_H
+
+#include "mip/displacement.h"
+
+#if MIP_VERSION_NUMBER != 100
+#error "mip/displacement_inline.h and mip/constants.h are not of one version"
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** Decodes displacement.get_calibration_response. On an error the structure is zeroed. */
+static inline mip_error mip_displacement_get_calibration_response_decode_inline(
+    struct mip_displacement_get_calibration_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x11, 0x81, 8);
+    if (error != MIP_OK || sizeof(*value) != 8) { /* gaps are zeroed, too */
+        memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_get_float(&value->slope, field->data);
+    mip_get_float(&value->offset, field->data + 4);
+    return MIP_OK;
+}
+
+/** Adds displacement.get_calibration_response to a packet. On an error the packet is unchanged. */
+MIP_CHECKED static inline mip_error mip_displacement_get_calibration_response_encode_inline(
+    const struct mip_displacement_get_calibration_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x11, 0x81, 8, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_float(data, &value->slope);
+    mip_put_float(data + 4, &value->offset);
+    return MIP_OK;
+}
+
+/** Decodes displacement.output_rate. On an error the structure is zeroed. */
+static inline mip_error mip_displacement_output_rate_decode_inline(
+    struct mip_displacement_output_rate *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x11, 0x02, 1);
+    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
+        memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
+        return error;
+    }
+    value->function = mip_get_8(field->data);
+    return MIP_OK;
+}
+
+/** Adds displacement.output_rate to a packet. On an error the packet is unchanged. */
+MIP_CHECKED static inline mip_error mip_displacement_output_rate_encode_inline(
+    const struct mip_displacement_output_rate *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x11, 0x02, 1, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->function);
+    return MIP_OK;
+}
+
+/** Decodes displacement.output_rate_response. On an error the structure is zeroed. */
+static inline mip_error mip_displacement_output_rate_response_decode_inline(
+    struct mip_displacement_output_rate_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x11, 0x82, 4);
+    if (error != MIP_OK || sizeof(*value) != 4) { /* gaps are zeroed, too */
+        memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
+        return error;
+    }
+    value->rate = mip_get_32(field->data);
+    return MIP_OK;
+}
+
+/** Adds displacement.output_rate_response to a packet. On an error the packet is unchanged. */
+MIP_CHECKED static inline mip_error mip_displacement_output_rate_response_encode_inline(
+    const struct mip_displacement_output_rate_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x11, 0x82, 4, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_32(data, value->rate);
+    return MIP_OK;
+}
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,518 @@
+/**
+ * Aiding commands (0x13).
+ *
+ * Measurements of external sensors for the navigation filter, and the frames of the sensors.
+ *
+ * - 3dm-cv7-gnss-ins: Aiding (0x13)
+ * - 3dm-cv7-gnss-ins: Filter Aiding Measurements
+ */
+import type { Bitfield, Command, Data, Enumeration, Flavor, Response, Values } from "./mip/index.mjs";
+import type { FunctionSelector } from "./protocol.mjs";
+import type * as types from "./types.mjs";
+
+export type AidingFrameFormat = Flavor<number, "aiding.aiding_frame_format">;
+/**
+ * How the rotation of an aiding frame is given.
+ *
+ * - 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01)
+ */
+export declare const AidingFrameFormat: Enumeration<AidingFrameFormat> & {
+    /** Euler angles: roll, pitch, yaw. */
+    readonly EULER: AidingFrameFormat & 1;
+    /** Quaternion: w, x, y, z. */
+    readonly QUATERNION: AidingFrameFormat & 2;
+};
+
+export type AidingEchoMode = Flavor<number, "aiding.aiding_echo_mode">;
+/**
+ * How the device answers aiding measurements.
+ *
+ * - 3dm-cv7-gnss-ins: Echo Control (0x13,0x1F)
+ */
+export declare const AidingEchoMode: Enumeration<AidingEchoMode> & {
+    /** No acknowledge. */
+    readonly SUPPRESS_ACK: AidingEchoMode & 0;
+    /** Acknowledge as for any command. */
+    readonly STANDARD: AidingEchoMode & 1;
+    /** The data is returned in a response. */
+    readonly RESPONSE: AidingEchoMode & 2;
+};
+
+export type Timebase = Flavor<number, "aiding.timebase">;
+/** Clock of the time of a measurement. */
+export declare const Timebase: Enumeration<Timebase> & {
+    /** Internal reference clock of the device. */
+    readonly INTERNAL_REFERENCE: Timebase & 1;
+    /** External clock, with which the PPS synchronizes the device. */
+    readonly EXTERNAL_TIME: Timebase & 2;
+    /** Latency relative to the arrival of the command. */
+    readonly TIME_OF_ARRIVAL: Timebase & 3;
+};
+
+/** When a measurement was taken. */
+export interface MeasurementTime {
+    /** Clock of the time. */
+    timebase: Timebase;
+    /** Reserved: send 1. */
+    reserved: number;
+    /** Time by that clock. Unit: ns. */
+    nanoseconds: bigint;
+}
+
+export type AxisFlags = Flavor<number, "aiding.axis_flags">;
+/** Which axes of a measurement are valid; the others are ignored. */
+export declare const AxisFlags: Bitfield<AxisFlags> & {
+    /** First axis. Bit 0. */
+    readonly X: AxisFlags;
+    /** Second axis. Bit 1. */
+    readonly Y: AxisFlags;
+    /** Third axis. Bit 2. */
+    readonly Z: AxisFlags;
+};
+
+export type LlhAxisFlags = Flavor<number, "aiding.llh_axis_flags">;
+/** Which coordinates of a position are valid; the others are ignored. */
+export declare const LlhAxisFlags: Bitfield<LlhAxisFlags> & {
+    /** Latitude and its uncertainty are valid. Bit 0. */
+    readonly LATITUDE: LlhAxisFlags;
+    /** Longitude and its uncertainty are valid. Bit 1. */
+    readonly LONGITUDE: LlhAxisFlags;
+    /** Height and its uncertainty are valid. Bit 2. */
+    readonly HEIGHT: LlhAxisFlags;
+};
+
+/**
+ * Frame configuration response (0x13,0x81).
+ *
+ * Answers `FrameConfig`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-CV7-INS. Probably supported by
+ * 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+ *
+ * - 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01)
+ * - 3dm-cv7-gnss-ins: Aiding Frames
+ */
+export declare class FrameConfigResponse extends Response {
+    constructor(values: Values<FrameConfigResponse>);
+    /** Number of the frame. Range: 1 to 4. */
+    frameId: number;
+    /** How the rotation is given. */
+    format: AidingFrameFormat;
+    /** Whether the filter estimates the errors of the frame. */
+    trackingEnabled: boolean;
+    /** Origin of the frame in the vehicle. Elements: x, y, z. Unit: m. Frame: vehicle. */
+    translation: types.Vector3f;
+    /**
+     * Rotation from the frame to the vehicle. Selected by `format`.
+     *
+     * - If `format` is `AidingFrameFormat.EULER`: `euler: types.Vector3f`. Roll, pitch and yaw. Elements: x, y, z.
+     *   Unit: rad. Range: -3.141592653589793 to 3.141592653589793.
+     * - If `format` is `AidingFrameFormat.QUATERNION`: `quaternion: types.Quatf`. Quaternion, scalar part first.
+     *   Elements: w, x, y, z. Unit: 1.
+     */
+    rotation: { euler?: types.Vector3f; quaternion?: types.Quatf };
+}
+
+/**
+ * Echo control response (0x13,0x9F).
+ *
+ * Answers `EchoControl`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS,
+ * 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+ *
+ * - 3dm-cv7-gnss-ins: Echo Control (0x13,0x1F)
+ * - 3dm-cv7-gnss-ins: Aiding Command Echo Control
+ */
+export declare class EchoControlResponse extends Response {
+    constructor(values: Values<EchoControlResponse>);
+    /** How the measurements are answered. */
+    mode: AidingEchoMode;
+}
+
+/**
+ * Frame configuration (0x13,0x01).
+ *
+ * Where and how an external sensor is mounted on the vehicle.
+ *
+ * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `FrameConfigResponse`. Changes
+ * `filter_data.AidingFrameConfigError`. Probably changes `filter_data.AidingFrameConfigErrorUncertainty`. Supported by
+ * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-CV7-INS. Probably supported by 3DM-CX7-AHRS, 3DM-CX7-AR,
+ * 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+ *
+ * Aiding measurements name the frame by its number. `p_vehicle = R * p_frame + t`, with the rotation R and the
+ * translation t. For GNSS positions and velocities the rotation does not matter. Send one that does not turn: Euler
+ * angles 0, 0, 0 or the quaternion 1, 0, 0, 0. A read selects the format of the answer.
+ *
+ * - 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01)
+ * - 3dm-cv7-gnss-ins: Aiding Frames
+ */
+export declare class FrameConfig<R extends Response | undefined = undefined | FrameConfigResponse> extends Command<R> {
+    constructor(values: Values<FrameConfig>);
+    /** What to do with the setting. */
+    function: FunctionSelector;
+    /** Number of the frame. Range: 1 to 4. */
+    frameId?: number;
+    /** How the rotation is given. Required for `write` and `read`. */
+    format?: AidingFrameFormat;
+    /** Whether the filter estimates the errors of the frame. Required for `write`. */
+    trackingEnabled?: boolean;
+    /** Origin of the frame in the vehicle. Elements: x, y, z. Unit: m. Frame: vehicle. Required for `write`. */
+    translation?: types.Vector3f;
+    /**
+     * Rotation from the frame to the vehicle. Selected by `format`. Required for `write`.
+     *
+     * - If `format` is `AidingFrameFormat.EULER`: `euler: types.Vector3f`. Roll, pitch and yaw. Elements: x, y, z.
+     *   Unit: rad. Range: -3.141592653589793 to 3.141592653589793.
+     * - If `format` is `AidingFrameFormat.QUATERNION`: `quaternion: types.Quatf`. Quaternion, scalar part first.
+     *   Elements: w, x, y, z. Unit: 1.
+     */
+    rotation?: { euler?: types.Vector3f; quaternion?: types.Quatf };
+    /** Apply the new setting. */
+    static write(values: { frameId: number; format: AidingFrameFormat; trackingEnabled: boolean; translation: types.Vector3f; rotation: { euler?: types.Vector3f; quaternion?: types.Quatf } }): FrameConfig<undefined>;
+    /** Return the current setting in a response. */
+    static read(values: { frameId: number; format: AidingFrameFormat }): FrameConfig<FrameConfigResponse>;
+    /** Save the current setting to non-volatile memory. */
+    static save(values: { frameId: number }): FrameConfig<undefined>;
+    /** Load the saved setting. */
+    static load(values: { frameId: number }): FrameConfig<undefined>;
+    /** Load the factory default setting. */
+    static default(values: { frameId: number }): FrameConfig<undefined>;
+}
+
+/**
+ * Echo control (0x13,0x1F).
+ *
+ * How the device answers aiding measurements.
+ *
+ * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `EchoControlResponse`. Supported by
+ * 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR,
+ * 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+ *
+ * The manual does not give the layout of the responses that carry the data back.
+ *
+ * - 3dm-cv7-gnss-ins: Echo Control (0x13,0x1F)
+ * - 3dm-cv7-gnss-ins: Aiding Command Echo Control
+ */
+export declare class EchoControl<R extends Response | undefined = undefined | EchoControlResponse> extends Command<R> {
+    constructor(values: Values<EchoControl>);
+    /** What to do with the setting. */
+    function: FunctionSelector;
+    /** How the measurements are answered. Required for `write`. */
+    mode?: AidingEchoMode;
+    /** Apply the new setting. */
+    static write(values: { mode: AidingEchoMode }): EchoControl<undefined>;
+    /** Return the current setting in a response. */
+    static read(): EchoControl<EchoControlResponse>;
+    /** Save the current setting to non-volatile memory. */
+    static save(): EchoControl<undefined>;
+    /** Load the saved setting. */
+    static load(): EchoControl<undefined>;
+    /** Load the factory default setting. */
+    static default(): EchoControl<undefined>;
+}
+
+/**
+ * ECEF position (0x13,0x21).
+ *
+ * A measured position in Earth-fixed coordinates.
+ *
+ * Also called `pos_ecef`. Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by
+ * 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS.
+ *
+ * Use only one form of position: ECEF or LLH. In mode `response` of `EchoControl`, the device sends the data back in a
+ * response of unknown layout.
+ *
+ * - 3dm-cv7-gnss-ins: ECEF Position (0x13,0x21)
+ * - 3dm-cv7-gnss-ins: Filter Aiding Measurements > ECEF Position
+ */
+export declare class EcefPosition extends Command<undefined> {
+    constructor(values: Values<EcefPosition>);
+    /** When the measurement was taken. */
+    time: MeasurementTime;
+    /** Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4. */
+    frameId: number;
+    /**
+     * Position of the origin of the frame. Elements: x, y, z. Unit: m. Frame: ecef. Each element has its own valid
+     * flag. x: `AxisFlags.X` of `validFlags`, y: `AxisFlags.Y` of `validFlags`, z: `AxisFlags.Z` of `validFlags`.
+     */
+    position: types.Vector3d;
+    /**
+     * Uncertainty of the position. Elements: x, y, z. Unit: m. Frame: ecef. Range: greater than 0. Each element has its
+     * own valid flag. x: `AxisFlags.X` of `validFlags`, y: `AxisFlags.Y` of `validFlags`, z: `AxisFlags.Z` of
+     * `validFlags`.
+     */
+    uncertainty: types.Vector3f;
+    /** Which axes are valid. */
+    validFlags: AxisFlags;
+}
+
+/**
+ * LLH position (0x13,0x22).
+ *
+ * A measured position as latitude, longitude and height.
+ *
+ * Also called `pos_llh`. Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by
+ * 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS.
+ *
+ * Use only one form of position: ECEF or LLH. To send a height only, clear the valid flags of latitude and longitude.
+ * The 3DM-CV7-GNSS/INS also accepts an uncertainty of 0 for both instead. In mode `response` of `EchoControl`, the
+ * device sends the data back in a response of unknown layout.
+ *
+ * - 3dm-cv7-gnss-ins: LLH Position (0x13,0x22)
+ * - 3dm-cv7-gnss-ins: Filter Aiding Measurements > LLH Position
+ */
+export declare class LlhPosition extends Command<undefined> {
+    constructor(values: Values<LlhPosition>);
+    /** When the measurement was taken. */
+    time: MeasurementTime;
+    /** Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4. */
+    frameId: number;
+    /**
+     * Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if `LlhAxisFlags.LATITUDE` of
+     * `validFlags` is set.
+     */
+    latitude: number;
+    /**
+     * Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if `LlhAxisFlags.LONGITUDE`
+     * of `validFlags` is set.
+     */
+    longitude: number;
+    /** Height above the ellipsoid. Unit: m. Frame: llh. Valid if `LlhAxisFlags.HEIGHT` of `validFlags` is set. */
+    height: number;
+    /**
+     * Uncertainty of the position. Elements: north, east, down. Unit: m. Frame: ned. Range: greater than 0. Each
+     * element has its own valid flag. north: `LlhAxisFlags.LATITUDE` of `validFlags`, east: `LlhAxisFlags.LONGITUDE` of
+     * `validFlags`, down: `LlhAxisFlags.HEIGHT` of `validFlags`.
+     */
+    uncertainty: types.Ned3f;
+    /** Which coordinates are valid. */
+    validFlags: LlhAxisFlags;
+}
+
+/**
+ * Height above ellipsoid (0x13,0x23).
+ *
+ * A measured height.
+ *
+ * Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS. Probably
+ * supported by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS.
+ *
+ * In mode `response` of `EchoControl`, the device sends the data back in a response of unknown layout.
+ *
+ * - 3dm-cv7-gnss-ins: Height Above Ellipsoid (0x13,0x23)
+ */
+export declare class HeightAboveEllipsoid extends Command<undefined> {
+    constructor(values: Values<HeightAboveEllipsoid>);
+    /** When the measurement was taken. */
+    time: MeasurementTime;
+    /** Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4. */
+    frameId: number;
+    /** Height above the ellipsoid. Unit: m. Frame: llh. */
+    height: number;
+    /** Uncertainty of the height. Unit: m. Range: at least 0. */
+    uncertainty: number;
+    /** Not 0: the measurement is valid. */
+    validFlags: number;
+}
+
+/**
+ * ECEF velocity (0x13,0x28).
+ *
+ * A measured velocity in Earth-fixed coordinates.
+ *
+ * Also called `vel_ecef`. Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by
+ * 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS.
+ *
+ * Use only one form of velocity: ECEF or NED. Not for a sensor that is fixed to the vehicle; for such a sensor, use
+ * `BodyFrameVelocity`. In mode `response` of `EchoControl`, the device sends the data back in a response of unknown
+ * layout.
+ *
+ * - 3dm-cv7-gnss-ins: ECEF Velocity (0x13,0x28)
+ * - 3dm-cv7-gnss-ins: Filter Aiding Measurements > ECEF Velocity
+ */
+export declare class EcefVelocity extends Command<undefined> {
+    constructor(values: Values<EcefVelocity>);
+    /** When the measurement was taken. */
+    time: MeasurementTime;
+    /** Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4. */
+    frameId: number;
+    /**
+     * Velocity of the origin of the frame. Elements: x, y, z. Unit: m/s. Frame: ecef. Each element has its own valid
+     * flag. x: `AxisFlags.X` of `validFlags`, y: `AxisFlags.Y` of `validFlags`, z: `AxisFlags.Z` of `validFlags`.
+     */
+    velocity: types.Vector3f;
+    /**
+     * Uncertainty of the velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Range: greater than 0. Each element has
+     * its own valid flag. x: `AxisFlags.X` of `validFlags`, y: `AxisFlags.Y` of `validFlags`, z: `AxisFlags.Z` of
+     * `validFlags`.
+     */
+    uncertainty: types.Vector3f;
+    /** Which axes are valid. */
+    validFlags: AxisFlags;
+}
+
+/**
+ * NED velocity (0x13,0x29).
+ *
+ * A measured velocity in the local level frame.
+ *
+ * Also called `vel_ned`. Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by
+ * 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS.
+ *
+ * Use only one form of velocity: ECEF or NED. Not for a sensor that is fixed to the vehicle; for such a sensor, use
+ * `BodyFrameVelocity`. In mode `response` of `EchoControl`, the device sends the data back in a response of unknown
+ * layout.
+ *
+ * - 3dm-cv7-gnss-ins: NED Velocity (0x13,0x29)
+ * - 3dm-cv7-gnss-ins: Filter Aiding Measurements > NED Velocity
+ */
+export declare class NedVelocity extends Command<undefined> {
+    constructor(values: Values<NedVelocity>);
+    /** When the measurement was taken. */
+    time: MeasurementTime;
+    /** Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4. */
+    frameId: number;
+    /**
+     * Velocity of the origin of the frame. Elements: north, east, down. Unit: m/s. Frame: ned. Each element has its own
+     * valid flag. north: `AxisFlags.X` of `validFlags`, east: `AxisFlags.Y` of `validFlags`, down: `AxisFlags.Z` of
+     * `validFlags`.
+     */
+    velocity: types.Ned3f;
+    /**
+     * Uncertainty of the velocity. Elements: north, east, down. Unit: m/s. Frame: ned. Range: greater than 0. Each
+     * element has its own valid flag. north: `AxisFlags.X` of `validFlags`, east: `AxisFlags.Y` of `validFlags`, down:
+     * `AxisFlags.Z` of `validFlags`.
+     */
+    uncertainty: types.Ned3f;
+    /** Which axes are valid. */
+    validFlags: AxisFlags;
+}
+
+/**
+ * Body frame velocity (0x13,0x2A).
+ *
+ * A measured velocity of the vehicle in the frame of the sensor.
+ *
+ * Also called `vel_body_frame`. Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported
+ * by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS.
+ *
+ * The device supports up to four sensors of this kind. A wheeled vehicle constraint is a velocity of 0 with only y
+ * valid, sent at least once per second. With z also valid and 0, motion is constrained to a plane (2D mode). A zero
+ * velocity update is a velocity of 0, sent while the GNSS speed is below a threshold chosen by the user. In mode
+ * `response` of `EchoControl`, the device sends the data back in a response of unknown layout.
+ *
+ * - 3dm-cv7-gnss-ins: Body Frame Velocity (0x13,0x2A)
+ * - 3dm-cv7-gnss-ins: Filter Aiding Measurements > Body Frame Velocity
+ * - 3dm-cv7-gnss-ins: Filter Kinematic Constraints
+ */
+export declare class BodyFrameVelocity extends Command<undefined> {
+    constructor(values: Values<BodyFrameVelocity>);
+    /** When the measurement was taken. */
+    time: MeasurementTime;
+    /** Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4. */
+    frameId: number;
+    /**
+     * Velocity of the origin of the frame. Elements: x, y, z. Unit: m/s. Frame: aiding. Each element has its own valid
+     * flag. x: `AxisFlags.X` of `validFlags`, y: `AxisFlags.Y` of `validFlags`, z: `AxisFlags.Z` of `validFlags`.
+     */
+    velocity: types.Vector3f;
+    /**
+     * Standard deviation of the velocity. Elements: x, y, z. Unit: m/s. Frame: aiding. Range: greater than 0. Each
+     * element has its own valid flag. x: `AxisFlags.X` of `validFlags`, y: `AxisFlags.Y` of `validFlags`, z:
+     * `AxisFlags.Z` of `validFlags`.
+     */
+    uncertainty: types.Vector3f;
+    /** Which axes are valid. */
+    validFlags: AxisFlags;
+}
+
+/**
+ * True heading (0x13,0x31).
+ *
+ * A measured heading relative to true north.
+ *
+ * Also called `heading_true`. Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported
+ * by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR,
+ * 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+ *
+ * In mode `response` of `EchoControl`, the device sends the data back in a response of unknown layout.
+ *
+ * - 3dm-cv7-gnss-ins: True Heading (0x13,0x31)
+ * - 3dm-cv7-gnss-ins: Filter Aiding Measurements > True Heading
+ */
+export declare class TrueHeading extends Command<undefined> {
+    constructor(values: Values<TrueHeading>);
+    /** When the measurement was taken. */
+    time: MeasurementTime;
+    /** Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4. */
+    frameId: number;
+    /**
+     * Heading relative to true north. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive:
+     * clockwise seen from above.
+     */
+    heading: number;
+    /** Uncertainty of the heading. Unit: rad. Range: greater than 0. */
+    uncertainty: number;
+    /** Not 0: the measurement is valid. */
+    validFlags: number;
+}
+
+/**
+ * Magnetic field (0x13,0x32).
+ *
+ * A magnetic field measured by an external magnetometer.
+ *
+ * Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR
+ * and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS,
+ * 3DM-GV7-AR and 3DM-GV7-INS.
+ *
+ * The magnetometer must be calibrated. In mode `response` of `EchoControl`, the device sends the data back in a
+ * response of unknown layout.
+ *
+ * - 3dm-cv7-gnss-ins: Magnetic Field (0x13,0x32)
+ * - 3dm-cv7-gnss-ins: Filter Aiding Measurements > External Magnetometer
+ */
+export declare class MagneticField extends Command<undefined> {
+    constructor(values: Values<MagneticField>);
+    /** When the measurement was taken. */
+    time: MeasurementTime;
+    /** Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4. */
+    frameId: number;
+    /**
+     * Calibrated magnetic field. Elements: x, y, z. Unit: gauss. Frame: aiding. Each element has its own valid flag. x:
+     * `AxisFlags.X` of `validFlags`, y: `AxisFlags.Y` of `validFlags`, z: `AxisFlags.Z` of `validFlags`.
+     */
+    magneticField: types.Vector3f;
+    /**
+     * Standard deviation of the magnetic field. Elements: x, y, z. Unit: gauss. Frame: aiding. Range: greater than 0.
+     * Each element has its own valid flag. x: `AxisFlags.X` of `validFlags`, y: `AxisFlags.Y` of `validFlags`, z:
+     * `AxisFlags.Z` of `validFlags`.
+     */
+    uncertainty: types.Vector3f;
+    /** Which axes are valid. */
+    validFlags: AxisFlags;
+}
+
+/**
+ * Pressure (0x13,0x33).
+ *
+ * A static air pressure measured by an external sensor.
+ *
+ * Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS. Probably
+ * supported by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS.
+ *
+ * In mode `response` of `EchoControl`, the device sends the data back in a response of unknown layout.
+ *
+ * - 3dm-cv7-gnss-ins: Pressure (0x13,0x33)
+ * - 3dm-cv7-gnss-ins: Filter Aiding Measurements > External Pressure
+ */
+export declare class Pressure extends Command<undefined> {
+    constructor(values: Values<Pressure>);
+    /** When the measurement was taken. */
+    time: MeasurementTime;
+    /** Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4. */
+    frameId: number;
+    /** Air pressure. Unit: mbar. */
+    pressure: number;
+    /** Standard deviation of the pressure. Unit: mbar. Range: greater than 0. */
+    uncertainty: number;
+    /** Not 0: the measurement is valid. */
+    validFlags: number;
+}

@@ -1,0 +1,94 @@
+/**
+ * Displacement commands (0x11).
+ *
+ * Commands of the DEMOD-DC, a demodulator for displacement sensors. Inertial sensors have none of them.
+ *
+ * - mscl: Displacement Commands (0x11)
+ */
+import type { Bitfield, Command, Data, Enumeration, Flavor, Response, Values } from "./mip/index.mjs";
+import type { FunctionSelector } from "./protocol.mjs";
+import type * as types from "./types.mjs";
+
+/**
+ * Get Analog to Displacement Calibration response (0x11,0x81).
+ *
+ * Also called `get_analog_displacement_calibration_response`. Answers `GetCalibration`. Probably supported by DEMOD-DC.
+ * Known only from the MicroStrain Communication Library.
+ *
+ * - mscl: Get Analog to Displacement Calibration (0x11,0x01)
+ */
+export declare class GetCalibrationResponse extends Response {
+    constructor(values: Values<GetCalibrationResponse>);
+    /** Displacement for each count of the converter. Uncertain: The unit; mm for each count is likely. */
+    slope: number;
+    /** Displacement at zero counts. Uncertain: The unit; mm is likely. */
+    offset: number;
+}
+
+/**
+ * Displacement Output Data Rate response (0x11,0x82).
+ *
+ * Also called `displacement_output_rate_response`. Answers `OutputRate`. Probably supported by DEMOD-DC. Known only
+ * from the MicroStrain Communication Library.
+ *
+ * - mscl: Displacement Output Data Rate (0x11,0x02)
+ */
+export declare class OutputRateResponse extends Response {
+    constructor(values: Values<OutputRateResponse>);
+    /** Rate of displacement data. Unit: Hz. */
+    rate: number;
+}
+
+/**
+ * Get Analog to Displacement Calibration (0x11,0x01).
+ *
+ * Reads the line by which the device converts the counts of its converter to a displacement.
+ *
+ * Also called `get_analog_displacement_calibration`. Answered by `GetCalibrationResponse`. Probably supported by
+ * DEMOD-DC. Known only from the MicroStrain Communication Library.
+ *
+ * - mscl: Get Analog to Displacement Calibration (0x11,0x01)
+ */
+export declare class GetCalibration extends Command<GetCalibrationResponse> {
+    constructor();
+}
+
+/**
+ * Displacement Output Data Rate (0x11,0x02).
+ *
+ * Reads the rate at which displacement is measured.
+ *
+ * Also called `displacement_output_rate`. Functions: `read`. Answered by `OutputRateResponse`. Probably supported by
+ * DEMOD-DC. Known only from the MicroStrain Communication Library. Uncertain: Whether the rate can be written. MSCL
+ * only reads it.
+ *
+ * - mscl: Displacement Output Data Rate (0x11,0x02)
+ */
+export declare class OutputRate extends Command<OutputRateResponse> {
+    constructor(values: Values<OutputRate>);
+    /** What to do with the setting. */
+    function: FunctionSelector;
+    /** Return the current setting in a response. */
+    static read(): OutputRate;
+}
+
+/**
+ * Displacement Device Time (0x11,0x04).
+ *
+ * Sets the clock of the device, from which `displacement_data.Timestamp` is taken.
+ *
+ * Also called `displacement_device_time`. Functions: `write`. Changes `displacement_data.Timestamp`. Probably supported
+ * by DEMOD-DC. Known only from the MicroStrain Communication Library. Uncertain: Whether the time can be read. MSCL
+ * only writes it.
+ *
+ * - mscl: Displacement Device Time (0x11,0x04)
+ */
+export declare class DeviceTime extends Command<undefined> {
+    constructor(values: Values<DeviceTime>);
+    /** What to do with the setting. */
+    function: FunctionSelector;
+    /** UTC since 1970-01-01, without leap seconds. Unit: ns. */
+    time?: bigint;
+    /** Apply the new setting. */
+    static write(values: { time: bigint }): DeviceTime;
+}

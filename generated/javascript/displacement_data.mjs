@@ -1,0 +1,23 @@
+// Displacement data: how its fields are called, read and written. The declarations say what they mean.
+
+import * as codec from "./mip/codec.mjs";
+import * as field from "./mip/field.mjs";
+import { FunctionSelector } from "./protocol.mjs";
+import * as types from "./types.mjs";
+
+export const TimestampFlags = /* @__PURE__ */ codec.bitfield(codec.u8, {
+    TIME: [0, 0],
+});
+
+export const DisplacementRaw = /* @__PURE__ */ field.data("displacement_data.displacement_raw", 0x90, 0x01, {
+    counts: codec.u32,
+});
+
+export const Displacement = /* @__PURE__ */ field.data("displacement_data.displacement", 0x90, 0x02, {
+    displacement: codec.float,
+});
+
+export const Timestamp = /* @__PURE__ */ field.data("displacement_data.timestamp", 0x90, 0x04, {
+    flags: TimestampFlags,
+    time: codec.u64,
+});

@@ -1,0 +1,744 @@
+// GNSS data: how its fields are called, read and written. The declarations say what they mean.
+
+import * as codec from "./mip/codec.mjs";
+import * as field from "./mip/field.mjs";
+import { FunctionSelector } from "./protocol.mjs";
+import * as types from "./types.mjs";
+
+export const LlhPositionFlags = /* @__PURE__ */ codec.bitfield(codec.u16, {
+    LAT_LON: [0, 0],
+    ELLIPSOID_HEIGHT: [1, 1],
+    MSL_HEIGHT: [2, 2],
+    HORIZONTAL_ACCURACY: [3, 3],
+    VERTICAL_ACCURACY: [4, 4],
+    FLAGS: [0, 4],
+});
+
+export const EcefPositionFlags = /* @__PURE__ */ codec.bitfield(codec.u16, {
+    POSITION: [0, 0],
+    POSITION_ACCURACY: [1, 1],
+    FLAGS: [0, 1],
+});
+
+export const NedVelocityFlags = /* @__PURE__ */ codec.bitfield(codec.u16, {
+    VELOCITY: [0, 0],
+    SPEED_3D: [1, 1],
+    GROUND_SPEED: [2, 2],
+    HEADING: [3, 3],
+    SPEED_ACCURACY: [4, 4],
+    HEADING_ACCURACY: [5, 5],
+    FLAGS: [0, 5],
+});
+
+export const EcefVelocityFlags = /* @__PURE__ */ codec.bitfield(codec.u16, {
+    VELOCITY: [0, 0],
+    VELOCITY_ACCURACY: [1, 1],
+    FLAGS: [0, 1],
+});
+
+export const DopFlags = /* @__PURE__ */ codec.bitfield(codec.u16, {
+    GDOP: [0, 0],
+    PDOP: [1, 1],
+    HDOP: [2, 2],
+    VDOP: [3, 3],
+    TDOP: [4, 4],
+    NDOP: [5, 5],
+    EDOP: [6, 6],
+    FLAGS: [0, 6],
+});
+
+export const UtcTimeFlags = /* @__PURE__ */ codec.bitfield(codec.u16, {
+    GNSS_DATE_TIME: [0, 0],
+    LEAP_SECONDS_KNOWN: [1, 1],
+    FLAGS: [0, 1],
+});
+
+export const GpsTimeFlags = /* @__PURE__ */ codec.bitfield(codec.u16, {
+    TOW: [0, 0],
+    WEEK_NUMBER: [1, 1],
+    FLAGS: [0, 1],
+});
+
+export const ClockInfoFlags = /* @__PURE__ */ codec.bitfield(codec.u16, {
+    BIAS: [0, 0],
+    DRIFT: [1, 1],
+    ACCURACY_ESTIMATE: [2, 2],
+    FLAGS: [0, 2],
+});
+
+export const FixFlags = /* @__PURE__ */ codec.bitfield(codec.u16, {
+    SBAS_USED: [0, 0],
+    DGNSS_USED: [1, 1],
+});
+
+export const FixInfoFlags = /* @__PURE__ */ codec.bitfield(codec.u16, {
+    FIX_TYPE: [0, 0],
+    NUM_SV: [1, 1],
+    FIX_FLAGS: [2, 2],
+    FLAGS: [0, 2],
+});
+
+export const SvFlags = /* @__PURE__ */ codec.bitfield(codec.u16, {
+    USED_FOR_NAVIGATION: [0, 0],
+    HEALTHY: [1, 1],
+});
+
+export const SvInfoFlags = /* @__PURE__ */ codec.bitfield(codec.u16, {
+    CHANNEL: [0, 0],
+    SATELLITE_ID: [1, 1],
+    CARRIER_NOISE_RATIO: [2, 2],
+    AZIMUTH: [3, 3],
+    ELEVATION: [4, 4],
+    SV_FLAGS: [5, 5],
+    FLAGS: [0, 5],
+});
+
+export const ReceiverState = /* @__PURE__ */ codec.enumeration(codec.u8, {
+    OFF: 0,
+    ON: 1,
+    UNKNOWN: 2,
+});
+
+export const AntennaState = /* @__PURE__ */ codec.enumeration(codec.u8, {
+    INIT: 1,
+    SHORT: 2,
+    OPEN: 3,
+    GOOD: 4,
+    UNKNOWN: 5,
+});
+
+export const AntennaPower = /* @__PURE__ */ codec.enumeration(codec.u8, {
+    OFF: 0,
+    ON: 1,
+    UNKNOWN: 2,
+});
+
+export const HardwareStatusFlags = /* @__PURE__ */ codec.bitfield(codec.u16, {
+    SENSOR_STATE: [0, 0],
+    ANTENNA_STATE: [1, 1],
+    ANTENNA_POWER: [2, 2],
+    FLAGS: [0, 2],
+});
+
+export const DgpsInfoFlags = /* @__PURE__ */ codec.bitfield(codec.u16, {
+    AGE: [0, 0],
+    BASE_STATION_ID: [1, 1],
+    BASE_STATION_STATUS: [2, 2],
+    NUM_CHANNELS: [3, 3],
+    FLAGS: [0, 3],
+});
+
+export const DgpsChannelFlags = /* @__PURE__ */ codec.bitfield(codec.u16, {
+    SATELLITE_ID: [0, 0],
+    AGE: [1, 1],
+    RANGE_CORRECTION: [2, 2],
+    RANGE_RATE_CORRECTION: [3, 3],
+    FLAGS: [0, 3],
+});
+
+export const ClockInfo2Flags = /* @__PURE__ */ codec.bitfield(codec.u16, {
+    BIAS: [0, 0],
+    DRIFT: [1, 1],
+    BIAS_ACCURACY: [2, 2],
+    DRIFT_ACCURACY: [3, 3],
+    FLAGS: [0, 3],
+});
+
+export const GpsLeapSecondsFlags = /* @__PURE__ */ codec.bitfield(codec.u16, {
+    LEAP_SECONDS: [1, 1],
+});
+
+export const SbasSystem = /* @__PURE__ */ codec.enumeration(codec.u8, {
+    UNKNOWN: 0,
+    WAAS: 1,
+    EGNOS: 2,
+    MSAS: 3,
+    GAGAN: 4,
+});
+
+export const SbasStatus = /* @__PURE__ */ codec.bitfield(codec.u8, {
+    RANGE_AVAILABLE: [0, 0],
+    CORRECTIONS_AVAILABLE: [1, 1],
+    INTEGRITY_AVAILABLE: [2, 2],
+    TEST_MODE: [3, 3],
+});
+
+export const SbasInfoFlags = /* @__PURE__ */ codec.bitfield(codec.u16, {
+    TOW: [0, 0],
+    WEEK_NUMBER: [1, 1],
+    SBAS_SYSTEM: [2, 2],
+    SBAS_ID: [3, 3],
+    COUNT: [4, 4],
+    SBAS_STATUS: [5, 5],
+    FLAGS: [0, 5],
+});
+
+export const SbasCorrectionFlags = /* @__PURE__ */ codec.bitfield(codec.u16, {
+    UDREI: [0, 0],
+    PSEUDORANGE_CORRECTION: [1, 1],
+    IONO_CORRECTION: [2, 2],
+    FLAGS: [0, 2],
+});
+
+export const RfBand = /* @__PURE__ */ codec.enumeration(codec.u8, {
+    UNKNOWN: 0,
+    L1: 1,
+    L2: 2,
+    L5: 5,
+});
+
+export const JammingState = /* @__PURE__ */ codec.enumeration(codec.u8, {
+    UNKNOWN: 0,
+    NONE: 1,
+    PARTIAL: 2,
+    SIGNIFICANT: 3,
+});
+
+export const SpoofingState = /* @__PURE__ */ codec.enumeration(codec.u8, {
+    UNKNOWN: 0,
+    NONE: 1,
+    PARTIAL: 2,
+    SIGNIFICANT: 3,
+});
+
+export const RfErrorDetectionFlags = /* @__PURE__ */ codec.bitfield(codec.u16, {
+    RF_BAND: [0, 0],
+    JAMMING_STATE: [1, 1],
+    SPOOFING_STATE: [2, 2],
+    FREQUENCY: [3, 3],
+    FLAGS: [0, 3],
+});
+
+export const HeadingFixType = /* @__PURE__ */ codec.enumeration(codec.u8, {
+    UNKNOWN: 0,
+    FLOAT: 1,
+    FIXED: 2,
+});
+
+export const HeadingFlags = /* @__PURE__ */ codec.bitfield(codec.u16, {
+    HEADING: [0, 0],
+    UNCERTAINTY: [1, 1],
+    FIX_TYPE: [2, 2],
+    FLAGS: [0, 2],
+});
+
+export const SatelliteStatusFlags = /* @__PURE__ */ codec.bitfield(codec.u16, {
+    TOW: [0, 0],
+    WEEK_NUMBER: [1, 1],
+    GNSS_ID: [2, 2],
+    SATELLITE_ID: [3, 3],
+    ELEVATION: [4, 4],
+    AZIMUTH: [5, 5],
+    HEALTH: [6, 6],
+    FLAGS: [0, 6],
+});
+
+export const SignalQuality = /* @__PURE__ */ codec.enumeration(codec.u8, {
+    NONE: 0,
+    SEARCHING: 1,
+    ACQUIRED: 2,
+    UNUSABLE: 3,
+    TIME_LOCKED: 4,
+    FULLY_LOCKED: 5,
+});
+
+export const RawFlags = /* @__PURE__ */ codec.bitfield(codec.u16, {
+    TOW: [0, 0],
+    WEEK_NUMBER: [1, 1],
+    RECEIVER_ID: [2, 2],
+    TRACKING_CHANNEL: [3, 3],
+    GNSS_ID: [4, 4],
+    SATELLITE_ID: [5, 5],
+    SIGNAL_ID: [6, 6],
+    SIGNAL_STRENGTH: [7, 7],
+    QUALITY: [8, 8],
+    PSEUDORANGE: [9, 9],
+    CARRIER_PHASE: [10, 10],
+    DOPPLER: [11, 11],
+    RANGE_UNCERTAINTY: [12, 12],
+    CARRIER_PHASE_UNCERTAINTY: [13, 13],
+    DOPPLER_UNCERTAINTY: [14, 14],
+    LOCK_TIME: [15, 15],
+    FLAGS: [0, 15],
+});
+
+export const BaseStationIndicators = /* @__PURE__ */ codec.bitfield(codec.u16, {
+    GPS: [0, 0],
+    GLONASS: [1, 1],
+    GALILEO: [2, 2],
+    BEIDOU: [3, 3],
+    REFERENCE_STATION: [4, 4],
+    SINGLE_RECEIVER: [5, 5],
+    QUARTER_CYCLE_BIT1: [6, 6],
+    QUARTER_CYCLE_BIT2: [7, 7],
+    QUARTER_CYCLE_BITS: [6, 7],
+});
+
+export const BaseStationInfoFlags = /* @__PURE__ */ codec.bitfield(codec.u16, {
+    TOW: [0, 0],
+    WEEK_NUMBER: [1, 1],
+    ECEF_POSITION: [2, 2],
+    HEIGHT: [3, 3],
+    STATION_ID: [4, 4],
+    INDICATORS: [5, 5],
+    FLAGS: [0, 5],
+});
+
+export const RtkEpochStatus = /* @__PURE__ */ codec.bitfield(codec.u16, {
+    ANTENNA_LOCATION_RECEIVED: [0, 0],
+    ANTENNA_DESCRIPTION_RECEIVED: [1, 1],
+    GPS_RECEIVED: [2, 2],
+    GLONASS_RECEIVED: [3, 3],
+    GALILEO_RECEIVED: [4, 4],
+    BEIDOU_RECEIVED: [5, 5],
+    USING_GPS_MSM_MESSAGES: [6, 6],
+    USING_GLONASS_MSM_MESSAGES: [7, 7],
+    DONGLE_STATUS_READ_FAILED: [8, 8],
+});
+
+export const RtkCorrectionsStatusFlags = /* @__PURE__ */ codec.bitfield(codec.u16, {
+    TOW: [0, 0],
+    WEEK_NUMBER: [1, 1],
+    EPOCH_STATUS: [2, 2],
+    DONGLE_STATUS: [3, 3],
+    GPS_LATENCY: [4, 4],
+    GLONASS_LATENCY: [5, 5],
+    GALILEO_LATENCY: [6, 6],
+    BEIDOU_LATENCY: [7, 7],
+    FLAGS: [0, 7],
+});
+
+export const EphemerisFlags = /* @__PURE__ */ codec.bitfield(codec.u16, {
+    EPHEMERIS: [0, 0],
+    MODERN_DATA: [1, 1],
+    ISC_L5: [2, 2],
+    FLAGS: [0, 2],
+});
+
+export const GlonassSatelliteType = /* @__PURE__ */ codec.enumeration(codec.u8, {
+    GLONASS: 0,
+    GLONASS_M: 1,
+});
+
+export const GlonassEphemerisFlags = /* @__PURE__ */ codec.bitfield(codec.u16, {
+    EPHEMERIS: [0, 0],
+    FLAGS: [0, 0],
+});
+
+export const GpsIonoCorrectionFlags = /* @__PURE__ */ codec.bitfield(codec.u16, {
+    TOW: [0, 0],
+    WEEK_NUMBER: [1, 1],
+    ALPHA: [2, 2],
+    BETA: [3, 3],
+    FLAGS: [0, 3],
+});
+
+export const GalileoIonoCorrectionFlags = /* @__PURE__ */ codec.bitfield(codec.u16, {
+    TOW: [0, 0],
+    WEEK_NUMBER: [1, 1],
+    ALPHA: [2, 2],
+    DISTURBANCE_FLAGS: [3, 3],
+    FLAGS: [0, 3],
+});
+
+export const BeidouIonoCorrectionFlags = /* @__PURE__ */ codec.bitfield(codec.u16, {
+    TOW: [0, 0],
+    WEEK_NUMBER: [1, 1],
+    ALPHA: [2, 2],
+    BETA: [3, 3],
+    ALPHA_CORRECTION: [4, 4],
+    FLAGS: [0, 4],
+});
+
+export const LlhPosition = /* @__PURE__ */ field.data("gnss_data.llh_position", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x03, {
+    latitude: codec.double,
+    longitude: codec.double,
+    ellipsoid_height: codec.double,
+    msl_height: codec.double,
+    horizontal_accuracy: codec.float,
+    vertical_accuracy: codec.float,
+    valid_flags: LlhPositionFlags,
+});
+
+export const EcefPosition = /* @__PURE__ */ field.data("gnss_data.ecef_position", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x04, {
+    position: types.Vector3d,
+    position_accuracy: codec.float,
+    valid_flags: EcefPositionFlags,
+});
+
+export const NedVelocity = /* @__PURE__ */ field.data("gnss_data.ned_velocity", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x05, {
+    velocity: types.Ned3f,
+    speed: codec.float,
+    ground_speed: codec.float,
+    heading: codec.float,
+    speed_accuracy: codec.float,
+    heading_accuracy: codec.float,
+    valid_flags: NedVelocityFlags,
+});
+
+export const EcefVelocity = /* @__PURE__ */ field.data("gnss_data.ecef_velocity", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x06, {
+    velocity: types.Vector3f,
+    velocity_accuracy: codec.float,
+    valid_flags: EcefVelocityFlags,
+});
+
+export const Dop = /* @__PURE__ */ field.data("gnss_data.dop", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x07, {
+    gdop: codec.float,
+    pdop: codec.float,
+    hdop: codec.float,
+    vdop: codec.float,
+    tdop: codec.float,
+    ndop: codec.float,
+    edop: codec.float,
+    valid_flags: DopFlags,
+});
+
+export const UtcTime = /* @__PURE__ */ field.data("gnss_data.utc_time", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x08, {
+    year: codec.u16,
+    month: codec.u8,
+    day: codec.u8,
+    hour: codec.u8,
+    min: codec.u8,
+    sec: codec.u8,
+    msec: codec.u32,
+    valid_flags: UtcTimeFlags,
+});
+
+export const GpsTime = /* @__PURE__ */ field.data("gnss_data.gps_time", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x09, {
+    tow: codec.double,
+    week_number: codec.u16,
+    valid_flags: GpsTimeFlags,
+});
+
+export const ClockInfo = /* @__PURE__ */ field.data("gnss_data.clock_info", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x0a, {
+    bias: codec.double,
+    drift: codec.double,
+    accuracy_estimate: codec.double,
+    valid_flags: ClockInfoFlags,
+});
+
+export const FixInfo = /* @__PURE__ */ field.data("gnss_data.fix_info", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x0b, {
+    fix_type: types.GnssFixType,
+    num_sv: codec.u8,
+    fix_flags: FixFlags,
+    valid_flags: FixInfoFlags,
+});
+
+export const SvInfo = /* @__PURE__ */ field.data("gnss_data.sv_info", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x0c, {
+    channel: codec.u8,
+    satellite_id: codec.u8,
+    carrier_noise_ratio: codec.u16,
+    azimuth: codec.s16,
+    elevation: codec.s16,
+    sv_flags: SvFlags,
+    valid_flags: SvInfoFlags,
+});
+
+export const HardwareStatus = /* @__PURE__ */ field.data("gnss_data.hardware_status", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x0d, {
+    receiver_state: ReceiverState,
+    antenna_state: AntennaState,
+    antenna_power: AntennaPower,
+    valid_flags: HardwareStatusFlags,
+});
+
+export const DgpsInfo = /* @__PURE__ */ field.data("gnss_data.dgps_info", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x0e, {
+    age: codec.float,
+    base_station_id: codec.s16,
+    base_station_status: codec.s16,
+    num_channels: codec.u16,
+    valid_flags: DgpsInfoFlags,
+}, {
+    fits: [0, 14, []],
+});
+
+export const DgpsInfoSatellite = /* @__PURE__ */ field.data("gnss_data.dgps_info_satellite", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x0e, {
+    satellite_id: codec.u8,
+    age: codec.float,
+    range_correction: codec.float,
+    range_rate_correction: codec.float,
+    valid_flags: DgpsInfoFlags,
+}, {
+    fits: [15, 253, []],
+});
+
+export const DgpsChannel = /* @__PURE__ */ field.data("gnss_data.dgps_channel", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x0f, {
+    satellite_id: codec.u8,
+    age: codec.float,
+    range_correction: codec.float,
+    range_rate_correction: codec.float,
+    valid_flags: DgpsChannelFlags,
+});
+
+export const ClockInfo2 = /* @__PURE__ */ field.data("gnss_data.clock_info_2", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x10, {
+    bias: codec.double,
+    drift: codec.double,
+    bias_accuracy_estimate: codec.double,
+    drift_accuracy_estimate: codec.double,
+    valid_flags: ClockInfo2Flags,
+});
+
+export const GpsLeapSeconds = /* @__PURE__ */ field.data("gnss_data.gps_leap_seconds", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x11, {
+    leap_seconds: codec.u8,
+    valid_flags: GpsLeapSecondsFlags,
+});
+
+export const SbasInfo = /* @__PURE__ */ field.data("gnss_data.sbas_info", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x12, {
+    tow: codec.double,
+    week_number: codec.u16,
+    sbas_system: SbasSystem,
+    sbas_id: codec.u8,
+    count: codec.u8,
+    sbas_status: SbasStatus,
+    valid_flags: SbasInfoFlags,
+});
+
+export const SbasCorrection = /* @__PURE__ */ field.data("gnss_data.sbas_correction", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x13, {
+    index: codec.u8,
+    count: codec.u8,
+    tow: codec.double,
+    week_number: codec.u16,
+    gnss_id: types.GnssConstellation,
+    satellite_id: codec.u8,
+    udrei: codec.u8,
+    pseudorange_correction: codec.float,
+    iono_correction: codec.float,
+    valid_flags: SbasCorrectionFlags,
+});
+
+export const RfErrorDetection = /* @__PURE__ */ field.data("gnss_data.rf_error_detection", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x14, {
+    rf_band: RfBand,
+    jamming_state: JammingState,
+    spoofing_state: SpoofingState,
+    frequency: codec.u16,
+    reserved: /* @__PURE__ */ codec.reserved(/* @__PURE__ */ codec.array(/* @__PURE__ */ codec.reserved(codec.u8, 0), 2), Array(2).fill(0)),
+    valid_flags: RfErrorDetectionFlags,
+});
+
+export const Heading = /* @__PURE__ */ field.data("gnss_data.heading", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x15, {
+    heading: codec.float,
+    uncertainty: codec.float,
+    fix_type: HeadingFixType,
+    valid_flags: HeadingFlags,
+});
+
+export const SatelliteStatus = /* @__PURE__ */ field.data("gnss_data.satellite_status", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x20, {
+    index: codec.u8,
+    count: codec.u8,
+    tow: codec.double,
+    week_number: codec.u16,
+    gnss_id: types.GnssConstellation,
+    satellite_id: codec.u8,
+    elevation: codec.float,
+    azimuth: codec.float,
+    health: codec.bool,
+    valid_flags: SatelliteStatusFlags,
+});
+
+export const Raw = /* @__PURE__ */ field.data("gnss_data.raw", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x22, {
+    index: codec.u8,
+    count: codec.u8,
+    tow: codec.double,
+    week_number: codec.u16,
+    receiver_id: codec.u16,
+    tracking_channel: codec.u8,
+    gnss_id: types.GnssConstellation,
+    satellite_id: codec.u8,
+    signal_id: types.GnssSignal,
+    signal_strength: codec.float,
+    quality: SignalQuality,
+    pseudorange: codec.double,
+    carrier_phase: codec.double,
+    doppler: codec.float,
+    range_uncertainty: codec.float,
+    phase_uncertainty: codec.float,
+    doppler_uncertainty: codec.float,
+    lock_time: codec.float,
+    valid_flags: RawFlags,
+});
+
+export const BaseStationInfo = /* @__PURE__ */ field.data("gnss_data.base_station_info", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x30, {
+    tow: codec.double,
+    week_number: codec.u16,
+    ecef_position: types.Vector3d,
+    height: codec.float,
+    station_id: codec.u16,
+    indicators: BaseStationIndicators,
+    valid_flags: BaseStationInfoFlags,
+});
+
+export const RtkCorrectionsStatus = /* @__PURE__ */ field.data("gnss_data.rtk_corrections_status", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x31, {
+    tow: codec.double,
+    week_number: codec.u16,
+    epoch_status: RtkEpochStatus,
+    dongle_status: types.RtkStatusFlags,
+    gps_correction_latency: codec.float,
+    glonass_correction_latency: codec.float,
+    galileo_correction_latency: codec.float,
+    beidou_correction_latency: codec.float,
+    reserved: /* @__PURE__ */ codec.reserved(/* @__PURE__ */ codec.array(/* @__PURE__ */ codec.reserved(codec.u32, 0), 4), Array(4).fill(0)),
+    valid_flags: RtkCorrectionsStatusFlags,
+});
+
+export const GpsEphemeris = /* @__PURE__ */ field.data("gnss_data.gps_ephemeris", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x61, {
+    index: codec.u8,
+    count: codec.u8,
+    tow: codec.double,
+    week_number: codec.u16,
+    satellite_id: codec.u8,
+    health: codec.u8,
+    iodc: codec.u8,
+    iode: codec.u8,
+    t_oc: codec.double,
+    af0: codec.double,
+    af1: codec.double,
+    af2: codec.double,
+    t_gd: codec.double,
+    isc_l1ca: codec.double,
+    isc_l2c: codec.double,
+    t_oe: codec.double,
+    a: codec.double,
+    a_dot: codec.double,
+    mean_anomaly: codec.double,
+    delta_mean_motion: codec.double,
+    delta_mean_motion_dot: codec.double,
+    eccentricity: codec.double,
+    argument_of_perigee: codec.double,
+    omega: codec.double,
+    omega_dot: codec.double,
+    inclination: codec.double,
+    inclination_dot: codec.double,
+    c_ic: codec.double,
+    c_is: codec.double,
+    c_uc: codec.double,
+    c_us: codec.double,
+    c_rc: codec.double,
+    c_rs: codec.double,
+    valid_flags: EphemerisFlags,
+});
+
+export const GlonassEphemeris = /* @__PURE__ */ field.data("gnss_data.glonass_ephemeris", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x62, {
+    index: codec.u8,
+    count: codec.u8,
+    tow: codec.double,
+    week_number: codec.u16,
+    satellite_id: codec.u8,
+    frequency_number: codec.s8,
+    tk: codec.u32,
+    tb: codec.u32,
+    satellite_type: GlonassSatelliteType,
+    gamma: codec.double,
+    tau_n: codec.double,
+    position: types.Vector3d,
+    velocity: types.Vector3f,
+    accel: types.Vector3f,
+    health: codec.u8,
+    p: codec.u8,
+    nt: codec.u8,
+    delta_tau_n: codec.float,
+    ft: codec.u8,
+    en: codec.u8,
+    p1: codec.u8,
+    p2: codec.u8,
+    p3: codec.u8,
+    p4: codec.u8,
+    valid_flags: GlonassEphemerisFlags,
+});
+
+export const GalileoEphemeris = /* @__PURE__ */ field.data("gnss_data.galileo_ephemeris", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x63, {
+    index: codec.u8,
+    count: codec.u8,
+    tow: codec.double,
+    week_number: codec.u16,
+    satellite_id: codec.u8,
+    health: codec.u8,
+    iodc: codec.u8,
+    iode: codec.u8,
+    t_oc: codec.double,
+    af0: codec.double,
+    af1: codec.double,
+    af2: codec.double,
+    t_gd: codec.double,
+    isc_l1ca: codec.double,
+    isc_l2c: codec.double,
+    t_oe: codec.double,
+    a: codec.double,
+    a_dot: codec.double,
+    mean_anomaly: codec.double,
+    delta_mean_motion: codec.double,
+    delta_mean_motion_dot: codec.double,
+    eccentricity: codec.double,
+    argument_of_perigee: codec.double,
+    omega: codec.double,
+    omega_dot: codec.double,
+    inclination: codec.double,
+    inclination_dot: codec.double,
+    c_ic: codec.double,
+    c_is: codec.double,
+    c_uc: codec.double,
+    c_us: codec.double,
+    c_rc: codec.double,
+    c_rs: codec.double,
+    valid_flags: EphemerisFlags,
+});
+
+export const BeidouEphemeris = /* @__PURE__ */ field.data("gnss_data.beidou_ephemeris", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x64, {
+    index: codec.u8,
+    count: codec.u8,
+    tow: codec.double,
+    week_number: codec.u16,
+    satellite_id: codec.u8,
+    health: codec.u8,
+    iodc: codec.u8,
+    iode: codec.u8,
+    t_oc: codec.double,
+    af0: codec.double,
+    af1: codec.double,
+    af2: codec.double,
+    t_gd: codec.double,
+    isc_l1ca: codec.double,
+    isc_l2c: codec.double,
+    t_oe: codec.double,
+    a: codec.double,
+    a_dot: codec.double,
+    mean_anomaly: codec.double,
+    delta_mean_motion: codec.double,
+    delta_mean_motion_dot: codec.double,
+    eccentricity: codec.double,
+    argument_of_perigee: codec.double,
+    omega: codec.double,
+    omega_dot: codec.double,
+    inclination: codec.double,
+    inclination_dot: codec.double,
+    c_ic: codec.double,
+    c_is: codec.double,
+    c_uc: codec.double,
+    c_us: codec.double,
+    c_rc: codec.double,
+    c_rs: codec.double,
+    valid_flags: EphemerisFlags,
+});
+
+export const GpsIonoCorrection = /* @__PURE__ */ field.data("gnss_data.gps_iono_correction", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x71, {
+    tow: codec.double,
+    week_number: codec.u16,
+    alpha: /* @__PURE__ */ codec.array(codec.double, 4),
+    beta: /* @__PURE__ */ codec.array(codec.double, 4),
+    valid_flags: GpsIonoCorrectionFlags,
+});
+
+export const GalileoIonoCorrection = /* @__PURE__ */ field.data("gnss_data.galileo_iono_correction", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x73, {
+    tow: codec.double,
+    week_number: codec.u16,
+    alpha: /* @__PURE__ */ codec.array(codec.double, 3),
+    disturbance_flags: codec.u8,
+    valid_flags: GalileoIonoCorrectionFlags,
+});
+
+export const BeidouIonoCorrection = /* @__PURE__ */ field.data("gnss_data.beidou_iono_correction", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x74, {
+    tow: codec.double,
+    week_number: codec.u16,
+    alpha: /* @__PURE__ */ codec.array(codec.double, 4),
+    beta: /* @__PURE__ */ codec.array(codec.double, 4),
+    alpha_correction: /* @__PURE__ */ codec.array(codec.double, 9),
+    valid_flags: BeidouIonoCorrectionFlags,
+});

@@ -1,0 +1,362 @@
+// A device at a port: commands, and data as it arrives.
+//
+// A port is what is behind `open`: an object with `bytes()`, an async iterator of Uint8Arrays that ends when the port is
+// lost, `write(bytes)` and `close()`, which may return promises. `tcp`, `serial` and `websocket` make ports.
+
+import { AckCode, FunctionSelector } from "../protocol.mjs";
+import { session } from "../session.mjs";
+import { MipError } from "./bytes.mjs";
+import { Client, checkSeconds } from "./client.mjs";
+import { memberName } from "./codec.mjs";
+import { stream } from "./streaming.mjs";
+
+/** Seconds without a byte after which noise that looks like the beginning of a packet is searched, and given up. */
+const PAUSE = 0.1;
+const SILENCE = 1;
+
+const now = () => performance.now() / 1000;
+
+export class Device {
+    #open;
+    #options;
+    #port;
+    #client;
+    #end; // why no more bytes arrive
+    #closed = false;
+    #waiting = new Map(); // command -> what takes its outcome
+    #settings = new Map(); // class of a command -> the setting that the device is known to have
+    #packets = [];
+    #readers = []; // what takes the next packet
+    #timer;
+    #heard = 0;
+    #incomplete = false;
+    #lastSkipped = 0;
+
+    /** How many packets were dropped because nobody read them in time. */
+    dropped = 0;
+
+    constructor(open, { timeout = 1, capacity = 10_000, onBytes, onSkipped } = {}) {
+        if (!(capacity >= 1)) throw new MipError("range", `capacity ${capacity}: at least one packet must have room`);
+        checkSeconds(timeout);
+        this.#open = open;
+        this.#options = { timeout, capacity, onBytes, onSkipped };
+    }
+
+    /** @param open opens the port, also if the device is opened again */
+    static async open(open, options = {}) {
+        const device = new Device(open, options);
+        await device.#begin();
+        return device;
+    }
+
+    async #begin() {
+        this.#port = await this.#open();
+        const { timeout, onSkipped } = this.#options;
+        this.#lastSkipped = this.skipped;
+        this.#client = new Client({ timeout, onSkipped });
+        this.#settings.clear();
+        this.#end = undefined;
+        this.#read(this.#port);
+    }
+
+    /** Is the port closed or lost? Data that has arrived can still be read. */
+    get closed() {
+        return this.#end !== undefined;
+    }
+
+    /** How many bytes are part of no packet. */
+    get skipped() {
+        return this.#lastSkipped + (this.#client?.skipped ?? 0);
+    }
+
+    /** How many packets can be read without waiting. */
+    get waiting() {
+        return this.#packets.length;
+    }
+
+    // ------------------------------------------------------------------------------------------------ commands
+
+    /**
+     * Sends a command, waits for the answer and returns the response; undefined if it has none.
+     *
+     * Raises a MipError: "refused" (with `code`), "timeout", "missing_response", "closed", or why the response cannot be
+     * decoded; and, before anything is sent, why the command cannot be encoded.
+     *
+     * @param options.timeout seconds for this one
+     */
+    async request(command, options) {
+        const [response] = await this.requestAll([command], options);
+        return response;
+    }
+
+    /** Sends commands of one set in one packet; the response of each. Raises the error of the first that has failed. */
+    async requestAll(commands, options) {
+        return (await this.exchange(commands, options)).map((outcome, i) => responseOf(outcome, commands[i]));
+    }
+
+    /** The same, but returns the outcomes, those of failed commands too; undefined for one that is not acknowledged. */
+    async exchange(commands, options = {}) {
+        for (const command of commands) await this.#askFor(command);
+        const outcomes = await this.#send(commands, options, true);
+        return Promise.all(outcomes);
+    }
+
+    /** Sends commands of one set in one packet and waits for nothing: answers are treated as data. */
+    async send(...commands) {
+        await this.#send(commands, {}, false);
+    }
+
+    async #send(commands, options, wait) {
+        this.#mustBeOpen();
+        const client = this.#client;
+        const pending = client.pending; // the client tells commands by their objects
+        const sent = commands.map((one, i) => (pending.includes(one) || commands.indexOf(one) < i ? new one.constructor({ ...one }) : one));
+        const bytes = client.send(sent, now(), options);
+        const outcomes = sent.map((command) => {
+            if (!client.pending.includes(command)) return undefined;
+            if (!wait || this.#isSilenced(command)) {
+                client.cancel(command);
+                return undefined;
+            }
+            return new Promise((resolve) => this.#waiting.set(command, resolve));
+        });
+        this.#watch();
+        try {
+            await this.#port.write(bytes);
+        } catch (error) {
+            this.#lose(error);
+            this.#mustBeOpen();
+        }
+        return outcomes;
+    }
+
+    #mustBeOpen() {
+        if (this.#end) throw new MipError("closed", this.#end.message, { cause: this.#end.cause });
+    }
+
+    /** Whether some commands are acknowledged depends on a setting of the device, which is read once. */
+    async #askFor(command) {
+        for (const [setting] of command?.constructor.SILENCED_BY ?? []) {
+            const kind = setting();
+            if (!command.answered || this.#settings.has(kind) || kind.REQUIRED?.[FunctionSelector.READ] !== 0) continue;
+            const [outcome] = await this.exchange([kind.read()]);
+            if (outcome?.type === "answer" && !outcome.accepted) this.#settings.set(kind, undefined); // it does not have it
+        }
+    }
+
+    #isSilenced(command) {
+        const holds = ([setting, name, value]) => Number(this.#settings.get(setting())?.[memberName(name)]) === value;
+        return command.constructor.SILENCED_BY.some(holds);
+    }
+
+    /** Keeps the settings that the device is known to have. */
+    #learn({ command, response, accepted }) {
+        const kind = command.constructor;
+        if (!accepted || kind.SILENCED_BY.length) return;
+        const selector = kind.REQUIRED && Number(command.function);
+        if (selector === FunctionSelector.READ) {
+            if (response) this.#settings.set(kind, response);
+        } else if (selector === FunctionSelector.WRITE) {
+            this.#settings.set(kind, command);
+        } else if (selector !== FunctionSelector.SAVE) {
+            this.#settings.clear(); // it may have loaded others, or restarted
+        }
+    }
+
+    /** Sets the device to idle and asks what it is. */
+    async identify() {
+        if (!session) throw new MipError("session", "the specification of this package names no commands for it");
+        await this.request(session.idle());
+        return this.request(session.identify());
+    }
+
+    /**
+     * Starts data: `stream([[ScaledAccel, 100], [ScaledGyro, 100]])`, in Hz; 0 is as often as the device can. Replaces the
+     * message format of the set, switches it on and resumes. Returns a Map of the rates.
+     *
+     * Raises a MipError: "rate", before anything is changed, if a rate is not the base rate divided by a whole number;
+     * "set" if the fields have no set in common; and those of `request`.
+     *
+     * @param options.set the descriptor set, if the fields occur in several
+     */
+    stream(rates, { set } = {}) {
+        return stream(this, session, new Map(rates), set);
+    }
+
+    // ------------------------------------------------------------------------------------------------ data
+
+    /** The packets of data as they arrive. Ends when the device is closed; raises "closed" when the port is lost. */
+    async *[Symbol.asyncIterator]() {
+        for (;;) {
+            const packet = await this.next();
+            if (!packet) return;
+            yield packet;
+        }
+    }
+
+    /**
+     * The next packet of data, with its time of arrival (`time`, in seconds since 1970 by the clock of this computer);
+     * undefined if none arrives within `timeout` seconds, or if the device is closed. Raises "closed" when the port is
+     * lost, after all data that arrived before.
+     */
+    async next({ timeout } = {}) {
+        if (timeout !== undefined) checkSeconds(timeout);
+        if (this.#packets.length) return this.#packets.shift();
+        if (this.#closed) return undefined;
+        this.#mustBeOpen();
+        return new Promise((resolve, reject) => {
+            const reader = { resolve, reject };
+            if (timeout !== undefined) {
+                reader.timer = setTimeout(() => {
+                    this.#readers = this.#readers.filter((one) => one !== reader);
+                    resolve(undefined);
+                }, timeout * 1000);
+            }
+            this.#readers.push(reader);
+        });
+    }
+
+    /** The fields of these types as they arrive. Raises a MipError for one that cannot be decoded. */
+    async *fields(...kinds) {
+        for await (const packet of this) for (const kind of kinds) yield* packet.findAll(kind);
+    }
+
+    /** Discards the data that was not read yet. */
+    clear() {
+        this.#packets.length = 0;
+    }
+
+    async #read(port) {
+        let cause;
+        try {
+            for await (const bytes of port.bytes()) {
+                if (port !== this.#port || this.#end) return;
+                this.#options.onBytes?.(bytes);
+                this.#heard = now();
+                this.#incomplete = true;
+                this.#handle(this.#client.receive(bytes, now()));
+            }
+        } catch (error) {
+            cause = error;
+        }
+        if (port === this.#port) this.#lose(cause);
+    }
+
+    #handle(events) {
+        for (const event of events) {
+            if (event.type === "received") this.#arrive(event.packet);
+            else {
+                if (event.type === "answer") this.#learn(event);
+                this.#waiting.get(event.command)?.(event);
+                this.#waiting.delete(event.command);
+            }
+        }
+        this.#watch();
+    }
+
+    #arrive(packet) {
+        packet.time = Date.now() / 1000;
+        const reader = this.#readers.shift();
+        if (reader) {
+            clearTimeout(reader.timer);
+            reader.resolve(packet);
+            return;
+        }
+        if (this.#packets.length >= this.#options.capacity) {
+            this.#packets.shift();
+            this.dropped++;
+        }
+        this.#packets.push(packet);
+    }
+
+    /** Looks again when a command is late, or nothing was heard for a while. */
+    #watch() {
+        clearTimeout(this.#timer);
+        this.#timer = undefined;
+        if (this.#end) return;
+        const pause = now() - this.#heard;
+        const times = [this.#client.deadline];
+        if (this.#incomplete) times.push(this.#heard + (pause < PAUSE ? PAUSE : SILENCE));
+        const next = Math.min(...times.filter((time) => time !== undefined));
+        if (next === Infinity) return;
+        this.#timer = setTimeout(() => this.#wake(), Math.min(Math.max((next - now()) * 1000, 0) + 1, 0x7fffffff));
+    }
+
+    #wake() {
+        const silent = now() - this.#heard >= SILENCE;
+        if (!this.#incomplete) {
+            this.#handle(this.#client.poll(now()));
+        } else if (silent) {
+            this.#incomplete = false;
+            this.#handle(this.#client.flush(now()));
+        } else {
+            this.#handle(this.#client.lookBehind(now()));
+        }
+    }
+
+    // ------------------------------------------------------------------------------------------------ the port
+
+    /** Closes the port. Commands that wait end with "closed", and loops over the data end. */
+    async close() {
+        this.#closed = true;
+        this.#lose(undefined, "the device was closed");
+        await this.#port?.close();
+    }
+
+    /**
+     * Opens the port again, after it was lost, and tries to for `within` seconds. Waiting data is kept; the device may
+     * have restarted: what was set is to be set again.
+     */
+    async reopen({ within = 30 } = {}) {
+        checkSeconds(within);
+        const port = this.#port;
+        this.#lose(undefined, "the port is opened again");
+        this.#closed = false;
+        const end = now() + within;
+        try {
+            await port?.close();
+        } catch {
+            // it was lost
+        }
+        for (;;) {
+            try {
+                await this.#begin();
+                return;
+            } catch (error) {
+                if (this.#closed || now() >= end) throw error;
+                await new Promise((resolve) => setTimeout(resolve, 100));
+            }
+        }
+    }
+
+    #lose(cause, message = `the port is lost${cause ? `: ${cause.message ?? cause}` : ""}`) {
+        if (this.#end) return;
+        this.#end = { message, cause };
+        clearTimeout(this.#timer);
+        for (const event of this.#client?.flush(now()) ?? []) {
+            if (event.type === "received") this.#arrive(event.packet);
+            else this.#waiting.get(event.command)?.(event);
+        }
+        for (const [command, resolve] of this.#waiting) resolve({ type: "closed", command, message });
+        this.#waiting.clear();
+        for (const { resolve, reject, timer } of this.#readers.splice(0)) {
+            clearTimeout(timer);
+            if (this.#closed) resolve(undefined);
+            else reject(new MipError("closed", message, { cause }));
+        }
+    }
+}
+
+/** The answer of the device, or the error that says why there is none. */
+function responseOf(outcome, command) {
+    if (outcome === undefined) return undefined;
+    const { NAME } = command.constructor;
+    if (outcome.type === "timedOut") throw new MipError("timeout", `${NAME}: no answer`, { command });
+    if (outcome.type === "closed") throw new MipError("closed", `${NAME}: ${outcome.message}`, { command });
+    if (!outcome.accepted) {
+        const { code } = outcome;
+        throw new MipError("refused", `${NAME} refused: ${AckCode.nameOf(code) ?? `code ${code}`}`, { command, code });
+    }
+    if (outcome.error) throw outcome.error;
+    return outcome.response;
+}

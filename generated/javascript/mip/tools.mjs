@@ -1,0 +1,19 @@
+// What tools use in place of classes: the model of the protocol, and values by the names of the specification.
+
+export { checksum, fromHex, MipError, readFloat, sameBytes, toHex, writeFloat } from "./bytes.mjs";
+export { buildPacket, decodeData, decodePacket, encodeData, partsOf } from "./data.mjs";
+export { nameIn, placesOf, Protocol } from "./model.mjs";
+export {
+    bitsNumber,
+    bitsOf,
+    enumValue,
+    maskOf,
+    measuredHere,
+    namedType,
+    parameterOf,
+    parametersAt,
+    unitOf,
+    valueAt,
+} from "./naming.mjs";
+export { FIRST_DATA_SET, isSet, Packet, SHARED_SET } from "./packet.mjs";
+export { Parser, segments } from "./parser.mjs";

@@ -1,0 +1,49 @@
+// A device behind a WebSocket whose binary messages are the bytes of its port, in any division.
+
+import { MipError } from "./bytes.mjs";
+import { Device } from "./device.mjs";
+
+/** Connects to a device. @param options.WebSocket the class, where it is not global: Node 18 and 20. The rest is for Device. */
+export function openWebSocket(url, { WebSocket = globalThis.WebSocket, ...options } = {}) {
+    if (!WebSocket) return Promise.reject(new MipError("websocket", "there is no WebSocket here: give `WebSocket`"));
+    return Device.open(() => connected(new WebSocket(url)), options);
+}
+
+function connected(socket) {
+    socket.binaryType = "arraybuffer";
+    const pieces = [];
+    let wake = () => {};
+    let ended = false;
+    const end = () => {
+        ended = true;
+        wake();
+    };
+    socket.addEventListener("message", ({ data }) => {
+        if (typeof data === "string") return; // not bytes of the port
+        pieces.push(new Uint8Array(data));
+        wake();
+    });
+    const port = {
+        async *bytes() {
+            while (pieces.length || !ended) {
+                if (pieces.length) {
+                    yield pieces.shift();
+                    continue;
+                }
+                await new Promise((resolve) => {
+                    wake = resolve;
+                });
+            }
+        },
+        write(bytes) {
+            if (ended) throw new MipError("closed", "the WebSocket is closed");
+            socket.send(bytes);
+        },
+        close: () => socket.close(),
+    };
+    return new Promise((resolve, reject) => {
+        socket.addEventListener("open", () => resolve(port));
+        socket.addEventListener("error", () => reject(new MipError("closed", `${socket.url} cannot be reached`)));
+        socket.addEventListener("close", end);
+    });
+}

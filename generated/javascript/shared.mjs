@@ -1,0 +1,60 @@
+// Shared data: how its fields are called, read and written. The declarations say what they mean.
+
+import * as codec from "./mip/codec.mjs";
+import * as field from "./mip/field.mjs";
+import { FunctionSelector } from "./protocol.mjs";
+import * as types from "./types.mjs";
+
+export const GpsTimestampFlags = /* @__PURE__ */ codec.bitfield(codec.u16, {
+    TOW: [0, 0],
+    WEEK_NUMBER: [1, 1],
+    TIME_VALID: [0, 1],
+});
+
+export const ExternalTimestampFlags = /* @__PURE__ */ codec.bitfield(codec.u16, {
+    NANOSECONDS: [0, 0],
+});
+
+export const ExternalTimeDeltaFlags = /* @__PURE__ */ codec.bitfield(codec.u16, {
+    DT_NANOS: [0, 0],
+});
+
+export const EventSource = /* @__PURE__ */ field.data("shared.event_source", /* @__PURE__ */ field.every(0x80, 0xfe), 0xd0, {
+    trigger_id: codec.u8,
+});
+
+export const Ticks = /* @__PURE__ */ field.data("shared.ticks", /* @__PURE__ */ field.every(0x80, 0xfe), 0xd1, {
+    ticks: codec.u32,
+});
+
+export const DeltaTicks = /* @__PURE__ */ field.data("shared.delta_ticks", /* @__PURE__ */ field.every(0x80, 0xfe), 0xd2, {
+    ticks: codec.u32,
+});
+
+export const GpsTimestamp = /* @__PURE__ */ field.data("shared.gps_timestamp", /* @__PURE__ */ field.every(0x80, 0xfe), 0xd3, {
+    tow: codec.double,
+    week_number: codec.u16,
+    valid_flags: GpsTimestampFlags,
+});
+
+export const DeltaTime = /* @__PURE__ */ field.data("shared.delta_time", /* @__PURE__ */ field.every(0x80, 0xfe), 0xd4, {
+    seconds: codec.double,
+});
+
+export const ReferenceTimestamp = /* @__PURE__ */ field.data("shared.reference_timestamp", /* @__PURE__ */ field.every(0x80, 0xfe), 0xd5, {
+    nanoseconds: codec.u64,
+});
+
+export const ReferenceTimeDelta = /* @__PURE__ */ field.data("shared.reference_time_delta", /* @__PURE__ */ field.every(0x80, 0xfe), 0xd6, {
+    dt_nanos: codec.u64,
+});
+
+export const ExternalTimestamp = /* @__PURE__ */ field.data("shared.external_timestamp", /* @__PURE__ */ field.every(0x80, 0xfe), 0xd7, {
+    nanoseconds: codec.u64,
+    valid_flags: ExternalTimestampFlags,
+});
+
+export const ExternalTimeDelta = /* @__PURE__ */ field.data("shared.external_time_delta", /* @__PURE__ */ field.every(0x80, 0xfe), 0xd8, {
+    dt_nanos: codec.u64,
+    valid_flags: ExternalTimeDeltaFlags,
+});

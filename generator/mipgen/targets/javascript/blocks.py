@@ -1,0 +1,123 @@
+"""Layouts as expressions of JavaScript, made of the blocks of `mip/codec.mjs`, and what classes know besides."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+
+from mipgen import model as m
+
+from .names import constant, home, reference
+
+
+def block(p: m.Parameter, record: m.Record) -> str:
+    """How a parameter is read and written."""
+    match p.kind:
+        case "constant":
+            return call("constant", _scalar(p), str(p.constant))
+        case "counter":
+            return call("counter", _scalar(p), json.dumps(p.counts))
+        case "switch":
+            cases = (f"[{c.tag.value}, {json.dumps(c.parameter.name)}, {block(c.parameter, record)}]"
+                     for c in p.cases if c.parameter)  # fmt: skip
+            return call("union", json.dumps(p.tag), f"[{', '.join(cases)}]")
+    found = _several(p, record) if p.several and not p.vector else _one(p, record)
+    return found if p.reserved is None else call("reserved", found, _initial(p))
+
+
+def call(function: str, *arguments: str) -> str:
+    """What a function of `mip/codec.mjs` makes. Bundlers leave it out where the result is not used."""
+    return f"/* @__PURE__ */ codec.{function}({', '.join(arguments)})"
+
+
+def _several(p: m.Parameter, record: m.Record) -> str:
+    text = p.kind == "text"
+    item = [] if text else [block(p.item, record)]
+    if p.count is not None:
+        return call("text" if text else "array", *item, str(p.count))
+    if p.counter is None:
+        return call("restText" if text else "rest", *item, str(p.capacity))
+    return call("countedText" if text else "counted", json.dumps(p.counter), *item, str(p.capacity))
+
+
+def _one(p: m.Parameter, record: m.Record) -> str:
+    element = p.element
+    if element is None or isinstance(element, m.Scalar):
+        return _scalar(p)
+    return reference(element, home(record))
+
+
+def _scalar(p: m.Parameter) -> str:
+    return f"codec.{p.scalar.name}"
+
+
+def _initial(p: m.Parameter) -> str:
+    value = f"{p.reserved}n" if p.scalar.size == 8 and p.scalar.kind != "float" else str(p.reserved)
+    return value if p.length is None else f"Array({p.length}).fill({value})"
+
+
+def key(name: str) -> str:
+    """A name in an object."""
+    return json.dumps(name) if name[:1].isdigit() else name
+
+
+def scalar_of(t: m.Enum | m.Bitfield) -> str:
+    if isinstance(t, m.Bitfield) and t.scalar is None:
+        return call("octets", str(t.size))
+    assert t.scalar is not None
+    return f"codec.{t.scalar.name}"
+
+
+def bits(b: m.Bits) -> str:
+    return f"{key(constant(b.name))}: [{b.first}, {b.last}]"
+
+
+# --------------------------------------------------------------------------- what a class knows besides
+
+
+def sets(f: m.Field) -> str:
+    if f.everywhere:
+        return f"/* @__PURE__ */ field.every(0x{f.everywhere.start:02x}, 0x{f.everywhere.stop - 1:02x})"
+    numbers = [f"0x{n:02x}" for n in f.sets]
+    return numbers[0] if len(numbers) == 1 else f"[{', '.join(numbers)}]"
+
+
+def more(f: m.Field, model: m.Model) -> list[str]:
+    """The attributes of its class that not every class has."""
+    return list(_more(f, model))
+
+
+def _more(f: m.Field, model: m.Model) -> Iterator[str]:
+    if f.groups and not f.selector:
+        yield f"optional: {len(f.always)}"
+    if len(model.layouts(f)) > 1:
+        sizes = model.sizes(f)
+        constants = ", ".join(f"[{at}, {list(octets)}]" for at, octets in f.signature)
+        yield f"fits: [{sizes.start}, {sizes.stop - 1}, [{constants}]]"
+    if f.functions:
+        calls = (f"{c.function.value}: {len(c.required)}" for c in f.calls if c.function)
+        yield f"calls: {{ {', '.join(calls)} }}"
+    if f.role != m.COMMAND:
+        return
+    replies = [_reply(r, f) for r in model.replies(f)]
+    if replies:
+        yield f"REPLIES: [{', '.join(replies)}]"
+    silent = [x.value for x in f.functions if not x.reply]
+    if silent or f.silent_when:
+        yield f"SILENT: [{silent}, {_conditions(f.silent_when)}]"
+    if f.timeout:
+        yield f"TIMEOUT: {f.timeout:g}"
+    settings = [(c, model.field(c.command or "")) for c in f.silenced_by]
+    if settings:
+        found = (f"[() => {reference(s, home(f))}, {json.dumps(c.parameter)}, {c.value}]" for c, s in settings if s)
+        yield f"SILENCED_BY: [{', '.join(found)}]"
+
+
+def _reply(r: m.Reply, f: m.Field) -> str:
+    functions = str([x.value for x in r.functions]) if f.functions else "null"
+    return f"[{functions}, {_conditions(r.when)}, [{', '.join(reference(x, home(f)) for x in r.layouts)}]]"
+
+
+def _conditions(conditions: tuple[m.Condition, ...]) -> str:
+    rows = (f"[{json.dumps(c.parameter)}, {c.value}, {json.dumps(c.boolean)}]" for c in conditions)
+    return f"[{', '.join(rows)}]"

@@ -1,0 +1,82 @@
+"""What objects hold, as TypeScript declares it."""
+
+from __future__ import annotations
+
+import json
+
+from mipgen import model as m
+from mipgen.lower.calls import constructors, replies
+
+from .names import SCALARS, home, member, reference
+
+
+def members(record: m.Record) -> list[m.Parameter]:
+    """The parameters that an object holds: the others follow from these."""
+    return [p for p in record.parameters if not p.derived]
+
+
+def key(p: m.Parameter) -> str:
+    """The name of a member where it is declared."""
+    return member(p.name)
+
+
+def may_be_absent(p: m.Parameter, record: m.Record) -> bool:
+    """Can it be missing in what was received? An unknown function requires nothing."""
+    return not p.selector if record.selector else p.optional
+
+
+def hint(p: m.Parameter, record: m.Record) -> str:
+    """The type of a member."""
+    if p.element is None:
+        cases = [f"{key(c.parameter)}?: {hint(c.parameter, record)}" for c in p.cases if c.parameter is not None]
+        return f"{{ {'; '.join(dict.fromkeys(cases))} }}"
+    if p.kind == "text":
+        return "string"
+    one = _one(p, record)
+    if not p.several or p.vector:
+        return one
+    plain = isinstance(p.element, m.Scalar) and p.count is not None and p.count <= 4
+    return f"[{', '.join([one] * (p.count or 0))}]" if plain else f"{one}[]"
+
+
+def _one(p: m.Parameter, record: m.Record) -> str:
+    return SCALARS[p.element.name] if isinstance(p.element, m.Scalar) else reference(_named(p), home(record))
+
+
+def _named(p: m.Parameter) -> m.Type:
+    assert p.element is not None and not isinstance(p.element, m.Scalar)
+    return p.element
+
+
+def number(t: m.Enum | m.Bitfield) -> str:
+    """The type of its numbers; those of several bytes are BigInts."""
+    return SCALARS[t.scalar.name] if t.scalar else "bigint"
+
+
+def unneeded(record: m.Record) -> str:
+    """The members that a caller need not give, as a type of keys; empty if there are none."""
+    return " | ".join(json.dumps(key(p)) for p in members(record) if p.reserved is not None)
+
+
+def given(way: m.Call, record: m.Field) -> str:
+    """What the constructor of a function takes, as a parameter; empty if it takes nothing."""
+    asked = [f"{key(p)}: {hint(p, record)}" for p in way.values]
+    asked += [f"{key(p)}?: {hint(p, record)}" for p in way.addable]
+    return f"values{'' if way.values else '?'}: {{ {'; '.join(asked)} }}" if asked else ""
+
+
+def answer(function: m.Function | None, f: m.Field, model: m.Model) -> str:
+    """The type of what a client gets for a command sent in this way."""
+    layouts = [layout for r in replies(f, function, model) for layout in r.layouts]
+    return " | ".join(dict.fromkeys(reference(layout, home(f)) for layout in layouts)) or "undefined"
+
+
+def answers(f: m.Field, model: m.Model) -> str:
+    """The same for a command however it is sent."""
+    types = dict.fromkeys(t for way in constructors(f) for t in answer(way.function, f, model).split(" | "))
+    return " | ".join(types)
+
+
+def depends(f: m.Field, model: m.Model) -> bool:
+    """Does the answer depend on the function?"""
+    return len({answer(way.function, f, model) for way in constructors(f)}) > 1

@@ -1,0 +1,82 @@
+"""The commands that find a device and start its data, as expressions of JavaScript."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from mipgen import model as m
+from mipgen.lower import session as lower
+
+from . import names
+
+
+@dataclass(frozen=True, slots=True)
+class Rate:
+    """What asks for a base rate, and the member of the response that holds it."""
+
+    command: str
+    member: str
+
+
+@dataclass(frozen=True, slots=True)
+class Older:
+    set: int
+    base_rate: Rate
+    format: str
+    stream: int
+
+
+@dataclass(frozen=True, slots=True)
+class Session:
+    modules: tuple[tuple[str, str], ...]  # what they are called here, and their files
+    bauds: tuple[int, ...]
+    ping: str
+    idle: str
+    resume: str
+    identify: str
+    identity: tuple[str, str]  # what the device answers: its module and its class
+    base_rate: Rate
+    format: str
+    item: tuple[str, str]
+    stream: str
+    older: tuple[Older, ...]
+
+
+def of(model: m.Model) -> Session | None:
+    """None if the specification, or the part of it, does not have all of these commands."""
+    found = lower.session(model)
+    if found is None:
+        return None
+    used = [*found.commands, *(f for x in found.older for f in (x.base_rate.command, x.format))]
+    modules = {names.namespace(f.family): names.module(f.family) for f in used}
+    (identity,) = model.responses(found.identify)
+    item = found.entries.item.struct
+    assert item is not None
+    descriptor, decimation = (names.member(p.name) for p in item.parameters)
+    return Session(
+        modules=tuple(sorted(modules.items())),
+        bauds=found.bauds,
+        ping=_call(found.ping),
+        idle=_call(found.idle),
+        resume=_call(found.resume),
+        identify=_call(found.identify),
+        identity=(names.module(identity.family), names.class_name(identity)),
+        base_rate=_rate(found.base_rate, "set"),
+        format=_call(found.format, "set", "items"),
+        item=(descriptor, decimation),
+        stream=_call(found.stream, "set", "true"),
+        older=tuple(Older(x.set, _rate(x.base_rate), _call(x.format, "items"), x.stream) for x in found.older),
+    )
+
+
+def _rate(rate: lower.Rate, *arguments: str) -> Rate:
+    return Rate(_call(rate.command, *arguments), names.member(rate.parameter.name))
+
+
+def _call(f: m.Field, *arguments: str) -> str:
+    """The command with its first function and these values of the parameters that this requires."""
+    way = f.calls[0]
+    values = ", ".join(f"{names.member(p.name)}: {a}" for p, a in zip(way.values, arguments, strict=True))
+    name = f"{names.namespace(f.family)}.{names.class_name(f)}"
+    head = f"{name}.{names.member(way.function.name)}" if way.function else f"new {name}"
+    return f"{head}({{ {values} }})" if values else f"{head}()"

@@ -1,0 +1,121 @@
+"""The commands that find a device, and start its data, as expressions of Rust."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from mipgen import model as m
+from mipgen.lower import session as lower
+
+from . import names
+from .records import Records
+
+
+@dataclass(frozen=True, slots=True)
+class BaseRate:
+    call: str
+    rate: str  # the member of its response
+
+
+@dataclass(frozen=True, slots=True)
+class Older:
+    """The same for the data of one set of an older device."""
+
+    set: int
+    call: str
+    rate: str
+    format: str
+    list: str
+    stream: str
+
+
+@dataclass(frozen=True, slots=True)
+class BaudChange:
+    """A command that writes a baud rate."""
+
+    command: str
+    value: str
+
+
+@dataclass(frozen=True, slots=True)
+class Session:
+    families: tuple[str, ...]  # features
+    bauds: tuple[int, ...]
+    ping: str
+    idle: str
+    resume: str
+    base_rate: BaseRate
+    format: str  # without its arguments
+    list: str
+    item: str
+    stream: str
+    older: tuple[Older, ...]
+    baud_changes: tuple[BaudChange, ...]
+
+    @property
+    def needs(self) -> str:
+        """A condition of `cfg`."""
+        return ", ".join(f'feature = "{name}"' for name in self.families)
+
+
+def of(model: m.Model) -> Session | None:
+    """None if the specification, or the part of it, does not have all of these commands."""
+    found = lower.session(model)
+    if found is None:
+        return None
+    records = model.derived(Records)
+
+    def called(f: m.Field, *arguments: str) -> str:
+        return f"{_way(f, records)}({', '.join(arguments)})"
+
+    def listed(f: m.Field) -> str:
+        return records.rust(next(p for p in f.calls[0].required if p.kind == "array"), "")
+
+    item = found.entries.item.struct
+    assert item is not None
+    used = [*found.commands, *(f for x in found.older for f in (x.base_rate.command, x.format))]
+    families = {f.family for f in used}
+    return Session(
+        families=tuple(sorted(map(names.module, families))),
+        bauds=found.bauds,
+        ping=called(found.ping),
+        idle=called(found.idle),
+        resume=called(found.resume),
+        base_rate=BaseRate(called(found.base_rate.command, "set"), names.member(found.base_rate.parameter.name)),
+        format=_way(found.format, records),
+        list=listed(found.format),
+        item=_path(item),
+        stream=called(found.stream, "set", "true"),
+        older=tuple(
+            Older(
+                set=x.set,
+                call=called(x.base_rate.command),
+                rate=names.member(x.base_rate.parameter.name),
+                format=_way(x.format, records),
+                list=listed(x.format),
+                stream=called(found.stream, f"{x.stream}", "true"),
+            )
+            for x in found.older
+        ),
+        baud_changes=tuple(_baud_changes(model, records, families)),
+    )
+
+
+def _baud_changes(model: m.Model, records: Records, families: set[str]) -> Iterator[BaudChange]:
+    for f in model.fields:
+        if f.role != m.COMMAND or f.family not in families:
+            continue
+        for x in records.members(f):
+            if x.parameter.units == ("Bd",):
+                value = f"self.{x.name}"
+                yield BaudChange(_path(f), value if x.may_be_absent else f"Some({value})")
+
+
+def _way(f: m.Field, records: Records) -> str:
+    """What makes the command: its first function."""
+    return f"{_path(f)}::{records.constructors(f)[0].name}"
+
+
+def _path(thing: m.Type | m.Field) -> str:
+    return names.path(thing, "")

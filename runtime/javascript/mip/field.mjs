@@ -1,0 +1,178 @@
+// What all fields have in common, and what makes their classes.
+
+import { MipError, bytesOf } from "./bytes.mjs";
+import { encoded, Layout, memberName, Reader } from "./codec.mjs";
+import { Packet } from "./packet.mjs";
+
+export class Field {
+    // What an object knows besides its values: the set of its packet, and NaNs with unusual bits, by their offset.
+    #set;
+    #nans;
+
+    constructor(values) {
+        if (values === undefined) return;
+        const { layout, NAME } = this.constructor;
+        if (typeof values !== "object" || values === null) throw new MipError("range", `${NAME} takes an object of values`);
+        layout.refuseUnknown(values, NAME, {});
+        for (const key of Object.keys(values)) if (values[key] !== undefined) this[key] = values[key];
+    }
+
+    /** The values of a field's data. Bytes left over are no error. Raises a MipError. */
+    static decode(data) {
+        return this.decodeWithTrailing(data).field;
+    }
+
+    /** The values, and how many bytes are left over (newer devices send more). */
+    static decodeWithTrailing(data) {
+        const reader = new Reader(bytesOf(data));
+        const field = this.readFrom(reader, 0, reader.bytes.length);
+        return { field, trailing: reader.left };
+    }
+
+    /** For packets: the values of the data from here to there. */
+    static readFrom(reader, from, to, set) {
+        reader.limit(from, to);
+        const field = new this();
+        this.layout.read(reader, field, this.requiredBy(reader));
+        field.#set = set;
+        field.#nans = reader.nans;
+        return field;
+    }
+
+    /** How many parameters must be there, counted as the layout does. */
+    static requiredBy(reader) {
+        return requiredWith(this, reader.bytes[reader.from]);
+    }
+
+    static occursIn(set) {
+        return this.SETS.includes(set);
+    }
+
+    /** Can this be its data? Checks what distinguishes the layouts of one descriptor: constants and size. */
+    static matches(bytes, from = 0, to = bytes.length) {
+        if (!this.FITS) return true;
+        const [least, most, constants] = this.FITS;
+        const size = to - from;
+        const agrees = ([at, wanted]) => wanted.every((byte, i) => at + i >= size || bytes[from + at + i] === byte);
+        return least <= size && size <= most && constants.every(agrees);
+    }
+
+    /** The set of the packet that contained it, or the only one in which it occurs; undefined if that is not known. */
+    get set() {
+        return this.#set ?? this.constructor.SET;
+    }
+
+    /** The data of the field, without its length and descriptor. Raises a MipError. */
+    encode() {
+        const { layout, NAME } = this.constructor;
+        const required = requiredWith(this.constructor, this.function);
+        return encoded(layout, NAME, this, { nans: this.#nans, required });
+    }
+
+    /** A packet with only this field: of the set that contained it, or of the given one. Raises a MipError. */
+    packet(set = this.set) {
+        return packetOf([this], set);
+    }
+}
+
+/** Of a class with a function selector: how many values must be there, this one included. An unknown one requires none. */
+function requiredWith({ REQUIRED }, selector) {
+    return REQUIRED && 1 + (REQUIRED[selector] ?? 0);
+}
+
+/** A measurement. */
+export class Data extends Field {
+    static ROLE = "data";
+}
+
+/** A field that follows the acknowledge of a command. */
+export class Response extends Field {
+    static ROLE = "response";
+}
+
+/** A field that the device acknowledges, with or without a response. */
+export class Command extends Field {
+    static ROLE = "command";
+    static REPLIES = [];
+    static SILENCED_BY = [];
+
+    /** The types of its responses. */
+    static get RESPONSES() {
+        return this.REPLIES.flatMap(([, , layouts]) => layouts);
+    }
+
+    /** Does the device acknowledge it, with these values? */
+    get answered() {
+        const { SILENT } = this.constructor;
+        if (!SILENT) return true;
+        const [functions, when] = SILENT;
+        return !functions.includes(Number(this.function)) && !(when.length > 0 && when.every((one) => holds(one, this)));
+    }
+
+    /** The types of the response that it asks for with these values: devices may have different layouts of it. */
+    get replies() {
+        const found = this.constructor.REPLIES.find(
+            ([functions, when]) => (!functions || functions.includes(Number(this.function))) && when.every((one) => holds(one, this)),
+        );
+        return found ? found[2] : [];
+    }
+}
+
+/** Has a member this value? Of a Boolean, everything but 0 is true. */
+function holds([name, value, boolean], values) {
+    const held = values[memberName(name)];
+    return boolean && held !== undefined ? Boolean(held) === Boolean(value) : held !== undefined && Number(held) === value;
+}
+
+/** A packet with these fields. Each must occur in the set, which a field that occurs in only one tells. */
+export function packetOf(fields, set = fields.find((one) => one.set !== undefined)?.set) {
+    const parts = fields.map((field) => {
+        const { NAME, DESCRIPTOR } = field.constructor;
+        if (set === undefined) throw new MipError("set", `${NAME} belongs to packets of several sets: name one`);
+        if (!field.constructor.occursIn(set)) throw new MipError("set", `${NAME} does not occur in packets of set ${set}`);
+        return { descriptor: DESCRIPTOR, data: field.encode() };
+    });
+    return Packet.build(set, parts);
+}
+
+// ---------------------------------------------------------------------------------------------------- making classes
+
+/** The sets from `first` to `last`. */
+export const every = (first, last) => ({ includes: (set) => first <= set && set <= last });
+
+function made(Base, name, sets, descriptor, blocks, { optional, fits, calls, ...more }) {
+    const kind = class extends Base {};
+    const words = name.slice(name.indexOf(".") + 1);
+    Object.defineProperty(kind, "name", { value: words.replace(/(?:^|_)(.)/g, (_, next) => next.toUpperCase()) });
+    const one = typeof sets === "number";
+    Object.assign(kind, {
+        NAME: name,
+        SET: one ? sets : undefined,
+        SETS: one ? [sets] : sets,
+        DESCRIPTOR: descriptor,
+        FITS: fits,
+        layout: new Layout(blocks, calls ? 1 : optional),
+        ...more,
+    });
+    if (calls) {
+        kind.REQUIRED = calls;
+        for (const selector of Object.keys(calls).map(Number)) {
+            const call = (values) => new kind({ function: selector, ...values });
+            Object.defineProperty(kind, memberName(blocks.function.nameOf(selector).toLowerCase()), { value: call });
+        }
+    }
+    return kind;
+}
+
+/**
+ * The class of a field. `sets`: the number of its set, or all of them. `more.optional`: how many parameters are always
+ * there, if others may follow; `more.fits`: what distinguishes it from other layouts of its descriptor.
+ */
+export const data = (name, sets, descriptor, blocks, more = {}) => made(Data, name, sets, descriptor, blocks, more);
+export const response = (name, sets, descriptor, blocks, more = {}) => made(Response, name, sets, descriptor, blocks, more);
+
+/**
+ * `more.calls`: number of a function -> how many parameters it requires; `more.REPLIES`: functions, conditions and
+ * layouts of each response; `more.SILENT`: functions and conditions without acknowledge; `more.TIMEOUT`: seconds.
+ */
+export const command = (name, set, descriptor, blocks, more = {}) => made(Command, name, set, descriptor, blocks, more);

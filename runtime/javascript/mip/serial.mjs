@@ -1,0 +1,79 @@
+// A device at a serial port, in browsers with Web Serial.
+
+import { BAUD_RATES, session } from "../session.mjs";
+import { MipError } from "./bytes.mjs";
+import { Device } from "./device.mjs";
+
+/** Seconds to listen at each baud rate, and how often to ask. */
+const LISTEN = 0.3;
+const ATTEMPTS = 2;
+
+/**
+ * Opens the port of a device.
+ *
+ * @param port what `navigator.serial.requestPort()` gives; a browser asks its user only after a click
+ * @param options.baud the baud rate; without it, that at which the device answers is searched. The rest is for Device.
+ */
+export async function openSerial(port, { baud, ...options } = {}) {
+    if (baud !== undefined) return Device.open(() => opened(port, baud), options);
+    for (const rate of BAUD_RATES) {
+        const device = await Device.open(() => opened(port, rate), options);
+        if (await answers(device)) return device;
+        await device.close();
+    }
+    throw new MipError("no_device", `no device answers at ${BAUD_RATES.join(", ")} Bd; is it switched on, and on this port?`);
+}
+
+/** Does a device answer, even if it refuses? Earlier bytes may damage the first answer. */
+async function answers(device) {
+    if (!session) throw new MipError("session", "the specification names no command to search with: give `baud`");
+    for (let i = 0; i < ATTEMPTS; i++) {
+        try {
+            await device.request(session.ping(), { timeout: LISTEN });
+            return true;
+        } catch (error) {
+            if (error.kind === "refused") return true;
+            if (error.kind !== "timeout") throw error;
+            if (device.waiting > 0) return true; // data
+        }
+    }
+    return false;
+}
+
+async function opened(port, baudRate) {
+    await port.open({ baudRate, bufferSize: 65536 });
+    let reader;
+    let closed = false;
+    return {
+        async *bytes() {
+            // A damaged byte ends the stream of the port, which then has another one; a lost port has none.
+            while (port.readable && !closed) {
+                reader = port.readable.getReader();
+                try {
+                    for (;;) {
+                        const { value, done } = await reader.read();
+                        if (done) return;
+                        yield value;
+                    }
+                } catch (error) {
+                    if (!port.readable) throw error;
+                } finally {
+                    reader.releaseLock();
+                }
+            }
+        },
+        async write(bytes) {
+            const writer = port.writable.getWriter();
+            try {
+                await writer.write(bytes);
+            } finally {
+                writer.releaseLock();
+            }
+        },
+        async close() {
+            closed = true;
+            await reader?.cancel().catch(() => {}); // it may have ended
+            await port.close();
+        },
+    };
+}

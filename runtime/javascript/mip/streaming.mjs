@@ -1,0 +1,71 @@
+// Starts the data of a device at rates in Hz.
+
+import { MipError } from "./bytes.mjs";
+
+const LARGEST = 0xffff; // decimation
+
+/** @param rates a Map: class of a field -> Hz, 0 for as often as the device can */
+export async function stream(device, session, rates, set) {
+    if (!session) throw new MipError("session", "the specification of this package names no commands for it");
+    const number = setOf(rates, set);
+    const { base, older } = await baseRate(device, session, number);
+    const decimations = new Map([...rates].map(([kind, rate]) => [kind, decimation(base, rate)]));
+    const nearest = new Map([...decimations].map(([kind, by]) => [kind, base / by]));
+    const missing = [...rates].filter(([kind, rate]) => rate !== 0 && rate !== nearest.get(kind));
+    if (missing.length && base) {
+        const words = missing.map(([kind, rate]) => `${kind.NAME} at ${rate} Hz (nearest: ${nearest.get(kind)} Hz)`);
+        throw new MipError("rate", `the base rate is ${base} Hz; not possible: ${words.join(", ")}`, { base, nearest });
+    }
+    // Fields that all sets share come first: they are repeated in each packet of a long message.
+    const kinds = [...decimations.keys()].sort((a, b) => Array.isArray(a.SETS) - Array.isArray(b.SETS));
+    const items = kinds.map((kind) => session.item(kind.DESCRIPTOR, decimations.get(kind)));
+    await device.request(older ? older.format(items) : session.format(number, items));
+    await device.request(session.stream(older ? older.stream : number));
+    await device.request(session.resume());
+    return nearest;
+}
+
+/** The base rate of a set in Hz; and the commands of older devices if it is one. */
+async function baseRate(device, session, set) {
+    try {
+        return { base: session.rate(await device.request(session.baseRate(set))) };
+    } catch (refused) {
+        const older = session.older[set];
+        if (refused.kind !== "refused" || !older) throw refused;
+        try {
+            return { base: older.rate(await device.request(older.baseRate())), older };
+        } catch (error) {
+            throw error.kind === "refused" ? refused : error; // the device does not have this set
+        }
+    }
+}
+
+/** The descriptor set that all of these fields have. */
+export function setOf(rates, set) {
+    const kinds = [...rates.keys()];
+    for (const [kind, rate] of rates) {
+        if (!(typeof rate === "number" && rate >= 0)) {
+            throw new MipError("range", `${kind.NAME}: a rate is 0 (as often as the device can) or more, not ${rate}`);
+        }
+    }
+    if (set !== undefined) {
+        const wrong = kinds.find((kind) => !kind.occursIn(set));
+        if (wrong) throw new MipError("set", `${wrong.NAME} does not occur in set ${set}`);
+        return set;
+    }
+    const listed = kinds.map((kind) => kind.SETS).filter(Array.isArray);
+    const common = (listed[0] ?? []).filter((one) => listed.every((sets) => sets.includes(one)));
+    if (common.length !== 1) {
+        const names = kinds.map((kind) => kind.NAME).join(", ") || "no fields";
+        throw new MipError("set", `\`set\` is needed for ${names}: ${common.join(", ") || "one with all of them"}`);
+    }
+    return common[0];
+}
+
+/** That of the nearest rate; 1 for the highest. */
+export function decimation(base, wanted) {
+    if (!base || !wanted || wanted >= base) return 1;
+    const below = Math.min(Math.floor(base / wanted), LARGEST);
+    const above = Math.min(below + 1, LARGEST);
+    return base / below - wanted <= wanted - base / above ? below : above;
+}

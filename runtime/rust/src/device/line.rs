@@ -1,0 +1,182 @@
+//! Ports of a computer: serial ports, TCP connections, and logs.
+
+use std::fs::File;
+use std::io::{self, ErrorKind, Read, Write};
+use std::net::TcpStream;
+use std::string::{String, ToString};
+use std::time::{Duration, Instant};
+use std::{boxed::Box, format};
+
+use serialport::SerialPort;
+
+use super::Port;
+
+/// While nothing arrives, a read returns after this time, so that commands can time out.
+const READ: Duration = Duration::from_millis(10);
+/// A connection is made, and bytes are accepted, in this time.
+const WRITE: Duration = Duration::from_secs(5);
+/// The rate of a port whose place names none.
+const USUAL: u32 = 115_200;
+/// How far the clock of a log jumps at its end.
+const END: u32 = 1 << 30;
+
+/// A serial port, a TCP connection, or a log, at a place that is written as text:
+///
+/// - `serial:/dev/ttyACM0`, `serial:COM3:460800`, perhaps with a baud rate;
+/// - `tcp:192.168.1.20:9000`, a host and a port;
+/// - `file:log.bin`, bytes that were recorded. It accepts no commands. After its last packet,
+///   [`Device::next_packet`](super::Device::next_packet) returns `None` at once.
+pub struct Line {
+    way: Way,
+    baud: Option<u32>,
+    start: Instant,
+    /// What the clock of a log shows.
+    log_ms: u32,
+}
+
+enum Way {
+    Serial(Box<dyn SerialPort>),
+    Tcp(TcpStream),
+    Log(File),
+}
+
+impl Line {
+    /// Opens the port. Nothing is sent.
+    ///
+    /// # Errors
+    ///
+    /// The place is not one of these ([`ErrorKind::InvalidInput`]), or the port cannot be opened.
+    pub fn open(place: &str) -> io::Result<Self> {
+        let named = |error: io::Error| io::Error::new(error.kind(), format!("{place}: {error}"));
+        let (way, baud) = match place.split_once(':') {
+            Some(("serial", rest)) => serial(rest).map_err(named)?,
+            Some(("tcp", rest)) => (Way::Tcp(connected(rest).map_err(named)?), None),
+            Some(("file", path)) => (Way::Log(File::open(path).map_err(named)?), None),
+            _ => {
+                let known = "expected serial:NAME, serial:NAME:BAUD, tcp:HOST:PORT or file:PATH";
+                return Err(io::Error::new(ErrorKind::InvalidInput, format!("{place}: {known}")));
+            }
+        };
+        Ok(Self { way, baud, start: Instant::now(), log_ms: 0 })
+    }
+
+    /// The baud rate that the place names.
+    #[must_use]
+    pub const fn named_baud(&self) -> Option<u32> {
+        self.baud
+    }
+
+    /// Is it a log, which accepts no commands?
+    #[must_use]
+    pub const fn is_log(&self) -> bool {
+        matches!(self.way, Way::Log(_))
+    }
+}
+
+impl core::fmt::Debug for Line {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        match &self.way {
+            Way::Serial(port) => write!(f, "Line(serial {:?})", port.name()),
+            Way::Tcp(stream) => write!(f, "Line({stream:?})"),
+            Way::Log(file) => write!(f, "Line({file:?})"),
+        }
+    }
+}
+
+fn serial(rest: &str) -> io::Result<(Way, Option<u32>)> {
+    let numbered = rest.rsplit_once(':').and_then(|(name, rate)| Some((name, rate.parse().ok()?)));
+    let (name, baud) = numbered.map_or((rest, None), |(name, rate)| (name, Some(rate)));
+    let port = serialport::new(name, baud.unwrap_or(USUAL)).timeout(READ).open()?;
+    Ok((Way::Serial(port), baud))
+}
+
+fn connected(place: &str) -> io::Result<TcpStream> {
+    let mut last = io::Error::new(ErrorKind::InvalidInput, "the host has no address");
+    for address in std::net::ToSocketAddrs::to_socket_addrs(place)? {
+        match TcpStream::connect_timeout(&address, WRITE) {
+            Ok(stream) => {
+                stream.set_nodelay(true)?;
+                stream.set_read_timeout(Some(READ))?;
+                stream.set_write_timeout(Some(WRITE))?;
+                return Ok(stream);
+            }
+            Err(error) => last = error,
+        }
+    }
+    Err(last)
+}
+
+/// No bytes, unless it is an error that matters.
+fn none_yet(error: io::Error) -> io::Result<usize> {
+    match error.kind() {
+        ErrorKind::TimedOut | ErrorKind::WouldBlock | ErrorKind::Interrupted => Ok(0),
+        _ => Err(error),
+    }
+}
+
+fn closed() -> io::Error {
+    io::Error::new(ErrorKind::UnexpectedEof, "the other end has closed the connection")
+}
+
+impl Port for Line {
+    type Error = io::Error;
+
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        match &mut self.way {
+            Way::Serial(port) => port.read(buffer).or_else(none_yet),
+            Way::Tcp(stream) => match stream.read(buffer) {
+                Ok(0) => Err(closed()),
+                count => count.or_else(none_yet),
+            },
+            Way::Log(file) => {
+                let count = file.read(buffer)?;
+                if count == 0 {
+                    self.log_ms = self.log_ms.wrapping_add(END);
+                }
+                Ok(count)
+            }
+        }
+    }
+
+    fn write(&mut self, bytes: &[u8]) -> io::Result<()> {
+        match &mut self.way {
+            // Not flushed: that would wait, perhaps for ever, until a pseudo-terminal is read.
+            Way::Serial(port) => port.write_all(bytes),
+            Way::Tcp(stream) => stream.write_all(bytes),
+            Way::Log(_) => Err(io::Error::new(ErrorKind::Unsupported, "a log accepts no commands")),
+        }
+    }
+
+    fn now_ms(&mut self) -> u32 {
+        match self.way {
+            Way::Log(_) => self.log_ms,
+            _ => self.start.elapsed().as_millis() as u32,
+        }
+    }
+
+    fn set_baud(&mut self, rate: u32) -> io::Result<bool> {
+        let Way::Serial(port) = &mut self.way else { return Ok(false) };
+        match port.set_baud_rate(rate).map_err(io::Error::from) {
+            Ok(()) => {}
+            Err(error) if error.kind() == ErrorKind::InvalidInput => return Ok(false),
+            Err(error) => return Err(error),
+        }
+        port.clear(serialport::ClearBuffer::Input)?; // bytes of another rate
+        Ok(true)
+    }
+
+    fn baud(&self) -> Option<u32> {
+        match &self.way {
+            Way::Serial(port) => port.baud_rate().ok(),
+            _ => None,
+        }
+    }
+}
+
+/// That a device was not found, with the remedy.
+pub(crate) fn nobody(place: &str, rates: &[u32]) -> io::Error {
+    let tried: std::vec::Vec<String> = rates.iter().map(ToString::to_string).collect();
+    let at = if tried.is_empty() { String::new() } else { format!(" at {} Bd", tried.join(", ")) };
+    let text = format!("{place}: no device answers{at}; is it switched on, and on this port?");
+    io::Error::new(ErrorKind::NotFound, text)
+}

@@ -1,0 +1,75 @@
+"""Descriptions say what a name does not: see "Texts" in spec/README.md."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from mipgen import model as m
+from support import model
+
+#: Words that add nothing to a name.
+EMPTY = frozenset(re.findall(r"\w+", "the a an of in on at to is are was and or for by with its it this that"))
+
+#: Words of texts that names shorten.
+SHORT = {
+    "accelerometer": "accel",
+    "communication": "comm",
+    "gyroscope": "gyro",
+    "magnetometer": "mag",
+}
+
+#: The sources have these names and nothing else.
+NAMES_ONLY = {
+    "constellation_options",
+    "constellation_settings_entry.reserved_channels",
+    "cv7_inertial_continuous_built_in_test.filter_dropped_data",
+    "gq7_continuous_built_in_test.antenna_1_shorted",
+    "gq7_continuous_built_in_test.antenna_2_shorted",
+    "gq7_continuous_built_in_test.filter_comm_error",
+    "gq7_continuous_built_in_test.gps_time_fault",
+    "gq7_continuous_built_in_test.rtcm_comm_fault",
+    "heading_source_flags.mag",
+    "rtk_status_flags.modem_state",
+    "rtk_status_flags_legacy.controller_state",
+    "rtk_status_flags_legacy.controller_status_code",
+    "rtk_status_flags_legacy.platform_state",
+    "rtk_status_flags_legacy.platform_status_code",
+    "sbas_status.corrections_available",
+    "signal_quality.time_locked",
+}
+
+
+def words(text: str) -> set[str]:
+    """What a text says, as a name would.
+
+    >>> sorted(words("Bytes of the accelerometer."))
+    ['accel', 'byte']
+    """
+    found = (SHORT.get(w, w) for w in re.findall("[a-z0-9]+", text.lower().replace("_", " ")) if w not in EMPTY)
+    return {w.removesuffix("s") if len(w) > 3 else w for w in found}
+
+
+def texts(of: m.Model) -> Iterator[tuple[str, str, str]]:
+    """Place, name and description of all that has one."""
+    for f in of.fields:
+        yield f.full_name, f.name, f.description
+        yield from ((f"{f.full_name}.{p.name}", p.name, p.description) for p in f.parameters if p.reserved is None)
+    for t in of.all_types:
+        yield t.name, t.name, t.description
+        parts: tuple[m.EnumValue | m.Bits | m.Parameter, ...] = (
+            t.values if isinstance(t, m.Enum)
+            else t.bits if isinstance(t, m.Bitfield)
+            else t.parameters if isinstance(t, m.Struct)
+            else ()
+        )  # fmt: skip
+        yield from ((f"{t.name}.{x.name}", x.name, x.description) for x in parts)
+
+
+def test_no_description_repeats_its_name() -> None:
+    repeated = {
+        place
+        for place, name, text in texts(model("real"))
+        if text and words(text) <= words(name) and name != "reserved" and not text.endswith(" valid.")
+    }
+    assert repeated == NAMES_ONLY

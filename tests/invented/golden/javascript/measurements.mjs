@@ -1,0 +1,88 @@
+// Measurements: how its fields are called, read and written. The declarations say what they mean.
+
+import * as codec from "./mip/codec.mjs";
+import * as field from "./mip/field.mjs";
+import { FunctionSelector } from "./protocol.mjs";
+import * as types from "./types.mjs";
+
+export const Accel = /* @__PURE__ */ field.data("measurements.accel", [0x80, 0x81, 0x92], 0x01, {
+    scaled_accel: types.Vector3f,
+    valid_flags: types.StateFlags,
+});
+
+export const Numbers = /* @__PURE__ */ field.data("measurements.numbers", [0x80, 0x92], 0x02, {
+    u8: codec.u8,
+    u16: codec.u16,
+    u32: codec.u32,
+    u64: codec.u64,
+    s8: codec.s8,
+    s16: codec.s16,
+    s32: codec.s32,
+    s64: codec.s64,
+    float: codec.float,
+    double: codec.double,
+    bool: codec.bool,
+    char: codec.char,
+});
+
+export const Strings = /* @__PURE__ */ field.data("measurements.strings", [0x80, 0x81, 0x92], 0x03, {
+    model: /* @__PURE__ */ codec.text(16),
+    length: /* @__PURE__ */ codec.counter(codec.u8, "name"),
+    name: /* @__PURE__ */ codec.countedText("length", 236),
+    rest: /* @__PURE__ */ codec.restText(236),
+});
+
+export const Health = /* @__PURE__ */ field.data("measurements.health", [0x80, 0x92], 0x04, {
+    result: types.Health,
+    code: types.WideCode,
+});
+
+export const Arrays = /* @__PURE__ */ field.data("measurements.arrays", [0x80, 0x92], 0x05, {
+    modes: /* @__PURE__ */ codec.array(types.Mode, 3),
+    flags: /* @__PURE__ */ codec.array(types.StateFlags, 2),
+    vectors: /* @__PURE__ */ codec.array(types.Vector3f, 2),
+    points: /* @__PURE__ */ codec.array(types.Point, 2),
+    track: types.Segment,
+    offsets: /* @__PURE__ */ codec.reserved(/* @__PURE__ */ codec.array(/* @__PURE__ */ codec.reserved(codec.s8, 0), 4), Array(4).fill(0)),
+});
+
+export const Growing = /* @__PURE__ */ field.data("measurements.growing", [0x80, 0x92], 0x06, {
+    first: codec.u16,
+    second: codec.u16,
+    third: codec.float,
+}, {
+    optional: 1,
+});
+
+export const Radio = /* @__PURE__ */ field.data("measurements.radio", [0x80, 0x92], 0x07, {
+    connected: codec.bool,
+    strength: codec.s32,
+    noise: codec.float,
+    gap: /* @__PURE__ */ codec.reserved(codec.float, 0.0),
+    gaps: /* @__PURE__ */ codec.reserved(/* @__PURE__ */ codec.array(/* @__PURE__ */ codec.reserved(codec.double, 0.0), 2), Array(2).fill(0.0)),
+});
+
+export const Own = /* @__PURE__ */ field.data("measurements.own", 0x81, 0x07, {
+    mode: types.Mode,
+});
+
+export const Cloud = /* @__PURE__ */ field.data("measurements.cloud", [0x80, 0x92], 0x08, {
+    num_points: /* @__PURE__ */ codec.counter(codec.u8, "points"),
+    points: /* @__PURE__ */ codec.counted("num_points", types.Point, 61),
+    stamp: codec.u64,
+});
+
+export const Gust = /* @__PURE__ */ field.data("measurements.gust", [0x80, 0x92], 0x09, {
+    station: codec.u8,
+    place: types.Point,
+    height: codec.float,
+    speed: types.Vector3f,
+    gap: /* @__PURE__ */ codec.constant(codec.u8, 7),
+    valid_flags: types.StateFlags,
+});
+
+export const Breeze = /* @__PURE__ */ field.data("measurements.breeze", [0x80, 0x92], 0x0a, {
+    place: types.Point,
+    height: codec.float,
+    turn: types.Quatf,
+});

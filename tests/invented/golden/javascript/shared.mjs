@@ -1,0 +1,11 @@
+// Shared: how its fields are called, read and written. The declarations say what they mean.
+
+import * as codec from "./mip/codec.mjs";
+import * as field from "./mip/field.mjs";
+import { FunctionSelector } from "./protocol.mjs";
+import * as types from "./types.mjs";
+
+export const Timestamp = /* @__PURE__ */ field.data("shared.timestamp", /* @__PURE__ */ field.every(0x80, 0xfe), 0xd3, {
+    tow: codec.double,
+    valid_flags: types.StateFlags,
+});

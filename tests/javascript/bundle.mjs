@@ -1,0 +1,11 @@
+// The bytes of a program, minified and without what it does not use.
+//
+//     bundle.mjs NODE_MODULES PROGRAM
+import path from "node:path";
+import { createRequire } from "node:module";
+
+const [modules, program] = process.argv.slice(2).map((one) => path.resolve(one));
+const { build } = createRequire(path.join(modules, "x.js"))("esbuild");
+const options = { bundle: true, minify: true, format: "esm", write: false, target: "es2022" };
+const { outputFiles } = await build({ ...options, entryPoints: [program] });
+console.log(outputFiles[0].contents.length);

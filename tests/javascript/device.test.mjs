@@ -1,0 +1,337 @@
+// A device at ports of this file's making: what real ports do at their worst. Programs at a virtual device test the rest.
+//
+//     FOLDER=generated/javascript node --test device.test.mjs
+import assert from "node:assert/strict";
+import net from "node:net";
+import path from "node:path";
+import { test } from "node:test";
+import { pathToFileURL } from "node:url";
+
+const folder = path.resolve(process.env.FOLDER);
+const load = (name) => import(pathToFileURL(path.join(folder, name)));
+const { Device, fromHex, MipError, Packet, Parser, toHex } = await load("mip/index.mjs");
+const { openSerial } = await load("mip/serial.mjs");
+const { openTcp } = await load("mip/tcp.mjs");
+const { openWebSocket } = await load("mip/websocket.mjs");
+const { CommSpeed, GetDeviceInfo, Ping } = await load("base.mjs");
+const { EcefPosition } = await load("aiding.mjs");
+const { ScaledAccel, ScaledGyro } = await load("sensor.mjs");
+const { GpsTimestamp } = await load("shared.mjs");
+const { LlhPosition } = await load("gnss_data.mjs");
+
+const ack = (set, descriptor, code = 0) => ({ descriptor: 0xf1, data: Uint8Array.of(descriptor, code), set });
+const packet = (...fields) => Packet.build(fields[0].set, fields).bytes;
+const DATA = new ScaledAccel({ scaledAccel: [0, 0, -1] }).packet().bytes;
+
+/** A port whose other end answers what is written with what `reply` returns. */
+function fakePort(reply) {
+    const pieces = [];
+    let wake = () => {};
+    let failure;
+    let ended = false;
+    const port = {
+        written: [],
+        closes: 0,
+        arrive(bytes) {
+            pieces.push(bytes);
+            wake();
+        },
+        lose(error) {
+            failure = error;
+            ended = true;
+            wake();
+        },
+        async *bytes() {
+            for (;;) {
+                if (pieces.length) yield pieces.shift();
+                else if (failure) throw failure;
+                else if (ended) return;
+                else
+                    await new Promise((resolve) => {
+                        wake = resolve;
+                    });
+            }
+        },
+        write(bytes) {
+            port.written.push(bytes);
+            const answer = reply?.(bytes);
+            if (answer) port.arrive(answer);
+        },
+        close() {
+            port.closes++;
+            port.lose();
+        },
+    };
+    return port;
+}
+
+const opened = async (reply, options) => {
+    const port = fakePort(reply);
+    return { port, device: await Device.open(async () => port, options) };
+};
+
+/** Acknowledges every field, with a code. */
+const acknowledging =
+    (code = 0) =>
+    (bytes) => {
+        const sent = new Packet(bytes);
+        return packet(...[...sent.fields()].map(({ descriptor }) => ack(sent.set, descriptor, code)));
+    };
+
+test("what a command may end with", async () => {
+    const { device } = await opened(acknowledging());
+    assert.equal(await device.request(new Ping()), undefined);
+    await assert.rejects(device.request(new GetDeviceInfo()), { name: "MipError", kind: "missing_response" });
+    const refused = await opened(acknowledging(3));
+    await assert.rejects(refused.device.request(new Ping()), { kind: "refused", code: 3, message: "base.ping refused: INVALID_PARAMETER" });
+    const silent = await opened();
+    await assert.rejects(silent.device.request(new Ping(), { timeout: 0.05 }), { kind: "timeout" });
+    assert.deepEqual(
+        (await refused.device.exchange([new Ping(), new Ping()])).map(({ accepted }) => accepted),
+        [false, false],
+    );
+    for (const wrong of [-1, Number.NaN, "1"]) await assert.rejects(device.request(new Ping(), { timeout: wrong }), { kind: "timeout" });
+    await assert.rejects(device.requestAll([]), { kind: "missing" });
+    await assert.rejects(device.request(new ScaledAccel({ scaledAccel: [0, 0, -1] })), { kind: "set" });
+    for (const one of [device, refused.device, silent.device]) await one.close();
+});
+
+test("the same command object may be sent twice at once", async () => {
+    const { device, port } = await opened(acknowledging());
+    const ping = new Ping();
+    assert.deepEqual(await device.requestAll([ping, ping]), [undefined, undefined]);
+    assert.equal(
+        toHex(port.written[0]),
+        toHex(
+            Packet.build(
+                1,
+                [ping, ping].map((one) => ({ descriptor: 1, data: one.encode() })),
+            ).bytes,
+        ),
+    );
+    await device.close();
+});
+
+test("data arrives in order, and nothing is lost before the port is", async () => {
+    const { device, port } = await opened(undefined, { capacity: 2 });
+    assert.equal(await device.next({ timeout: 0.01 }), undefined);
+    for (let i = 0; i < 3; i++) port.arrive(DATA);
+    port.lose(new Error("unplugged"));
+    await new Promise((resolve) => setTimeout(resolve, 10));
+    assert.equal(device.dropped, 1);
+    assert.equal(device.waiting, 2);
+    let count = 0;
+    await assert.rejects(
+        async () => {
+            for await (const one of device) {
+                assert.deepEqual(one.find(ScaledAccel).scaledAccel, [0, 0, -1]);
+                assert.ok(Math.abs(one.time - Date.now() / 1000) < 5);
+                count++;
+            }
+        },
+        { kind: "closed", message: "the port is lost: unplugged" },
+    );
+    assert.equal(count, 2);
+    await assert.rejects(device.request(new Ping()), { kind: "closed" });
+    assert.equal(device.closed, true);
+});
+
+test("a loop over the data ends when the device is closed, and so does a command", async () => {
+    const { device, port } = await opened();
+    const loop = (async () => {
+        for await (const _ of device);
+        return "ended";
+    })();
+    const command = device.request(new Ping());
+    const waiting = assert.rejects(command, { kind: "closed" });
+    await new Promise((resolve) => setTimeout(resolve, 10));
+    await device.close();
+    assert.equal(await loop, "ended");
+    await waiting;
+    assert.equal(port.closes, 1);
+    assert.equal(await device.next(), undefined);
+});
+
+test("noise that looks like the beginning of a packet does not hide the data behind it", async () => {
+    const skipped = [];
+    const { device, port } = await opened(undefined, { onSkipped: (bytes) => skipped.push(...bytes) });
+    port.arrive(Uint8Array.of(0x75, 0x65, 0x80, 0xff, 1));
+    port.arrive(DATA);
+    assert.ok((await device.next({ timeout: 2 })).find(ScaledAccel));
+    assert.equal(device.skipped, 5);
+    assert.deepEqual(skipped, [0x75, 0x65, 0x80, 0xff, 1]);
+    await device.close();
+});
+
+test("a port that is lost is opened again", async () => {
+    const ports = [fakePort(acknowledging()), undefined, fakePort(acknowledging())];
+    let opens = 0;
+    const device = await Device.open(async () => {
+        const port = ports[opens++];
+        if (!port) throw new Error("not there yet");
+        return port;
+    });
+    ports[0].arrive(DATA);
+    ports[0].lose();
+    await new Promise((resolve) => setTimeout(resolve, 10));
+    await assert.rejects(device.request(new Ping()), { kind: "closed" });
+    await device.reopen({ within: 2 });
+    assert.equal(await device.request(new Ping()), undefined);
+    assert.ok((await device.next()).find(ScaledAccel)); // what had arrived is kept
+    assert.equal(opens, 3);
+    await device.close();
+});
+
+test("a setting that silences commands is asked for once", async () => {
+    const echo = Uint8Array.of(0); // commands are not acknowledged
+    const { device, port } = await opened((bytes) => {
+        const sent = new Packet(bytes);
+        const [{ descriptor }] = sent.fields();
+        return descriptor === 0x1f ? packet(ack(0x13, 0x1f), { descriptor: 0x9f, data: echo, set: 0x13 }) : undefined;
+    });
+    const position = new EcefPosition({
+        time: { timebase: 1, reserved: 1, nanoseconds: 5n },
+        frameId: 1,
+        position: [1, 2, 3],
+        uncertainty: [1, 1, 1],
+        validFlags: 7,
+    });
+    assert.equal(await device.request(position), undefined);
+    assert.equal(await device.request(position), undefined);
+    assert.equal(port.written.length, 3);
+    await device.close();
+});
+
+test("rates are checked before anything is changed", async () => {
+    const { device, port } = await opened((bytes) => {
+        const sent = new Packet(bytes);
+        const [{ descriptor, data }] = sent.fields();
+        const rate = descriptor === 0x0e ? [{ descriptor: 0x8e, data: Uint8Array.of(data[0], 0, 100), set: sent.set }] : [];
+        return packet(ack(sent.set, descriptor), ...rate);
+    });
+    await assert.rejects(device.stream([[ScaledAccel, 30]]), { kind: "rate", message: /100 Hz.*nearest: 33.3/ });
+    assert.equal(port.written.length, 1);
+    await assert.rejects(device.stream([[LlhPosition, 1]]), { kind: "set" });
+    await assert.rejects(device.stream([[ScaledAccel, 1]], { set: 0x82 }), { kind: "set" });
+    await assert.rejects(device.stream([[ScaledAccel, -1]]), { kind: "range" });
+    assert.equal(port.written.length, 1);
+    const rates = await device.stream([[ScaledAccel, 50], [GpsTimestamp, 0], [ScaledGyro, 100]]); // biome-ignore format: one line
+    assert.deepEqual([...rates.values()], [50, 100, 100]);
+    assert.equal(toHex(port.written[2]).slice(8, -4), "0e0f018003d30001040002050001"); // the shared field first
+    await device.close();
+});
+
+test("objects are checked as they are made", () => {
+    assert.throws(() => new ScaledAccel({ accel: 1 }), { kind: "unknown", message: 'sensor.scaled_accel has no parameter "accel"' });
+    for (const wrong of [null, 1, "x"]) assert.throws(() => new ScaledAccel(wrong), { name: "MipError" });
+    assert.throws(() => CommSpeed.write({ port: 1 }).encode(), { kind: "missing", message: "baud is missing" });
+    assert.equal(toHex(CommSpeed.read({ port: 1 }).encode()), "0201");
+    assert.throws(() => ScaledAccel.decode(new Uint8Array(3)), { kind: "truncated" });
+    assert.equal(ScaledAccel.name, "ScaledAccel");
+    const nan = fromHex("7fe5bf7f 7fc00000 ffc00000");
+    const accel = ScaledAccel.decode(nan);
+    assert.deepEqual(accel.scaledAccel, [NaN, NaN, NaN]);
+    assert.deepEqual(accel.encode(), nan);
+    const time = new GpsTimestamp({ tow: 1, weekNumber: 2, validFlags: 3 });
+    assert.throws(() => time.packet(), { kind: "set" });
+    assert.equal(new Parser().feed(time.packet(0x82).bytes)[0].find(GpsTimestamp).set, 0x82);
+    assert.deepEqual(JSON.parse(JSON.stringify(time)), { tow: 1, weekNumber: 2, validFlags: 3 });
+});
+
+// ---------------------------------------------------------------------------------------------------- ports
+
+/** A serial port of Web Serial, behind which a device answers at one baud rate. */
+class FakeSerial {
+    opens = [];
+
+    constructor(rate) {
+        this.rate = rate;
+    }
+
+    async open({ baudRate }) {
+        assert.equal(this.readable, undefined, "it is open");
+        this.opens.push(baudRate);
+        const answer = (bytes) => {
+            const right = baudRate === this.rate;
+            this.controller.enqueue(right ? acknowledging()(bytes) : Uint8Array.of(0xff, 0x75, 0x00));
+        };
+        const begin = () => {
+            this.readable = new ReadableStream({
+                start: (controller) => {
+                    this.controller = controller;
+                },
+            });
+        };
+        begin();
+        this.damage = () => {
+            const { controller } = this;
+            begin(); // as Web Serial does after a framing error
+            controller.error(new Error("framing"));
+        };
+        this.writable = new WritableStream({ write: answer });
+    }
+
+    async close() {
+        this.readable = this.writable = undefined;
+    }
+}
+
+test("the baud rate of a serial port is found", async () => {
+    const port = new FakeSerial(921600);
+    const device = await openSerial(port);
+    assert.deepEqual(port.opens, [115200, 3000000, 921600]);
+    assert.equal(await device.request(new Ping()), undefined);
+    port.damage(); // a byte is lost, the port is not
+    await new Promise((resolve) => setTimeout(resolve, 20));
+    assert.equal(await device.request(new Ping()), undefined);
+    await device.close();
+    assert.equal(port.readable, undefined);
+    const given = new FakeSerial(9600);
+    await (await openSerial(given, { baud: 9600 })).close();
+    assert.deepEqual(given.opens, [9600]);
+});
+
+test("a serial port without a device", async () => {
+    await assert.rejects(openSerial(new FakeSerial(1)), { kind: "no_device" });
+});
+
+test("a WebSocket", async () => {
+    class FakeSocket extends EventTarget {
+        constructor(url) {
+            super();
+            this.url = url;
+            setTimeout(() => this.dispatchEvent(new Event(url === "ws://none" ? "error" : "open")), 1);
+        }
+
+        send(bytes) {
+            const data = acknowledging()(bytes);
+            this.dispatchEvent(new MessageEvent("message", { data: "text is no data" }));
+            for (const part of [data.slice(0, 3), data.slice(3)]) {
+                this.dispatchEvent(new MessageEvent("message", { data: part.buffer }));
+            }
+        }
+
+        close() {
+            this.dispatchEvent(new Event("close"));
+        }
+    }
+    const device = await openWebSocket("ws://localhost:1", { WebSocket: FakeSocket });
+    assert.equal(await device.request(new Ping()), undefined);
+    await device.close();
+    await assert.rejects(openWebSocket("ws://none", { WebSocket: FakeSocket }), { kind: "closed" });
+    await assert.rejects(openWebSocket("ws://none", { WebSocket: null }), { kind: "websocket" });
+});
+
+test("a TCP connection that the other end closes", async () => {
+    const server = net.createServer((socket) => {
+        socket.write(DATA);
+        socket.end();
+    });
+    await new Promise((resolve) => server.listen(0, "localhost", resolve));
+    const { port } = server.address();
+    const device = await openTcp("localhost", port);
+    assert.ok((await device.next({ timeout: 5 })).find(ScaledAccel));
+    await assert.rejects(device.next({ timeout: 5 }), (error) => error instanceof MipError && error.kind === "closed");
+    server.close();
+    await assert.rejects(openTcp("localhost", 1), { code: "ECONNREFUSED" });
+});

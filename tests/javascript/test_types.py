@@ -1,0 +1,93 @@
+"""The declarations for TypeScript, and what bundlers make of the package."""
+
+from __future__ import annotations
+
+import json
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+from javascript.test_javascript import GENERATED, node
+from support import ROOT, SPECS, heavy, need
+
+HERE = Path(__file__).parent
+pytestmark = [heavy("npm with TypeScript and esbuild"), pytest.mark.xdist_group("npm")]
+
+
+@pytest.fixture(scope="session")
+def modules() -> Path:
+    """The tools of the lock, in `build/`."""
+    folder = ROOT / "build/javascript-npm"
+    lock = (HERE / "npm/package-lock.json").read_bytes()
+    if not (folder / "installed").is_file() or (folder / "installed").read_bytes() != lock:
+        folder.mkdir(parents=True, exist_ok=True)
+        for name in ("package.json", "package-lock.json"):
+            shutil.copy(HERE / "npm" / name, folder)
+        # Scripts are needed: that of esbuild puts its program in place.
+        subprocess.run([need("npm"), "ci", "--silent", "--no-audit", "--no-fund"], cwd=folder, check=True)
+        (folder / "installed").write_bytes(lock)
+    return folder / "node_modules"
+
+
+def project(folder: Path, modules: Path, package: Path = GENERATED) -> Path:
+    """A folder for programs that import the package by its name."""
+    home = folder / "node_modules"
+    home.mkdir()
+    name = json.loads((package / "package.json").read_text("utf-8"))["name"]
+    (home / name).symlink_to(package)
+    (home / "@types").symlink_to(modules / "@types")
+    return folder
+
+
+def compiled(folder: Path, modules: Path) -> str:
+    """What the compiler says of all programs of a folder, the declarations of the package included."""
+    options = {
+        "strict": True, "noUncheckedIndexedAccess": True, "exactOptionalPropertyTypes": True, "skipLibCheck": False,
+        "module": "nodenext", "target": "es2022", "lib": ["es2022", "dom"], "types": ["node"], "noEmit": True,
+    }  # fmt: skip
+    (folder / "tsconfig.json").write_text(json.dumps({"compilerOptions": options, "include": ["*.mts"]}), "utf-8")
+    done = subprocess.run([modules / ".bin/tsc", "-p", folder], capture_output=True, text=True, timeout=300)
+    return done.stdout + done.stderr
+
+
+def test_right_programs_compile_and_wrong_ones_do_not(tmp_path: Path, modules: Path) -> None:
+    folder = project(tmp_path, modules)
+    for program in (*HERE.glob("types/*.mts"), ROOT / "spec/programs/typed.mts"):
+        shutil.copy(program, folder)
+    assert compiled(folder, modules) == ""  # each `@ts-expect-error` is one
+    wrong = (folder / "wrong.mts").read_text("utf-8")
+    (folder / "wrong.mts").write_text(wrong.replace("// @ts-expect-error", "//"), "utf-8")
+    found = set(re.findall(r"wrong\.mts\((\d+),", compiled(folder, modules)))
+    assert len(found) == wrong.count("// @ts-expect-error") > 15
+
+
+@pytest.mark.parametrize("spec", sorted(SPECS))
+def test_every_module_is_declared(spec: str, tmp_path: Path, modules: Path) -> None:
+    package = SPECS[spec][1] / "javascript"
+    about = json.loads((package / "package.json").read_text("utf-8"))
+    names = [f"{about['name']}{path[1:]}" for path in about["exports"] if path != "./package.json"]
+    folder = project(tmp_path, modules, package)
+    (folder / "all.mts").write_text("".join(f'export * as x{i} from "{n}";\n' for i, n in enumerate(names)), "utf-8")
+    assert len(names) > 10
+    assert compiled(folder, modules) == ""
+
+
+#: A program, and the most bytes that it may have.
+BUNDLES = {
+    'export { Parser } from "mip-protocol";': 6_000,
+    'export { ScaledAccel } from "mip-protocol/sensor"; export { Parser } from "mip-protocol";': 15_000,
+    'export * from "mip-protocol/sensor"; export { Parser } from "mip-protocol";': 20_000,
+    'export * from "mip-protocol/filter_data"; export { Parser } from "mip-protocol";': 30_000,
+    'export * from "mip-protocol/gnss_data"; export { Parser } from "mip-protocol";': 30_000,
+    'export * from "mip-protocol/filter"; export { Parser } from "mip-protocol";': 30_000,
+    'export { openSerial } from "mip-protocol/serial"; export { EulerAngles } from "mip-protocol/filter_data";': 32_000,
+}
+
+
+@pytest.mark.parametrize("program", BUNDLES)
+def test_a_bundle_has_only_what_its_program_uses(program: str, tmp_path: Path, modules: Path) -> None:
+    folder = project(tmp_path, modules)
+    (folder / "program.mjs").write_text(program, "utf-8")
+    assert int(node(HERE / "bundle.mjs", modules, folder / "program.mjs")) < BUNDLES[program]

@@ -1,0 +1,48 @@
+// What strict TypeScript refuses: tsc reports each line below a comment of this form, and none else.
+import { Command, Data, type Device, fromHex, type Packet } from "mip-protocol";
+import { PpsSource, PpsSourceControl } from "mip-protocol/3dm";
+import { CommSpeed, Ping } from "mip-protocol/base";
+import { FunctionSelector } from "mip-protocol/protocol";
+import { ScaledAccel } from "mip-protocol/sensor";
+
+declare const device: Device;
+declare const packet: Packet;
+
+// @ts-expect-error no such member
+new ScaledAccel({ accel: [0, 0, -1] });
+// @ts-expect-error an element is missing
+new ScaledAccel({ scaledAccel: [0, 0] });
+// @ts-expect-error a number is no vector
+new ScaledAccel({ scaledAccel: 1 });
+// @ts-expect-error a member is missing
+CommSpeed.write({ port: 1 });
+// @ts-expect-error a read takes no rate
+CommSpeed.read({ port: 1, baud: 115200 });
+// @ts-expect-error text is no number
+CommSpeed.write({ port: "1", baud: 115200 });
+// @ts-expect-error a value of another enumeration
+PpsSourceControl.write({ source: FunctionSelector.WRITE });
+// @ts-expect-error no such value
+PpsSource.NONE;
+// @ts-expect-error it takes no values
+new Ping({ port: 1 });
+// @ts-expect-error data is no command
+device.request(new ScaledAccel({ scaledAccel: [0, 0, -1] }));
+// @ts-expect-error a write has no response
+(await device.request(PpsSourceControl.write({ source: 1 }))).source;
+// @ts-expect-error a response of another command
+const baud: number = (await device.request(PpsSourceControl.read())).baud;
+// @ts-expect-error it may not be there
+packet.find(ScaledAccel).scaledAccel;
+// @ts-expect-error commands are not streamed
+device.stream([[Ping, 1]]);
+// @ts-expect-error a rate is a number
+device.stream([[ScaledAccel, "100"]]);
+// @ts-expect-error bytes are no text
+fromHex(Uint8Array.of(1));
+// @ts-expect-error only the device answers
+packet.bytes = "7565";
+// @ts-expect-error a packet has no speed
+packet.speed;
+
+export { baud, Command, Data };

@@ -1,0 +1,327 @@
+//! The first minutes with a device, at a port that does as one likes; with the real specification.
+
+use std::collections::VecDeque;
+
+use mip_protocol::device::{Device, DeviceError, Port};
+use mip_protocol::protocol::AckCode;
+use mip_protocol::session::{Rate, StreamError, BAUD_RATES};
+use mip_protocol::{
+    base, checksum, filter_data, mip_3dm, sensor, shared, CommandError, Packet, RequestError,
+};
+
+/// A device, and what goes wrong.
+#[derive(Clone, Debug)]
+struct Fake {
+    /// At which rate it answers; that of the port, which has none if it is 0.
+    baud: u32,
+    rate: u32,
+    fastest: u32,
+    /// It changes its rate, when it is told to.
+    changes: bool,
+    now: u32,
+    base_rate: u16,
+    older: bool,
+    /// Answers that it does not send, of this command (0: of all); a command that it refuses.
+    lose: usize,
+    lose_of: u16,
+    refuse: u16,
+    /// Packets of data that it sends without being asked.
+    data: usize,
+    sent: Vec<Vec<u8>>,
+    tried: Vec<u32>,
+    coming: VecDeque<u8>,
+}
+
+fn device(baud: u32) -> Device<Fake> {
+    Device::new(Fake {
+        baud,
+        rate: 115_200,
+        fastest: u32::MAX,
+        changes: true,
+        now: 0xFFFF_F000, // it wraps around
+        base_rate: 1000,
+        older: false,
+        lose: 0,
+        lose_of: 0,
+        refuse: 0,
+        data: 0,
+        sent: Vec::new(),
+        tried: Vec::new(),
+        coming: VecDeque::new(),
+    })
+}
+
+fn packet(set: u8, payload: &[u8]) -> Vec<u8> {
+    let mut bytes = vec![0x75, 0x65, set, payload.len() as u8];
+    bytes.extend(payload);
+    let sum = checksum(&bytes);
+    bytes.extend(sum);
+    bytes
+}
+
+impl Fake {
+    fn commands(&self) -> Vec<u16> {
+        self.sent.iter().map(|p| u16::from_be_bytes([p[2], p[5]])).collect()
+    }
+
+    fn last(&self, command: u16) -> &[u8] {
+        let at = self.commands().iter().rposition(|c| *c == command).unwrap();
+        let bytes = &self.sent[at];
+        &bytes[6..bytes.len() - 2]
+    }
+}
+
+impl Port for Fake {
+    type Error = &'static str;
+
+    fn read(&mut self, buffer: &mut [u8]) -> Result<usize, Self::Error> {
+        self.now = self.now.wrapping_add(10);
+        if self.data > 0 && self.coming.is_empty() {
+            self.data -= 1;
+            self.coming.extend(packet(0x80, &[]));
+        }
+        let count = buffer.len().min(self.coming.len());
+        for (place, byte) in buffer.iter_mut().zip(self.coming.drain(..count)) {
+            *place = if self.rate == self.baud { byte } else { byte ^ 0x5A };
+        }
+        Ok(count)
+    }
+
+    fn write(&mut self, bytes: &[u8]) -> Result<(), Self::Error> {
+        let command = u16::from_be_bytes([bytes[2], bytes[5]]);
+        assert!(Packet::new(bytes).is_ok());
+        self.sent.push(bytes.to_vec());
+        if self.rate != self.baud {
+            self.coming.extend([0x75 ^ 0x5A; 40]);
+            return Ok(());
+        }
+        if self.lose > 0 && [0, command].contains(&self.lose_of) {
+            self.lose -= 1;
+            return Ok(());
+        }
+        let known = if self.older {
+            ![0x0C0E, 0x0C0F].contains(&command)
+        } else {
+            !(0x0C06..0x0C0C).contains(&command)
+        };
+        let refused = command == self.refuse || !known;
+        let mut payload = vec![4, 0xF1, bytes[5], u8::from(refused)];
+        let [high, low] = self.base_rate.to_be_bytes();
+        match command {
+            _ if refused => {}
+            0x0C0E => payload.extend([5, 0x8E, bytes[6], high, low]),
+            0x0C06 => payload.extend([4, 0x83, high, low]),
+            0x0C0B => payload.extend([4, 0x8A, high, low]),
+            _ => {}
+        }
+        self.coming.extend(packet(bytes[2], &payload));
+        if command == 0x0109 && self.changes && !refused {
+            self.baud = u32::from_be_bytes([bytes[8], bytes[9], bytes[10], bytes[11]]);
+        }
+        Ok(())
+    }
+
+    fn now_ms(&mut self) -> u32 {
+        self.now
+    }
+
+    fn set_baud(&mut self, rate: u32) -> Result<bool, Self::Error> {
+        if rate > self.fastest || self.rate == 0 {
+            return Ok(false);
+        }
+        self.tried.push(rate);
+        self.rate = rate;
+        self.coming.clear();
+        Ok(true)
+    }
+
+    fn baud(&self) -> Option<u32> {
+        Some(self.rate).filter(|rate| *rate != 0)
+    }
+}
+
+#[test]
+fn connects_at_any_rate() {
+    for rate in BAUD_RATES {
+        let mut device = device(rate);
+        assert_eq!(device.connect(&BAUD_RATES), Ok(Some(rate)));
+        let port = device.port();
+        assert_eq!(port.tried.last(), Some(&rate));
+        assert_eq!(port.commands().last(), Some(&0x0102));
+        assert_eq!(device.next_packet(0), Ok(None)); // nothing is left of the search
+    }
+}
+
+#[test]
+fn a_device_that_only_sends_data_is_found() {
+    let mut found = device(460_800);
+    (found.port_mut().data, found.port_mut().lose) = (1000, 1);
+    assert_eq!(found.connect(&BAUD_RATES), Ok(Some(460_800)));
+    assert_eq!(found.port().commands().iter().filter(|c| **c == 0x0102).count(), 1);
+}
+
+#[test]
+fn answers_that_are_lost_are_asked_for_again() {
+    for lose_of in [0x0101, 0x0102] {
+        let mut device = device(115_200);
+        (device.port_mut().lose, device.port_mut().lose_of) = (1, lose_of);
+        assert_eq!(device.connect(&BAUD_RATES), Ok(Some(115_200)), "{lose_of:#x}");
+    }
+    for (lose_of, stream) in [(0x0C0E, 5), (0x0C0F, 5), (0x0C11, 5), (0x0106, 5)] {
+        let mut device = device(115_200);
+        (device.port_mut().lose, device.port_mut().lose_of) = (2, lose_of);
+        assert_eq!(device.stream(0x80, &[Rate::of::<sensor::ScaledAccel>(100.0)]), Ok(1000));
+        assert_eq!(device.port().sent.len(), stream + 1);
+    }
+}
+
+#[test]
+fn nobody_is_there() {
+    let nobody = Err(DeviceError::Command(CommandError::TimedOut));
+    let mut none = device(1234);
+    assert_eq!(none.connect(&BAUD_RATES), nobody);
+    assert_eq!(none.port().tried, BAUD_RATES);
+    assert_eq!(none.port().sent.len(), 2 * BAUD_RATES.len());
+
+    let mut silent = device(115_200);
+    silent.port_mut().rate = 0; // a port without rates
+    assert_eq!(silent.connect(&BAUD_RATES), nobody);
+    assert_eq!(silent.port().commands(), [0x0102; 3]);
+
+    let mut slow = device(0);
+    slow.port_mut().rate = 0;
+    assert_eq!(slow.connect(&BAUD_RATES), Ok(None));
+}
+
+#[test]
+fn rates_that_a_port_lacks_are_passed_over() {
+    let mut device = device(9600);
+    device.port_mut().fastest = 115_200;
+    assert_eq!(device.connect(&BAUD_RATES), Ok(Some(9600)));
+    assert_eq!(device.port().tried, [115_200, 57_600, 38_400, 19_200, 9600]);
+}
+
+fn rates() -> [Rate; 3] {
+    [
+        Rate::of::<shared::GpsTimestamp>(100.0),
+        Rate::of::<sensor::ScaledAccel>(0.0),
+        Rate::of_descriptor(5, 1000.0 / 3.0),
+    ]
+}
+
+#[test]
+fn streams() {
+    let mut device = device(115_200);
+    assert_eq!(device.stream(sensor::SENSOR_SET, &rates()), Ok(1000));
+    let port = device.port();
+    assert_eq!(port.commands(), [0x0C0E, 0x0C0F, 0x0C11, 0x0106]);
+    assert_eq!(port.last(0x0C0F), [1, 0x80, 3, 0xD3, 0, 10, 4, 0, 1, 5, 0, 3]);
+    assert_eq!(port.last(0x0C11), [1, 0x80, 1]);
+}
+
+#[test]
+fn streams_of_older_devices() {
+    for (set, base, format, stream) in [(0x80, 0x0C06, 0x0C08, 1), (0x82, 0x0C0B, 0x0C0A, 3)] {
+        let mut device = device(115_200);
+        device.port_mut().older = true;
+        assert_eq!(device.stream(set, &[Rate::of::<shared::GpsTimestamp>(100.0)]), Ok(1000));
+        let port = device.port();
+        assert_eq!(port.commands(), [0x0C0E, base, format, 0x0C11, 0x0106]);
+        assert_eq!(port.last(format), [1, 1, 0xD3, 0, 10]);
+        assert_eq!(port.last(0x0C11), [1, stream, 1]);
+    }
+    // It does not have the set at all.
+    let refused = |device: &mut Device<Fake>, set| {
+        let error = CommandError::Refused(AckCode(1));
+        assert_eq!(device.stream(set, &[]), Err(DeviceError::Command(error).into()));
+    };
+    let mut device = device(115_200);
+    (device.port_mut().older, device.port_mut().refuse) = (true, 0x0C0B);
+    refused(&mut device, 0x82);
+    refused(&mut device, 0x91);
+    assert_eq!(device.port().commands(), [0x0C0E, 0x0C0B, 0x0C0E]);
+}
+
+#[test]
+fn a_rate_that_the_device_lacks_changes_nothing() {
+    let wrong =
+        [(70.0, 1000.0 / 14.0), (2000.0, 1000.0), (-1.0, 1000.0 / 65535.0), (f32::NAN, 1000.0)];
+    for (hz, next) in wrong {
+        let mut device = device(115_200);
+        let asked = [Rate::of::<sensor::ScaledGyro>(10.0), Rate::of::<sensor::ScaledAccel>(hz)];
+        let error = device.stream(0x80, &asked).unwrap_err();
+        let StreamError::NoSuchRate { descriptor, nearest, base, .. } = error else {
+            panic!("{error}")
+        };
+        assert_eq!((descriptor, nearest, base), (4, next, 1000));
+        assert_eq!(device.port().commands(), [0x0C0E]);
+        if hz == 70.0 {
+            let said =
+                "sensor.scaled_accel at 70 Hz: not a rate of the device; nearest: 71.42857 Hz, \
+                        as it divides 1000 Hz by whole numbers";
+            assert_eq!(error.to_string(), said);
+            assert_eq!(device.stream(0x80, &[Rate::of::<sensor::ScaledAccel>(nearest)]), Ok(1000));
+        }
+    }
+}
+
+#[test]
+fn decimations_are_the_nearest() {
+    for base in [1_u16, 10, 500, 1000] {
+        for wanted in [0.001_f32, 0.02, 0.9, 1.0, 3.0, 7.0, 70.0, 99.5, 300.0, 499.0, 900.0, 5000.0]
+        {
+            let mut device = device(115_200);
+            device.port_mut().base_rate = base;
+            let got = match device.stream(0x80, &[Rate::of_descriptor(4, wanted)]) {
+                Err(StreamError::NoSuchRate { nearest, .. }) => nearest,
+                done => done.map(|_| wanted).unwrap(),
+            };
+            let distance = |by: u16| (f32::from(base) / f32::from(by) - wanted).abs();
+            let best = (1..=u16::MAX).map(distance).fold(f32::INFINITY, f32::min);
+            assert_eq!((got - wanted).abs(), best, "{base} {wanted}");
+        }
+    }
+}
+
+#[test]
+fn data_that_is_sent_as_it_arrives_has_no_rate() {
+    let mut device = device(115_200);
+    device.port_mut().base_rate = 0;
+    assert_eq!(device.stream(0x80, &[Rate::of::<sensor::ScaledAccel>(5.0)]), Ok(0));
+    assert_eq!(device.port().last(0x0C0F), [1, 0x80, 1, 4, 0, 1]);
+}
+
+#[test]
+fn fields_of_other_sets_and_too_many() {
+    let mut device = device(115_200);
+    let error = device.stream(0x80, &[Rate::of::<filter_data::EulerAngles>(10.0)]).unwrap_err();
+    assert!(error.to_string().contains("filter_data.euler_angles"), "{error}");
+    assert!(device.port().sent.is_empty());
+    let many = [Rate::of_descriptor(4, 10.0); 84];
+    let error = device.stream(0x80, &many).unwrap_err();
+    assert!(matches!(error, StreamError::Device(DeviceError::Request(RequestError::Encode(_)))));
+    assert_eq!(device.port().commands(), [0x0C0E]);
+}
+
+#[test]
+fn the_baud_rate_changes() {
+    let mut device = device(115_200);
+    assert_eq!(device.change_baud(&base::CommSpeed::write(1, 921_600)), Ok(921_600));
+    assert_eq!((device.port().rate, device.port().baud), (921_600, 921_600));
+    // The command was for another port of the device.
+    device.port_mut().changes = false;
+    assert_eq!(device.change_baud(&base::CommSpeed::write(2, 9600)), Ok(921_600));
+    assert_eq!(device.port().rate, 921_600);
+    device.port_mut().refuse = 0x0109;
+    let refused = DeviceError::Command(CommandError::Refused(AckCode(1)));
+    assert_eq!(device.change_baud(&base::CommSpeed::write(1, 9600)), Err(refused));
+    assert_eq!(device.port().rate, 921_600);
+    device.port_mut().baud = 7;
+    let gone = DeviceError::Command(CommandError::TimedOut);
+    assert_eq!(device.change_baud(&mip_3dm::UartBaudRate::write(9600)), Err(gone));
+    assert_eq!(device.port().rate, 921_600); // that of before
+
+    device.port_mut().rate = 0;
+    let none = device.change_baud(&base::CommSpeed::write(1, 9600));
+    assert_eq!(none, Err(DeviceError::NoBaudRate));
+}

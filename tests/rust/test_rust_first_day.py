@@ -1,0 +1,140 @@
+"""The first minutes with a device in Rust: the module session, the ports of a computer, and the README's program."""
+
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+import sys
+
+import pytest
+from crates import WORK, passes, project, rendered
+from mipgen.targets.rust import session
+from support import PATIENCE, PYTHONPATH, heavy, model, simulated
+from test_rust import HERE
+from test_rust_examples import EXAMPLES, programs, ran
+
+CV7, GX5 = "3dm-cv7-gnss-ins", "3dm-gx5-15"
+#: A line of the example.
+LINE = re.compile(r" +-?0\.0\d{3} +-?0\.0\d{3} +-(?:0\.9|1\.0)\d{3} g")
+
+
+def test_connect_and_stream_at_a_port_that_does_as_one_likes() -> None:
+    """With few sets: with all of them the crate takes longer than everything else."""
+    target = f'[[test]]\nname = "first_day"\npath = "{HERE / "first_day.rs"}"\n'
+    features = '"base", "mip_3dm", "sensor", "filter_data", "shared", "std"'
+    folder = project("real", "first-day", target, features, default=False)
+    out = passes(folder, "test", "--offline", "--quiet", "--test", "first_day")
+    assert "test result: ok" in out
+
+
+def test_a_part_without_these_commands_has_no_such_module() -> None:
+    assert session.of(model("invented")) is None
+    assert "src/sets/session.rs" not in rendered("invented")
+    assert b"session" not in rendered("invented")["src/sets.rs"]
+    assert "src/sets/session.rs" in rendered("real")
+
+
+def good(result: tuple[int, str, str], name: str = "3DM-CV7-GNSS/INS") -> None:
+    """Until the device is gone, which is an error of the port."""
+    code, out, error = result
+    head, *lines = out.splitlines()
+    assert head.strip() == name and code == 1
+    assert re.fullmatch(r"Error: Port\(Custom { kind: (UnexpectedEof|BrokenPipe), .*}\)\n", error), error
+    assert 50 < len(lines) < 310 and all(LINE.fullmatch(line) for line in lines), lines[:3]
+
+
+@heavy(EXAMPLES)
+@pytest.mark.parametrize(("device", "name"), [(CV7, "3DM-CV7-GNSS/INS"), (GX5, "3DM-GX5-15")])
+def test_devices_of_two_generations(device: str, name: str, tmp_path: object) -> None:
+    """That of the fifth has other commands for it."""
+    path = f"{tmp_path}/terminal"
+    programs()  # while none is there that ends
+    with simulated("--tcp", "0", "--duration", "2", device=device) as place:
+        good(ran("stream", f"tcp:{place}"), name)
+    with simulated("--pty", path, "--duration", "2", device=device):
+        good(ran("stream", f"serial:{path}"), name)
+
+
+@heavy(EXAMPLES)
+def test_faults(tmp_path: object) -> None:
+    path = f"{tmp_path}/terminal"
+    programs()
+    for fault in ("lose_answer@1", "lose_answer@2", "lose_answer@5", "nmea=0.2,noise=0.05"):
+        with simulated("--pty", path, "--duration", "3", "--fault", fault):
+            good(ran("stream", f"serial:{path}"))
+    with simulated("--pty", path, "--fault", "refuse@4"):
+        assert "Refused(AckCode(bad_checksum))" in ran("stream", f"serial:{path}")[2]
+    with simulated("--pty", path, "--fault", "lose_answer=1"):
+        assert "no device answers at 115200, 3000000, " in ran("stream", f"serial:{path}")[2]
+
+
+@heavy(EXAMPLES)
+def test_the_baud_rate_is_found(tmp_path: object) -> None:
+    """The device has it from a program that changed it; a rate that is given is tried first."""
+    path = f"{tmp_path}/terminal"
+    programs()
+    change = (
+        "import sys\nfrom mip_protocol import base, open_port\n"
+        "with open_port(sys.argv[1]) as device:\n"
+        "    device.request(base.SetIdle())\n"
+        "    print(device.change_baud(base.CommSpeed.write(0x11, 460800)))\n"
+    )
+    environment = {**os.environ, "PYTHONPATH": PYTHONPATH}
+    with simulated("--port", f"UART 1=pty:{path}", "--strict-baud", "--duration", "6"):
+        done = subprocess.run([sys.executable, "-c", change, path], env=environment, capture_output=True, text=True)
+        assert done.stdout == "460800\n"
+        code, out, _ = ran("stream", f"serial:{path}:460800")
+        assert code == 1 and out.startswith("3DM-CV7-GNSS/INS\n") and len(out.splitlines()) > 100
+
+
+@heavy(EXAMPLES)
+def test_places_that_cannot_be_opened(tmp_path: object) -> None:
+    for place, said in {
+        f"serial:{tmp_path}/none": f"serial:{tmp_path}/none: No such file or directory",
+        "tcp:127.0.0.1:1": "tcp:127.0.0.1:1: Connection refused",
+        "tcp:no.such.host.invalid:1": "tcp:no.such.host.invalid:1: failed to lookup",
+        f"file:{tmp_path}/none": f"file:{tmp_path}/none: No such file or directory",
+        "/dev/ttyACM0": "/dev/ttyACM0: expected serial:NAME, serial:NAME:BAUD, tcp:HOST:PORT or file:PATH",
+    }.items():
+        code, out, error = ran("stream", place)
+        assert (code, out) == (1, "") and said in error, error
+
+
+#: What is in a log, and that it takes no commands.
+LOG = """
+use mip_protocol::{base::Ping, session::Rate};
+fn main() {
+    let place = std::env::args().nth(1).unwrap();
+    let mut device = mip_protocol::open(&place).unwrap();
+    let mut count = 0;
+    while device.next_packet(60_000).unwrap().is_some() {
+        count += 1;
+    }
+    println!("{count} {}", device.parser().skipped());
+    println!("{}", device.run(&Ping::new()).unwrap_err());
+    println!("{}", device.stream(0x80, &[Rate::of_descriptor(4, 1.0)]).unwrap_err());
+}
+"""
+
+
+@heavy(EXAMPLES)
+def test_a_log(tmp_path: object) -> None:
+    """Also with an end that is not whole, and a packet behind it; nothing is waited for."""
+    from test_rust_examples import ACCEL, crate
+    from test_rust_examples import LOG as log
+
+    example = crate() / "examples/read_log.rs"
+    programs()
+    example.write_text(LOG)
+    try:
+        passes(crate(), "build", "--quiet", "--locked", "--example", "read_log", "--features", "open")
+    finally:
+        example.unlink()
+    path = f"{tmp_path}/log.bin"
+    with open(path, "wb") as file:
+        file.write(log * 3 + bytes.fromhex("756580ff") + ACCEL)
+    done = subprocess.run(
+        [WORK / "target/debug/examples/read_log", f"file:{path}"], capture_output=True, text=True, timeout=PATIENCE
+    )
+    assert done.stdout.splitlines() == ["4 46", *["port: a log accepts no commands"] * 2], done.stdout + done.stderr

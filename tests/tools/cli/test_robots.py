@@ -1,0 +1,184 @@
+"""MCAP and bags of ROS 2, read by readers that are not ours; the axes of REP 103."""
+
+from __future__ import annotations
+
+import json
+import math
+import random
+from collections.abc import Iterator
+from itertools import pairwise
+from pathlib import Path
+from typing import Any
+
+import jsonschema
+import pytest
+from mip_protocol import Parser, registry
+from mip_tools.binding import info
+from mip_tools.cli.export_mcap import message, schema
+from mip_tools.ros import axes
+from mip_tools.ros.standard import Converter
+from mip_tools.simulator import VirtualDevice
+from program import DEVICE, log, mip
+from support import ROOT, heavy
+from test_doctor import sent, started
+
+MESSAGES = ROOT / "generated/ros2"
+NAVIGATION = {
+    0x80: ((0xD3, 10), (0x04, 10), (0x05, 10), (0x06, 10)),
+    0x82: ((0xD3, 50), (0x03, 50), (0x01, 50), (0x02, 50), (0x08, 50), (0x09, 50), (0x0A, 50), (0x0E, 50)),
+    0x91: ((0xD3, 1), (0x03, 1), (0x0B, 1)),
+}
+
+
+@pytest.mark.parametrize("named", [False, True])
+def test_messages_obey_their_schemas(named: bool) -> None:
+    seen = set()
+    for packet in Parser().feed(log(1.0)):
+        for field in registry.decode_packet(packet):
+            if isinstance(field, tuple):
+                continue
+            jsonschema.validate(message(field, named), schema(type(field), named))
+            seen.add(type(field))
+    assert len(seen) > 5
+    for _, kind in registry.all_types():
+        jsonschema.Draft7Validator.check_schema(schema(kind, named))
+        assert set(schema(kind, named)["properties"]) == {p.name for p in info(kind).members}
+
+
+def test_what_is_no_number_is_left_out() -> None:
+    kind = registry.by_name("sensor.scaled_accel")
+    assert message(kind((1.0, math.nan, -1.0)), False) == {"scaled_accel": {"x": 1.0, "z": -1.0}}
+
+
+def mcap(path: Path) -> Iterator[tuple[Any, Any, Any]]:
+    from mcap.reader import make_reader
+
+    with path.open("rb") as file:
+        yield from make_reader(file).iter_messages()
+
+
+@heavy("mcap")
+def test_an_mcap_file_has_what_jsonl_has(tmp_path: Path) -> None:
+    from mcap.reader import make_reader
+
+    (tmp_path / "log").write_bytes(log())
+    assert mip("export", tmp_path / "log", "-o", tmp_path / "log.mcap") == (0, "", "")
+    rows = [json.loads(x) for x in mip("export", tmp_path / "log", "--format", "jsonl", "-o", "-")[1].splitlines()]
+    found = list(mcap(tmp_path / "log.mcap"))
+    assert len(found) > 1000
+    counts: dict[str, int] = {}
+    for kind, channel, one in found:
+        jsonschema.validate(json.loads(one.data), json.loads(kind.data))
+        assert kind.name == f"mip.{channel.topic[5:].replace('/', '.')}" and kind.encoding == "jsonschema"
+        counts[channel.topic] = counts.get(channel.topic, 0) + 1
+    assert counts["/mip/sensor/scaled_accel"] == sum("sensor.scaled_accel.x" in row for row in rows) > 100
+    assert json.loads(found[0][0].data)["properties"]["tow"]["description"] == "in s"
+    # Times are those of the device.
+    gps = [one.log_time for _, c, one in found if c.topic == "/mip/sensor/scaled_accel"]
+    assert {b - a for a, b in pairwise(gps)} == {10_000_000} and 1.7e18 < gps[0] < 1.8e18
+    with (tmp_path / "log.mcap").open("rb") as file:
+        (about,) = make_reader(file).iter_metadata()
+    assert about.metadata["clock"] == "gps" and "UTC" in about.metadata["time"]
+
+
+@heavy("mcap")
+def test_mcap_from_a_pipe_and_from_a_stream(tmp_path: Path) -> None:
+    (tmp_path / "log").write_bytes(log(1.0))
+    mip("export", tmp_path / "log", "-o", tmp_path / "a.mcap")
+    assert mip("export", "-", "-o", tmp_path / "b.mcap", data=log(1.0)) == (0, "", "")
+    assert mip("stream", tmp_path / "log", "--format", "mcap", "-o", tmp_path / "c.mcap") == (0, "", "")
+    a, b, c = ((tmp_path / f"{x}.mcap").read_bytes() for x in "abc")
+    assert a == b == c
+
+
+@heavy("rosbags")
+def test_a_bag(tmp_path: Path) -> None:
+    from rosbags.rosbag2 import Reader
+    from rosbags.typesys import Stores, get_types_from_msg, get_typestore
+
+    device = VirtualDevice(DEVICE)
+    (tmp_path / "log").write_bytes(sent(device, started(device, NAVIGATION), 4))
+    words = ("export", tmp_path / "log", "--format", "ros2", "-o", tmp_path / "drive")
+    assert mip(*words, "--messages", MESSAGES) == (0, "", "")
+    store = get_typestore(Stores.ROS2_HUMBLE)
+    types = {}
+    for path in (MESSAGES / "msg").iterdir():
+        types |= get_types_from_msg(path.read_text("utf-8"), f"mip_msgs/msg/{path.stem}")
+    store.register(types)
+    found: dict[str, list[Any]] = {}
+    with Reader(tmp_path / "drive") as bag:
+        for connection, time, data in bag.messages():
+            one = store.deserialize_cdr(data, connection.msgtype)
+            stamp = one.header.stamp
+            assert stamp.sec * 10**9 + stamp.nanosec == time
+            found.setdefault(connection.topic, []).append(one)
+    raw, imu = found["/mip/sensor/scaled_accel"], found["/imu/data"]
+    assert len(raw) == len(imu) == 400
+    for a, b in zip(raw, imu):
+        x, y, z = map(float, a.scaled_accel)
+        force = b.linear_acceleration
+        assert (force.x, force.y, force.z) == pytest.approx((9.80665 * x, -9.80665 * y, -9.80665 * z))
+        assert b.orientation_covariance[0] == -1
+    assert imu[0].linear_acceleration.z == pytest.approx(9.81, abs=0.1)
+    assert len(found["/imu/mag"]) == 400 and abs(found["/imu/mag"][0].magnetic_field.x) < 1e-4
+    fix = found["/gnss_1/fix"][0]
+    assert (fix.latitude, fix.longitude) == pytest.approx((47, 8), abs=1e-4) and fix.position_covariance[8] == 2.25
+    odometry = found["/filter/odometry"][-1]
+    assert odometry.pose.covariance[0] > 0 and odometry.header.frame_id == "odom"
+    assert odometry.child_frame_id == imu[0].header.frame_id
+    reference = found["/time_reference"][0]
+    assert reference.time_ref.sec == reference.header.stamp.sec and reference.source == "gps"
+    assert mip(*words)[0] == 1  # it exists
+    standard = mip(*words[:-1], tmp_path / "standard")
+    assert standard == (0, "", "")
+    with Reader(tmp_path / "standard") as bag:
+        assert "/imu/data" in bag.topics and not any(t.startswith("/mip/") for t in bag.topics)
+
+
+# --------------------------------------------------------------------------- axes
+
+
+def rotated(q: axes.Quaternion, v: axes.Vector) -> list[float]:
+    return [sum(row[i] * v[i] for i in range(3)) for row in axes.matrix(q)]
+
+
+def test_attitudes_of_rep_103() -> None:
+    half = math.sqrt(0.5)
+    assert axes.attitude((1, 0, 0, 0)) == pytest.approx((half, 0, 0, half))  # north is at +90 degrees
+    assert axes.attitude((half, 0, 0, half)) == pytest.approx((1, 0, 0, 0))  # east is at 0
+    generator = random.Random(1)
+    for _ in range(100):
+        numbers = [generator.gauss(0, 1) for _ in range(4)]
+        length = math.hypot(*numbers)
+        w, x, y, z = (v / length for v in numbers)
+        v = (generator.gauss(0, 1), generator.gauss(0, 1), generator.gauss(0, 1))
+        # The vector of the body in the world, there and here.
+        ned = rotated((w, x, y, z), v)
+        assert rotated(axes.attitude((w, x, y, z)), axes.body(v)) == pytest.approx(axes.world(ned), abs=1e-9)
+        assert axes.into_body(axes.attitude((w, x, y, z)), axes.world(ned)) == pytest.approx(axes.body(v), abs=1e-9)
+
+
+def test_odometry_while_it_moves() -> None:
+    """East by north: positions, velocities in the body, and covariances turned with it."""
+    kinds = {n: registry.by_name(f"filter_data.{n}") for n in ("llh_position", "attitude_quaternion", "ned_velocity")}
+    spread = registry.by_name("filter_data.ned_velocity_uncertainty")
+    converter = Converter()
+    half = math.sqrt(0.5)
+
+    def at(latitude: float, longitude: float) -> dict[str, Any]:
+        fields = {
+            "llh_position": kinds["llh_position"](latitude, longitude, 500.0, 1),
+            "attitude_quaternion": kinds["attitude_quaternion"]((half, 0, 0, half), 1),  # heads east
+            "ned_velocity": kinds["ned_velocity"](0.0, 5.0, 1.0, 1),
+            "ned_velocity_uncertainty": spread(0.1, 0.2, 0.3, 1),
+        }
+        named = {f"filter_data.{name}": field for name, field in fields.items()}
+        (made,) = converter.messages(named)
+        return made.values
+
+    first, second = at(47.0, 8.0), at(47.0001, 8.0)
+    assert first["pose"]["pose"]["position"] == pytest.approx({"x": 0, "y": 0, "z": 0})
+    assert second["pose"]["pose"]["position"] == pytest.approx({"x": 0, "y": 11.117, "z": 0}, abs=0.01)
+    assert second["twist"]["twist"]["linear"] == pytest.approx({"x": 5, "y": 0, "z": -1}, abs=1e-6)
+    covariance = second["twist"]["covariance"]
+    assert [covariance[0], covariance[7], covariance[14]] == pytest.approx([0.04, 0.01, 0.09])

@@ -1,0 +1,163 @@
+"""`mip stream`, pipes that are not held back, and ports that stay silent: at a virtual device on TCP."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import signal
+import socket
+import subprocess
+import time
+from collections.abc import Iterator
+from itertools import pairwise
+from pathlib import Path
+from typing import Any
+
+import pytest
+from program import ENVIRONMENT, PATIENCE, command, log, mip, running, simulated
+
+
+@pytest.fixture(scope="module")
+def place() -> Iterator[str]:
+    """A device that is told to stream by the tests."""
+    with simulated() as found:
+        yield found
+
+
+def lines(text: str) -> list[dict[str, Any]]:
+    return [json.loads(line) for line in text.splitlines()]
+
+
+def test_fields_at_rates(place: str) -> None:
+    words = ("sensor.scaled_accel", "sensor.scaled_gyro@50", "reference_timestamp")
+    code, out, error = mip("stream", place, *words, "--rate", "100", "--packets", "20")
+    assert (code, error) == (0, "")
+    found = lines(out)
+    assert all({"sensor.scaled_accel.x", "shared.reference_timestamp.nanoseconds"} <= one.keys() for one in found)
+    # In device time: each row 10 ms after the last, and the gyroscope in each second one.
+    times = [float(one["time"]) for one in found]
+    assert len(found) == 20 and [round(b - a, 6) for a, b in pairwise(times)] == [0.01] * 19
+    assert sum("sensor.scaled_gyro.x" in one for one in found) == 10
+
+
+def test_as_csv_the_columns_are_those_that_were_named(place: str) -> None:
+    code, out, error = mip(
+        "stream", place, "sensor.scaled_mag@10", "reference_timestamp@10", "--format", "csv", "--packets", "5"
+    )
+    assert (code, error) == (0, "")
+    rows = list(csv.reader(io.StringIO(out)))
+    assert rows[0][:3] == ["time [s]", "time_own", "sensor.scaled_mag.x [gauss]"] and len(rows) == 6
+    assert all(row[1] == "true" and row[2] for row in rows[1:])
+
+
+@pytest.mark.parametrize(
+    ("words", "error"),
+    [
+        (["sensor.scaled_accel", "--rate", "333"], "sensor cannot be started: rate: sensor.scaled_accel at 333 Hz"),
+        (["base.ping@10"], "base.ping is not data, which alone has a rate"),
+        (["sensor.scaled_accel@x"], "'x' is not a rate in Hz"),
+        (["--rate", "10"], "--rate of what?"),
+        (["reference_timestamp@10"], "a field that all sets have is sent with others; name one of these, too"),
+        (["dop@1"], "'dop' is in several sets; write gnss_data.dop or"),
+    ],
+)
+def test_what_cannot_be(words: list[str], error: str, place: str) -> None:
+    code, out, said = mip("stream", place, *words)
+    assert code in (1, 2) and out == "" and error in said
+
+
+def test_a_log_has_no_rates(tmp_path: Path) -> None:
+    path = tmp_path / "log"
+    path.write_bytes(log(0.5))
+    assert mip("stream", path, "sensor.scaled_accel@10")[0] == 2
+    code, out, _ = mip("stream", path, "sensor.scaled_accel")
+    assert code == 0 and out == mip("export", path, "sensor.scaled_accel", "--format", "jsonl", "-o", "-")[1]
+
+
+def test_it_ends_cleanly(place: str) -> None:
+    """By Ctrl-C, and when the reader stops."""
+    words = ("stream", place, "sensor.scaled_accel@100")
+    with running(*words) as process:
+        assert process.stdout is not None and process.stderr is not None
+        assert b"scaled_accel" in process.stdout.readline()
+        process.send_signal(signal.SIGINT)
+        rest, error = process.communicate(timeout=PATIENCE)
+        assert process.returncode == 0 and error == b""
+        assert not rest or rest.endswith(b"\n")
+    with running(*words) as process:
+        assert process.stdout is not None and process.stderr is not None
+        process.stdout.readline()
+        process.stdout.close()
+        assert process.wait(PATIENCE) == 141 and process.stderr.read() == b""
+
+
+@pytest.mark.parametrize(
+    "words", [("export", "-", "--format", "jsonl", "-o", "-"), ("dump", "-", "--json"), ("stream", "-")]
+)
+def test_a_pipe_is_not_held_back(words: tuple[str, ...]) -> None:
+    """Lines come while the pipe is open, and a moment after their packets."""
+    process = subprocess.Popen(
+        command(*words), stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=ENVIRONMENT
+    )
+    assert process.stdin is not None and process.stdout is not None
+    data = log(1.0)
+    try:
+        for part in (data[:2000], data[2000:4000]):
+            process.stdin.write(part)
+            process.stdin.flush()
+            time.sleep(0.7)  # longer than the preview in all
+        process.stdin.write(data[4000:5000])
+        process.stdin.flush()
+        assert json.loads(process.stdout.readline())
+        process.stdin.close()
+        assert process.wait(PATIENCE) == 0
+    finally:
+        process.kill()
+        process.wait()
+
+
+def test_an_export_of_a_pipe_is_that_of_the_file(tmp_path: Path) -> None:
+    path = tmp_path / "log"
+    path.write_bytes(log(1.0))
+    words = ("--format", "jsonl", "-o", "-", "--invalid", "mask")
+    assert mip("export", "-", *words, data=log(1.0)) == mip("export", path, *words)
+
+
+def test_packets_as_json(tmp_path: Path) -> None:
+    path = tmp_path / "log"
+    path.write_bytes(b"$GPGGA\r\n" + log(0.5))
+    code, out, _ = mip("dump", path, "--json", "--skipped", "--raw", "--count", "2")
+    first, second, _ = lines(out)
+    assert code == 0 and first == {"offset": 0, "skipped": b"$GPGGA\r\n".hex()}
+    assert second["set"] == "sensor" and second["offset"] == 8 and second["raw"].startswith("756580")
+    assert {f["field"] for f in second["fields"]} >= {"sensor.scaled_accel", "shared.gps_timestamp"}
+    assert set(second["fields"][1]["values"]["scaled_accel"]) == {"x", "y", "z"}
+
+
+@pytest.mark.parametrize("words", [("stream",), ("dump",), ("monitor",), ("record", "-o", "-")])
+def test_a_silent_port(words: tuple[str, ...]) -> None:
+    """It is said once what may be the matter, and it ends if it shall."""
+    with socket.create_server(("127.0.0.1", 0)) as silent:
+        where = f"127.0.0.1:{silent.getsockname()[1]}"
+        code, _, error = mip(words[0], where, *words[1:], "--timeout", "2.5")
+    cause = f"the device is idle, or the stream is off: `mip send {where} base.resume`\n"
+    assert code == 4
+    assert error == f"mip {words[0]}: no data for 2 s: {cause}mip {words[0]}: {where}: no data for 2.5 s: {cause}"
+
+
+def test_noise_is_no_silence() -> None:
+    with socket.create_server(("127.0.0.1", 0)) as server:
+        where = f"127.0.0.1:{server.getsockname()[1]}"
+        with running("stream", where, "--timeout", "1.5") as process:
+            connection, _ = server.accept()
+            with connection:
+                while process.poll() is None:
+                    try:
+                        connection.sendall(b"\x13\x37" * 20)
+                    except OSError:
+                        break
+                    time.sleep(0.05)
+            assert process.stderr is not None
+            assert b"bytes arrive, but no packet for 1.5 s: is the baud rate right?" in process.stderr.read()
+            assert process.wait(PATIENCE) == 4

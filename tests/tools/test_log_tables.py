@@ -1,0 +1,449 @@
+"""Tables: rows of instants and of packets, their names and types, in frames and in all files; rows at equal steps."""
+
+from __future__ import annotations
+
+import csv
+import gc
+import io
+import json
+import math
+import struct
+import weakref
+from pathlib import Path
+from typing import Any
+
+import pytest
+from mip_protocol import registry, shared
+from mip_protocol.packet import Packet
+from mip_protocol.parser import Parser
+from mip_protocol.reflection import info
+from mip_protocol.timestamps import moments
+from mip_tools import read_log
+from mip_tools.__main__ import main
+from mip_tools.columns import instants, resample, tables, text
+from mip_tools.columns.tables import Form
+from random_values import chance
+from support import later, rounds
+from test_columns import ACCEL, gps, packet, reference
+
+np, pa, pq, pandas, polars = (later(name) for name in ("numpy", "pyarrow", "pyarrow.parquet", "pandas", "polars"))
+
+
+def accel(x: float) -> tuple[int, bytes]:
+    return 0x04, struct.pack(">3f", x, 2 * x, -1)
+
+
+def angles(yaw: float, flags: int = 1) -> tuple[int, bytes]:
+    return 0x05, struct.pack(">3fH", 0, 0, yaw, flags)
+
+
+# --------------------------------------------------------------------------- the same in plain Python
+
+
+def drawn(seed: int, count: int) -> bytes:
+    """Packets of several sets, with equal, late and missing times, types twice in an instant, and damage."""
+    rng = chance(seed)
+    out, now = bytearray(), 100.0
+    for i in range(count):
+        now += rng.choice([0.0, 0.0, 0.5, 0.5, 0.5, -20.0 if rng.random() < 0.02 else 0.5])
+        late = now - rng.choice([0, 0, 0, 0.5, 1.0])
+        number = rng.choice([0x80, 0x80, 0x82, 0x91])
+        fields: list[tuple[int, bytes]] = []
+        if rng.random() < 0.85:
+            fields.append(gps(late, flags=rng.choice([3, 3, 3, 3, 1])))
+        if rng.random() < 0.3:
+            fields.append((0xD6, struct.pack(">Q", i)))  # differs in each set
+        for _ in range(rng.choice([1, 1, 1, 2])):
+            fields += {
+                0x80: [accel(i), (0x05, struct.pack(">3f", i, math.nan, 1e-7))][: rng.choice([1, 2])],
+                0x82: [angles(i, rng.choice([0, 1]))],
+                0x91: [(0x0B, struct.pack(">BBHH", 3, i % 40, 3, rng.choice([1, 3])))],
+            }[number]
+        one = bytearray(packet(number, *fields))
+        if rng.random() < 0.05:
+            one[-1] ^= 1
+        out += one
+    return bytes(out)
+
+
+def rows_of(stream: bytes, by: str, near: int) -> list[dict[str, Any]]:
+    """The rows of a table of all data: name -> value, without what is missing."""
+    parser, at, last = Parser(), 0, {}
+    found: list[tuple[int, Packet]] = []
+    for one in (*parser.feed(stream), *parser.flush()):
+        at = stream.index(bytes(one), at)
+        found.append((at, one))
+        at += len(one)
+    opened: dict[int, list[Any]] = {}  # time -> the last instant with it: where it begins, its fields
+    order: list[list[Any]] = []
+    for at, one in found:
+        own = moments(one)
+        if "gps" in own:
+            last[one.set] = own["gps"]
+        time = own.get("gps")
+        instant = opened.get(time) if time is not None and by == "time" else None
+        if instant is None or at - instant[0] > near:
+            instant = [at, last.get(one.set), "gps" in own, {}]
+            order.append(instant)
+            if time is not None:
+                opened[time] = instant
+        for field in registry.decode_packet(one):
+            if isinstance(field, tuple):
+                continue
+            set, name = field.name_in(one.set).split(".", 1)
+            stamp = isinstance(field, shared.GpsTimestamp)
+            if set == "shared" and not stamp and by == "time":
+                set = {0x80: "sensor", 0x82: "filter_data", 0x91: "gnss_1"}[one.set]
+            same = instant[3].setdefault((set, name), [])
+            if not (stamp and same and by == "time"):
+                same.append(field)
+    rows = []
+    for _, time, is_own, fields in order:
+        for turn in range(max(map(len, fields.values()), default=0)):
+            row = {"time": time, "time_own": is_own}
+            for (set, name), several in fields.items():
+                if turn < len(several):
+                    row |= cells_of(f"{set}.{name}", several[turn])
+            rows.append({k: v for k, v in row.items() if v is not None})
+    return rows
+
+
+def cells_of(name: str, field: Any) -> dict[str, Any]:
+    cells = {}
+    for p in info(type(field)).members:
+        value = getattr(field, p.attribute)
+        full = name if name.endswith(f".{p.name}") else f"{name}.{p.name}"
+        if p.elements:
+            cells |= {f"{full}.{element}": x for element, x in zip(p.elements, value)}
+        else:
+            cells[full] = int(value) if isinstance(value, int) else value
+    return cells
+
+
+def equal(a: Any, b: Any) -> bool:
+    return a == b or (isinstance(a, float) and isinstance(b, float) and math.isnan(a) and math.isnan(b))
+
+
+def check(found: list[dict[str, Any]], wanted: list[dict[str, Any]]) -> None:
+    assert len(found) == len(wanted)
+    for row, other in zip(found, wanted):
+        assert row.keys() == other.keys(), (row, other)
+        assert all(equal(row[name], other[name]) for name in row), (row, other)
+
+
+def all_data(log: Any, by: str) -> tuple[list[Any], Form]:
+    form = Form(by, wanted=lambda set, descriptor: set >= 0x80)
+    kinds, clock = tables.survey(log, form)
+    assert clock == "gps"
+    return kinds, form._replace(clock=clock)
+
+
+def as_rows(table: Any) -> list[dict[str, Any]]:
+    """Of a table of Arrow; floats of four bytes as Python has them."""
+    table = table.set_column(0, "time", table["time"].cast(pa.int64()))
+    return [{k: v for k, v in row.items() if v is not None} for row in table.to_pylist()]
+
+
+@pytest.mark.parametrize("by", ["time", "packet"])
+@pytest.mark.parametrize("near", [1 << 16, 300])
+def test_rows_are_those_that_plain_python_finds(by: str, near: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """In one table, and in parts of any size."""
+    monkeypatch.setattr(instants, "TOGETHER", near)
+    for seed in range(rounds(3, 40)):
+        stream = drawn(seed, 250)
+        log = read_log(stream)
+        wanted = rows_of(stream, by, near)
+        kinds, form = all_data(log, by)
+        frame = log.frame([kind for _, kind in registry_order(kinds)], by=by, library="pyarrow")
+        check(as_rows(frame), wanted)
+        for size in (200, 1500, 1 << 22):
+            monkeypatch.setattr(tables, "PART", size)
+            parts = [table for table, _ in tables.parts(log, kinds, form)]
+            made = [tables_as_arrow(table) for table in parts]
+            assert all(one.schema.equals(made[0].schema, check_metadata=True) for one in made)
+            check(as_rows(pa.concat_tables(made)), wanted)
+
+
+def registry_order(kinds: list[Any]) -> list[Any]:
+    """The types, each once: a frame divides shared fields itself."""
+    seen: dict[Any, Any] = {}
+    for number, kind in kinds:
+        seen.setdefault(kind, number)
+    return [(number, kind) for kind, number in seen.items()]
+
+
+def tables_as_arrow(table: Any) -> Any:
+    from mip_tools.columns.frames import made
+
+    return made(table.columns, "pyarrow", True)
+
+
+def test_frames_of_all_libraries_and_all_files_have_one_schema(tmp_path: Path) -> None:
+    """Names, units, types and every value, as docs/columns.md states them."""
+    stream = drawn(5, 300)
+    (tmp_path / "log.bin").write_bytes(stream)
+    log = read_log(stream)
+    for options in ({"by": "time"}, {"by": "packet"}, {"by": "time", "invalid": "mask"}):
+        kinds, form = all_data(log, options["by"])
+        form = form._replace(**options)
+        words = [w for name, value in options.items() for w in (f"--{name}", value)]
+        base = tables_as_arrow(next(iter(tables.parts(log, kinds, form)))[0])
+        assert base.num_rows > 100
+        files = {}
+        for form_ in ("parquet", "arrow", "npz", "csv", "jsonl"):
+            files[form_] = tmp_path / f"t.{form_}"
+            assert main(["export", str(tmp_path / "log.bin"), "-o", str(files[form_]), *words]) == 0
+        for read in (pq.read_table(files["parquet"]), pa.ipc.open_file(files["arrow"]).read_all()):
+            assert read.schema.equals(base.schema, check_metadata=True)
+            assert repr(read.to_pydict()) == repr(base.to_pydict())
+        units = {f.name: (f.metadata or {}).get(b"unit", b"").decode() for f in base.schema}
+        wanted = as_rows(base)
+
+        with np.load(files["npz"]) as arrays:
+            schema = json.loads(str(arrays["schema"]))
+            assert {name: facts.get("unit", "") for name, facts in schema.items()} == units
+            assert arrays["time"].dtype == "datetime64[ns]"
+            for name, kind in zip(base.schema.names, base.schema.types):
+                held = arrays[name]
+                valid = arrays[f"{name}/valid"] if f"{name}/valid" in arrays else np.ones(len(held), bool)
+                assert valid.tolist() == [v is not None for v in base[name].to_pylist()]
+                if name != "time":
+                    assert held.dtype == kind.to_pandas_dtype()
+                    present = [v for v in base[name].to_pylist() if v is not None]
+                    assert all(map(equal, held[valid].tolist(), present))
+
+        table = list(csv.reader(io.StringIO(files["csv"].read_text())))
+        assert table[0] == [f"{name} [{unit}]" if unit else name for name, unit in units.items()]
+        lines = files["jsonl"].read_text().splitlines()
+        assert len(table) - 1 == len(lines) == len(wanted)
+        for cells, line, row in zip(table[1:], lines, wanted):
+            members = json.loads(line)
+            assert list(members) == [name for name in units if name in row]
+            for name, cell in zip(units, cells):
+                assert (cell == "") == (name not in row)
+                if name == "time" and name in row:
+                    stamp = np.datetime64(row[name], "ns")
+                    assert cell == members[name] == f"{stamp}Z"
+                elif name in row:
+                    value, single = row[name], base.schema.field(name).type == pa.float32()
+                    assert members[name] is None if value != value else equal(read_number(members[name], single), value)
+                    assert equal(read_number(json.loads(cell) if cell != "nan" else math.nan, single), value)
+
+        if "invalid" in options or options["by"] == "packet":
+            continue
+        types = [kind for _, kind in registry_order(kinds)]
+        whole = log.frame(types, library="pyarrow")
+        assert sorted(whole.schema.names) == sorted(base.schema.names)
+        by_pandas, by_polars = log.frame(types), log.frame(types, library="polars")
+        titles = [f"{name} [{units[name]}]" if units[name] else name for name in whole.schema.names]
+        assert list(by_pandas.columns) == titles == by_polars.columns
+        assert str(by_pandas["time"].dtype) == "datetime64[ns, UTC]"
+        assert by_polars["time"].dtype == polars.Datetime("ns", "UTC")
+        for name, title in zip(whole.schema.names[1:], titles[1:]):
+            values = whole[name].to_pylist()
+            assert all(map(equal, by_polars[title].to_list(), values))
+            there = [v for v in by_pandas[title].tolist() if not pandas.isna(v)]
+            assert there == [v for v in values if v is not None and v == v]
+
+
+def read_number(value: Any, single: bool) -> Any:
+    """A number that was written with as few digits as it needs with four bytes."""
+    return float(np.float32(value)) if single and isinstance(value, (int, float)) else value
+
+
+# --------------------------------------------------------------------------- instants
+
+
+def test_what_belongs_to_one_instant_is_one_row() -> None:
+    """A message in two packets, a set that comes later, and a receiver that repeats the time."""
+    stream = b"".join([
+        packet(0x80, gps(10), accel(1)),
+        packet(0x82, gps(10), angles(1)),
+        packet(0x82, gps(10), (0x0D, struct.pack(">3fH", 1, 2, 3, 1))),
+        packet(0x80, gps(11), accel(2)),
+        packet(0x82, gps(11), angles(2)),
+        packet(0x80, accel(3)),
+    ])  # fmt: skip
+    log = read_log(stream)
+    kinds = ["sensor.scaled_accel", "filter_data.euler_angles", "filter_data.linear_accel", "shared.gps_timestamp"]
+    frame = log.frame(kinds, units=False)
+    assert frame["sensor.scaled_accel.x"].tolist() == [1, 2, 3]
+    assert frame["filter_data.euler_angles.yaw"].tolist()[:2] == [1, 2]
+    assert frame["filter_data.linear_accel.accel.x"].tolist()[0] == 1
+    assert frame["shared.gps_timestamp.tow"].tolist()[:2] == [10, 11]
+    assert frame["time_own"].tolist() == [True, True, False]
+    assert len(log.frame(kinds, by="packet")) == 6
+    assert len(log.frame(kinds, time=None)) == 3 and "time" not in log.frame(kinds, time=None)
+    with pytest.raises(ValueError, match="by 'second': time or packet"):
+        log.frame(kinds, by="second")
+
+
+def test_a_clock_that_starts_again_makes_new_instants() -> None:
+    boot = packet(0x80, reference(5), ACCEL) + packet(0x82, reference(5), angles(1))
+    pause = b"\0" * instants.TOGETHER
+    frame = read_log(boot + pause + boot).frame(["sensor.scaled_accel", "filter_data.euler_angles"])
+    assert len(frame) == 2
+    near = read_log(boot + boot).frame(["sensor.scaled_accel", "filter_data.euler_angles"])
+    assert len(near) == 2 and near["time"].nunique() == 1  # each type twice: two rows of one instant
+
+
+def test_parts_are_freed_as_they_are_passed() -> None:
+    """Not only when Python looks for cycles, which it does too rarely for large arrays."""
+    log, seen = read_log(drawn(3, 100)), []
+    gc.disable()
+    try:
+        for part in log.parts(1000):
+            assert len(part["shared.gps_timestamp"].time().values) == len(part["shared.gps_timestamp"])
+            seen.append(weakref.ref(part))
+        del part
+        assert len(seen) > 3 and not any(ref() for ref in seen)
+    finally:
+        gc.enable()
+
+
+# --------------------------------------------------------------------------- equal steps
+
+
+def sampled(stream: bytes, rate: Any = "10Hz", kinds: Any = None, **options: Any) -> Any:
+    return read_log(stream).resample(rate, kinds, units=False, **options)
+
+
+def moving(times: list[float], make: Any, number: int = 0x80) -> bytes:
+    return b"".join(packet(number, gps(t), make(t)) for t in times)
+
+
+def test_linear_nearest_and_last() -> None:
+    stream = moving([10.0, 10.2, 10.4, 10.6], lambda t: accel(round(t - 10, 6)))
+    x = "scaled_accel.x"
+    kind = "sensor.scaled_accel"
+    assert sampled(stream, 10, kind)[x].tolist() == pytest.approx([0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6])
+    near = sampled(stream, "20 Hz", kind, method="nearest")[x].tolist()
+    assert near == pytest.approx([0, 0, 0, 0.2, 0.2, 0.2, 0.2, 0.4, 0.4, 0.4, 0.4, 0.6, 0.6])
+    last = sampled(stream, "100ms", kind, method="last")[x].tolist()
+    assert last == pytest.approx([0, 0, 0.2, 0.2, 0.4, 0.4, 0.6])
+    assert sampled(stream, 5, kind)[x].tolist() == np.float32([0, 0.2, 0.4, 0.6]).tolist()  # exactly what was measured
+    times = sampled(stream, 10, kind)["time"].astype(str).tolist()
+    assert times[1].endswith("52.100000+00:00") and times[0].endswith("52+00:00")
+
+
+def test_angles_take_the_short_way_and_flags_are_never_between() -> None:
+    stream = moving([10.0, 10.2, 10.4], lambda t: angles({10.0: 3.0, 10.2: -3.0, 10.4: -2.8}[t], flags=1), 0x82)
+    frame = sampled(stream, 10, "filter_data.euler_angles")
+    middle = math.remainder((3.0 + (2 * math.pi - 3.0)) / 2, 2 * math.pi)
+    yaw = frame["yaw"].tolist()
+    assert abs(yaw[1]) == pytest.approx(abs(middle), abs=1e-6)
+    assert yaw[3] == pytest.approx(-2.9)
+    assert frame["valid_flags"].tolist() == [1] * 5
+    assert str(frame["valid_flags"].dtype).lower() == "uint16"
+
+
+def test_quaternions_stay_of_length_one() -> None:
+    half = math.sqrt(0.5)
+    values = {
+        10.0: (1, 0, 0, 0),
+        10.2: (-half, 0, 0, -half),
+        10.4: (0, 0, 0, 1),
+    }  # a quarter turn; the signs say nothing
+    stream = moving([*values], lambda t: (0x03, struct.pack(">4fH", *values[t], 1)), 0x82)
+    frame = sampled(stream, 10, "filter_data.attitude_quaternion")
+    parts = frame[[c for c in frame if c.endswith((".w", ".x", ".y", ".z"))]].to_numpy()
+    assert np.linalg.norm(parts, axis=1) == pytest.approx([1] * 5, abs=1e-6)
+    assert abs(parts[1] @ (math.cos(math.pi / 8), 0, 0, math.sin(math.pi / 8))) == pytest.approx(1, abs=1e-3)
+
+
+def test_gaps_pauses_and_invalid_values_are_not_bridged() -> None:
+    times = [10.0, 10.1, 10.2, 10.3, 11.0, 11.1, 11.2, 40.0, 40.1]
+    stream = moving(times, lambda t: angles(t / 100, flags=int(t != 10.1)), 0x82)
+    frame = sampled(stream, 10, "filter_data.euler_angles")
+    yaw = frame["yaw"].tolist()
+    assert yaw[1] == pytest.approx(0.101)  # between its valid neighbours
+    assert np.isnan(yaw[4:10]).all() and yaw[10] == pytest.approx(0.11)
+    assert len(frame) == 13 + 2  # nothing in the pause
+    again = moving([10.0, 10.1], accel) + moving([5000.0, 5000.1], accel) + moving([10.0, 10.1], accel)
+    assert sampled(again, 10, "sensor.scaled_accel")["scaled_accel.x"].tolist() == pytest.approx(
+        [10, 10.1, 5000, 5000.1, 10, 10.1], rel=1e-6
+    )
+
+
+@pytest.mark.parametrize("library", ["pandas", "pyarrow"])
+def test_clocks_are_merged_and_stated(library: str) -> None:
+    """The filter has only the reference clock; the sensor's packets have both."""
+    stream = b"".join(
+        packet(0x80, gps(10 + i / 10), reference(7_000_000_000 + i * 100_000_000), accel(i))
+        + packet(0x82, reference(7_050_000_000 + i * 100_000_000), angles(i / 10))
+        for i in range(10)
+    )
+    found = read_log(stream).resample("20Hz", library=library, time="gps")
+    if library == "pandas":
+        assert found.attrs == {"clock": "gps", "converted": "filter_data from reference"}
+        yaw = found["filter_data.euler_angles.yaw [rad]"].tolist()
+        assert yaw[1::2] == pytest.approx([i / 10 for i in range(10)], abs=1e-6)
+        assert np.isnan(yaw[0])
+    else:
+        assert found.schema.field("time").metadata == {b"clock": b"gps", b"converted": b"filter_data from reference"}
+
+
+@pytest.mark.parametrize("rate", ["fast", "0Hz", -1, "10 miles", "2h", float("nan"), "1GHz"])
+def test_rates_that_cannot_be(rate: Any) -> None:
+    with pytest.raises(ValueError, match="write '100Hz', '10ms', or a number in Hz"):
+        resample.step(rate)
+
+
+def test_what_cannot_be_resampled() -> None:
+    with pytest.raises(ValueError, match="no valid timestamps"):
+        sampled(packet(0x80, accel(1)))
+    with pytest.raises(ValueError, match="method 'cubic': linear, nearest, last"):
+        sampled(moving([1.0], accel), method="cubic")
+
+
+# --------------------------------------------------------------------------- NMEA, and what notebooks show
+
+
+def nmea(body: str) -> bytes:
+    check = 0
+    for byte in body.encode():
+        check ^= byte
+    return f"${body}*{check:02X}\r\n".encode()
+
+
+def test_nmea_sentences_are_a_table_with_times() -> None:
+    lines = [nmea("GPGGA,1,2"), nmea("PMSTR,x"), nmea("GNRMC,,,A")]
+    data = [packet(0x80, gps(10 + i), accel(i)) for i in range(3)]
+    stream = lines[0] + data[0] + lines[1] + b"$GPGGA,bad*00\r\n" + data[1] + lines[2][:5] + data[2] + lines[2][5:]
+    log = read_log(stream)
+    frame = log.nmea()
+    assert frame["sentence"].tolist() == [line.strip().decode() for line in lines]
+    assert frame["talker"].tolist() == ["GP", "P", "GN"] and frame["type"].tolist() == ["GGA", "MSTR", "RMC"]
+    assert frame["fields"].tolist() == [["1", "2"], ["x"], ["", "", "A"]]
+    assert frame["offset"].tolist() == [0, len(lines[0] + data[0]), stream.index(b"$GNRM")]
+    assert frame["time"].isna().tolist() == [True, False, False]
+    assert str(frame["time"][2] - frame["time"][1]) == "0 days 00:00:01"
+    assert log.nmea(library="polars").height == log.nmea(library="pyarrow", time=None).num_rows == 3
+    assert len(read_log(data[0]).nmea()) == 0
+
+
+def test_what_a_notebook_shows() -> None:
+    log = read_log(b"".join(packet(0x80, reference(i * 10_000_000), accel(i)) for i in range(5)) + b"<x>")
+    shown = log._repr_html_()
+    assert "5 packets, 3 bytes outside packets" in shown and "&lt;Log in memory" in shown
+    assert "sensor.scaled_accel</td><td style='text-align: right'>5</td><td style='text-align: right'>100<" in shown
+    names = log._ipython_key_completions_()
+    assert names == ["sensor.scaled_accel", "shared.reference_timestamp"]
+    assert all(len(log[name]) == 5 for name in names)
+
+
+def test_text_of_special_values() -> None:
+    columns = [
+        tables.Series("a%", np.array([0.1, np.nan, np.inf], np.float32), None, {"unit": "%"}),
+        tables.Series("b", np.array(["x,y", 'q"', None], object), np.array([False, False, True]), {}),
+        tables.Series("c", np.array([[1, 2], [3, 4], [5, 6]], np.uint8), None, {}),
+        tables.Series("d", np.array([-1, 10**9 + 1, 0], "m8[ns]"), None, {"clock": "reference"}),
+        tables.Series("e", np.array([[0.1], [], [2.5]], object), None, {}, (1, "<f4")),
+    ]
+    assert text.csv_head(columns) == "a% [%],b,c,d [s],e\n"
+    assert "".join(text.csv_lines(columns)).splitlines() == [
+        '0.1,"x,y","[1,2]",-0.000000001,[0.1]', 'nan,"q""","[3,4]",1.000000001,[]', 'inf,,"[5,6]",0.000000000,[2.5]',
+    ]  # fmt: skip
+    lines = [json.loads(line) for line in "".join(text.json_lines(columns)).splitlines()]
+    assert lines[0] == {"a%": 0.1, "b": "x,y", "c": [1, 2], "d": -1e-9, "e": [0.1]}
+    assert lines[1]["a%"] is None and lines[2] == {"a%": None, "c": [5, 6], "d": 0, "e": [2.5]}

@@ -1,0 +1,95 @@
+"""`mip doctor`: what is wrong with a device, a port or a log, and why."""
+
+from __future__ import annotations
+
+import argparse
+import dataclasses
+import json
+from collections.abc import Iterable
+
+from ..doctor import findings, report
+from ..doctor.findings import Finding
+from ..doctor.port import Patient
+from ..doctor.stream import Examination, Examined
+from ..errors import Misuse
+from . import inputs, outputs, ports, signals
+from .arguments import add_device, device_id, seconds
+from .scan import Piece
+from .stream import asked
+
+EPILOG = """\
+examples:
+  mip doctor /dev/ttyACM0
+  mip doctor /dev/ttyACM0 sensor.scaled_accel@500      is this rate reached, and if not, why?
+  mip doctor drive.bin --html drive.html
+  mip doctor drive.bin --device 3dm-gq7                with the warnings of its filter
+
+At a port, it asks the device for its identity and then only listens; no setting is changed. In a
+log, gaps are named with their causes: line damage, overload, pause, reset, clock step, changed
+format. Filter warnings are those of the last data and of the whole log.
+
+exit status: 0 if nothing is wrong, 1 if something is
+"""
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.epilog = EPILOG
+    add = parser.add_argument
+    add("input", metavar="PORT|LOG", help="such as /dev/ttyACM0, COM3, HOST:PORT; a log; - for standard input")
+    add("names", nargs="*", default=[], metavar="NAME@HZ", help="rates that a device should reach")
+    add("--duration", type=seconds, default=5.0, metavar="S", help="seconds to watch a device (default: 5)")
+    add("--html", metavar="FILE", help="write a report with a timeline")
+    add("--json", action="store_true", help="print JSON, for programs")
+    add_device(parser)
+    ports.add_arguments(parser)
+
+
+def run(options: argparse.Namespace) -> int:
+    names, rates = asked(options.names, None)
+    if len(names) != len(rates):
+        raise Misuse("a rate is needed with each name, as in sensor.scaled_accel@100")
+    device = device_id(options.device)
+    if inputs.is_port(options.input) or options.input.startswith("/dev/"):
+        patient = Patient(options.input, options)
+        with signals.handled(signals.interrupt):
+            patient.watch(options.duration, rates)
+        found = _examined(patient.pieces, device or patient.model)
+        patient.line(options.duration)
+        patient.rates(rates if patient.pieces else {}, found)
+        said = patient.findings + (findings.of(found) if found.packets else [])
+    elif rates:
+        raise Misuse(f"{options.input} is not a port; rates are for devices")
+    else:
+        found = _examined(inputs.pieces(options.input), device)
+        said = findings.of(found)
+    if options.html:
+        with outputs.whole(options.html) as out:
+            out.write(report.page(options.input, found, said).encode())
+    if options.json:
+        print(json.dumps({"input": options.input, "findings": [dataclasses.asdict(f) for f in said]}, indent=2))
+    else:
+        _print(options.input, found, said)
+    return 1 if any(f.cause not in _NOTES for f in said) else 0
+
+
+#: Findings that are nothing wrong.
+_NOTES = ("unknown device", "no timestamps")
+
+
+def _examined(pieces: Iterable[Piece], device: str | None) -> Examined:
+    examination = Examination(device)
+    examination.feed(pieces)
+    return examination.end()
+
+
+def _print(name: str, found: Examined, said: list[Finding]) -> None:
+    span = findings.duration(found)
+    print(f"{name}: {inputs.counted(found.packets, 'packet')}{f' in {span:.1f} s' if span else ''}")
+    for f in said:
+        print(f"{f.cause}: {f.text}")
+        if f.remedy:
+            print(f"  {f.remedy}")
+        for text in f.details:
+            print(f"    {text}")
+    if not said:
+        print("nothing is wrong")

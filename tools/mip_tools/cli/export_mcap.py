@@ -1,0 +1,182 @@
+"""MCAP: a channel for each field, with JSON messages and their schemas, as Foxglove opens them."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import time
+from collections.abc import Iterable, Iterator, Sequence
+from importlib import import_module
+from typing import IO, Any
+
+from .. import __version__
+from ..binding import Described, Field, MissingExtra, Parameter, Structure, info
+from ..errors import Failure, Misuse
+from ..occurrence import Occurrence
+from . import inputs, outputs, values
+from .clocks import dated
+from .samples import Sample, kept, samples, survey
+from .selection import Selection
+
+#: Messages that wait for the first time of a log.
+HELD = 100_000
+
+#: What the times of messages are.
+TIMES = {
+    "dated": "UTC in ns since 1970, from the {} clock of the device",
+    "undated": "ns since the origin of the {} clock of the device, which has no date",
+    "host": "UTC in ns since 1970, when the host received it; the device has sent no time",
+}
+
+
+def require(form: str) -> Any:
+    """The writer of MCAP. Raises Failure if its package is missing."""
+    try:
+        return import_module("mcap.writer")
+    except ImportError:
+        raise Failure(f"{MissingExtra('mcap', 'mcap')}; csv and jsonl need nothing") from None
+
+
+class Job:
+    """What is to be written of a log."""
+
+    def __init__(self, name: str, options: argparse.Namespace, selection: Selection) -> None:
+        self._name, self._options, self._selection = name, options, selection
+        self.types, self._clock = survey(inputs.pieces(name), selection)
+        check(self._clock, options)
+
+    def write(self, path: str, types: Sequence[Occurrence]) -> None:
+        """Writes fields of these types into a file."""
+        packets = samples(inputs.pieces(self._name), types, self._selection, self._clock)
+        with outputs.whole(path) as out:
+            write_mcap(out, kept(packets, self._options.invalid), self._clock, self._options.named)
+
+
+def check(clock: str | None, options: argparse.Namespace) -> None:
+    """Messages have times. Raises Failure or Misuse without a clock that can give them."""
+    if options.time not in (None, "utc", "clock"):
+        raise Misuse(f"--time {options.time} is for tables; messages have the time of the clock")
+    if clock is None:
+        raise Failure("the log has no valid times, which messages must have; csv and jsonl need none")
+    if options.time == "utc" and not dated(clock):
+        raise Failure("the log has no dates; use --time clock")
+
+
+def write_mcap(
+    out: IO[bytes], packets: Iterator[list[Sample]], clock: str | None, named: bool, live: bool = False
+) -> None:
+    """Writes samples; `live`: without a clock, messages have the time of the host. The file is complete after an
+    interrupt, too."""
+    module = require("mcap")
+    writer = module.Writer(_Counted(out))
+    writer.start(profile="", library=f"mip-tools {__version__}")
+    meaning = clock_meaning(clock)
+    writer.add_metadata("mip", {"clock": clock or "host", "time": meaning})
+    channels: dict[Occurrence, int] = {}
+    try:
+        for sample, moment in timed(packets, live and clock is None):
+            kind = sample.kind
+            if kind not in channels:
+                text = json.dumps(schema(kind.kind, named))
+                known = writer.register_schema(f"mip.{kind.name}", "jsonschema", text.encode())
+                topic = f"/mip/{kind.name.replace('.', '/')}"
+                about = {"descriptor": f"0x{kind.set:02X},0x{kind.kind.DESCRIPTOR:02X}", "time": meaning}
+                channels[kind] = writer.register_channel(topic, "json", known, about)
+            data = json.dumps(message(sample.value, named), separators=(",", ":"), allow_nan=False).encode()
+            writer.add_message(channels[kind], moment, data, moment, sample.packet & 0xFFFFFFFF)
+    finally:
+        writer.finish()
+
+
+class _Counted:
+    """Output that knows its place, even if it is a pipe."""
+
+    def __init__(self, out: IO[bytes]) -> None:
+        self._out, self._size = out, 0
+
+    def write(self, data: bytes) -> int:
+        self._size += len(data)
+        return self._out.write(data)
+
+    def tell(self) -> int:
+        return self._size
+
+    def flush(self) -> None:
+        self._out.flush()
+
+
+def clock_meaning(clock: str | None) -> str:
+    """What the times of messages are, in a sentence."""
+    return TIMES["host" if clock is None else "dated" if dated(clock) else "undated"].format(clock)
+
+
+def timed(packets: Iterable[list[Sample]], by_host: bool) -> Iterator[tuple[Sample, int]]:
+    """Each sample with its time in ns: the last known one; before the first, that. Raises Failure if none comes."""
+    last: int | None = None
+    waiting: list[Sample] = []
+    for packet in packets:
+        for sample in packet:
+            moment = time.time_ns() if by_host else sample.time
+            last = last if moment is None else max(moment, 0)
+            waiting.append(sample)
+        if last is not None:
+            yield from ((sample, max(last if sample.time is None else sample.time, 0)) for sample in waiting)
+            waiting.clear()
+        elif len(waiting) > HELD:
+            raise Failure(f"no time in the first {HELD} fields; use --time clock, or jsonl")
+
+
+# --------------------------------------------------------------------------- messages and schemas
+
+
+def message(field: Field, named: bool) -> dict[str, Any]:
+    """The values of a field as its schema describes them; those that JSON has no number for are left out."""
+    return _object(field, values.plain(field, named))
+
+
+def _object(record: Described, held: dict[str, Any]) -> dict[str, Any]:
+    made = {}
+    for p in info(type(record)).members:
+        value = held[p.name]
+        if isinstance(value, list) and p.elements and p.length is None:
+            value = dict(zip(p.elements, value))
+        if isinstance(value, dict):
+            value = {k: v for k, v in value.items() if v is not None}
+        if value is not None:
+            made[p.name] = value
+    return made
+
+
+def schema(kind: type[Field], named: bool) -> dict[str, Any]:
+    """The JSON Schema of a field's messages."""
+    found = info(kind)
+    properties = {p.name: _of_parameter(p, named) for p in found.members}
+    return {"title": found.name, "description": found.title, "type": "object", "properties": properties}
+
+
+def _of_parameter(p: Parameter, named: bool) -> dict[str, Any]:
+    notes = [*((f"in {p.unit}",) if p.unit not in ("", "1") else ()), *((f"frame: {p.frame}",) if p.frame else ())]
+    said: dict[str, Any] = {"description": "; ".join(notes)} if notes else {}
+    if p.kind == "text":
+        return {"type": "string", **said}
+    if p.kind in ("struct", "switch"):
+        return {"type": "object", **said}
+    one = _one(p, named)
+    if p.kind == "array" and p.elements and p.length is None:
+        return {"type": "object", "properties": dict.fromkeys(p.elements, one), **said}
+    if p.kind == "array":
+        return {"type": "array", "items": one, **said}
+    return one | said
+
+
+def _one(p: Parameter, named: bool) -> dict[str, Any]:
+    if isinstance(p.type, type) and issubclass(p.type, Structure):
+        return {"type": "object"}
+    if named and p.type is not None:
+        return {} if hasattr(info(p.type), "bits") else {"type": "string"}
+    if p.scalar in ("float", "double"):
+        return {"type": "number"}
+    return {"type": "boolean" if p.scalar == "bool" else "integer"}
+
+
+__all__ = ["Job", "check", "clock_meaning", "message", "require", "schema", "timed", "write_mcap"]

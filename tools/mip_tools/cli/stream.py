@@ -1,0 +1,144 @@
+"""`mip stream`: what a device sends, as lines or messages, as it arrives."""
+
+from __future__ import annotations
+
+import argparse
+import re
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from ..binding import Data, MipError
+from ..errors import Failure, Misuse
+from ..occurrence import Occurrence
+from . import inputs, live, outputs, ports, show, signals, silence, table_options
+from .arguments import hertz, positive, seconds
+from .scan import Piece
+from .selection import Selection, fields
+
+if TYPE_CHECKING:
+    from ..binding import DeviceAtPort, Field
+
+EPILOG = """\
+examples:
+  mip stream /dev/ttyACM0                            all that comes, a line for each instant
+  mip stream /dev/ttyACM0 sensor.scaled_accel sensor.scaled_gyro --rate 100
+  mip stream /dev/ttyACM0 sensor.scaled_accel@100 sensor.scaled_mag@20 --format csv | head
+  mip stream localhost:5000 --format mcap -o drive.mcap --duration 60
+  mip record /dev/ttyACM0 -o - | mip stream - --format csv
+
+With rates, the device is told to send these fields, in place of all others of their sets, and it
+continues afterwards; without, it is not changed. Lines have the form of `mip export`, with the time
+of the device. If it does not send a time, name a timestamp, too. The clock, and the columns of csv
+if no fields are named, are those of the first second.
+
+Ctrl-C ends it. exit status: 4 if nothing arrives within --timeout
+"""
+
+_RATE = re.compile(r"(.+)@([^@]*)")
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.epilog = EPILOG
+    add = parser.add_argument
+    add("input", metavar="PORT", help="such as /dev/ttyACM0, COM3, HOST:PORT; a log, or - for standard input")
+    add("names", nargs="*", default=[], metavar="NAME[@HZ]", help="these fields or sets only; fields with a rate")
+    add("--rate", type=hertz, metavar="HZ", help="start the named fields at this rate")
+    add("--format", choices=live.FORMATS, default="jsonl", help="default: jsonl")
+    add("-o", "--output", default="-", metavar="FILE", help="where to write (default: standard output)")
+    add("--duration", type=seconds, metavar="S", help="end after S seconds")
+    add("--packets", type=positive, metavar="N", help="end after N packets")
+    table_options.add_arguments(parser)
+    silence.add_arguments(parser)
+    ports.add_arguments(parser)
+
+
+def run(options: argparse.Namespace) -> int:
+    names, rates = asked(options.names, options.rate)
+    selection = Selection(names, data=True)
+    at_port = inputs.is_port(options.input)
+    if rates and not at_port:
+        raise Misuse(f"{options.input} is not a port; rates are for devices")
+    outputs.refuse_input(options.output, options.input)
+    found = [one for name in names for one in _single(name)] if all(map(_single, names)) else []
+    arriving = _counted(_arriving(options, rates, at_port), options.packets)
+    with signals.handled(signals.interrupt), outputs.whole(options.output, keep=True) as out:
+        try:
+            live.write(out, options.format, arriving, options, selection, found)
+        except KeyboardInterrupt:  # the usual way to end it
+            pass
+    return 0
+
+
+Rates = dict[Occurrence, float]
+
+
+def asked(words: list[str], rate: float | None) -> tuple[list[str], Rates]:
+    """The names of what is wanted, and the rates of fields. Raises Misuse."""
+    if rate is not None and not words:
+        raise Misuse("--rate of what? name fields, as in sensor.scaled_accel")
+    names: list[str] = []
+    rates: Rates = {}
+    for word in words:
+        said = _RATE.fullmatch(word)
+        name, wanted = (said[1], _hertz(said[2])) if said else (word, rate)
+        names.append(name)
+        if wanted is not None:
+            rates |= {one: wanted for one in _of_one_set(name)}
+    return names, rates
+
+
+def _hertz(text: str) -> float:
+    try:
+        return hertz(text)
+    except argparse.ArgumentTypeError as error:
+        raise Misuse(str(error)) from None
+
+
+def _single(name: str) -> list[Occurrence]:
+    """The field of a name in each set that has it; empty if the name is that of a set."""
+    try:
+        return [one for one in fields(name) if issubclass(one.kind, Data)]
+    except Misuse:
+        return []
+
+
+def _of_one_set(name: str) -> list[Occurrence]:
+    found = [one for one in fields(name) if issubclass(one.kind, Data)]
+    if not found:
+        raise Misuse(f"{name} is not data, which alone has a rate; `mip fields` lists it")
+    if len(found) > 1:
+        raise Misuse(f"'{name}' is in several sets; write {' or '.join(one.name for one in found)}")
+    return found
+
+
+def _start(device: DeviceAtPort, rates: Rates) -> None:
+    """Starts fields at their rates, set by set. Those that all sets have are sent with each set."""
+    shared = {one.kind: rate for one, rate in rates.items() if isinstance(one.kind.SETS, range)}
+    sets: dict[int, dict[type[Field], float]] = {}
+    for one, rate in rates.items():
+        if one.kind not in shared:
+            sets.setdefault(one.set, {})[one.kind] = rate
+    if not sets:
+        raise Misuse("a field that all sets have is sent with others; name one of these, too")
+    for number, own in sets.items():
+        try:
+            device.stream({**shared, **own}, set=number)
+        except (OSError, MipError, NotImplementedError) as error:
+            raise Failure(f"{show.set_name(number)} cannot be started: {ports.reason(error)}") from None
+
+
+def _arriving(options: argparse.Namespace, rates: Rates, at_port: bool) -> Iterator[Piece | None]:
+    if not at_port:
+        return inputs.arriving(options.input, progress=False)
+    begin = (lambda device: _start(device, rates)) if rates else None
+    return ports.pieces(options.input, options, options.duration, begin)
+
+
+def _counted(pieces: Iterator[Piece | None], most: int | None) -> Iterator[Piece | None]:
+    """Until there are so many packets."""
+    count = 0
+    for piece in pieces:
+        yield piece
+        count += piece is not None and piece.packet is not None
+        if count == most:
+            return

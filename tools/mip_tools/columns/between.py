@@ -1,0 +1,104 @@
+"""The bytes of a log that belong to no packet, and the NMEA sentences in them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from ..binding import REACH
+from ..sentences import Sentences
+from . import times
+from .piece import Piece
+from .scan import Array
+from .tables import Series, Table, time_column
+
+if TYPE_CHECKING:
+    from .log import Log
+
+#: Bytes of the log that are looked at together.
+PART = 1 << 23
+
+
+class Gap(NamedTuple):
+    """Bytes between two packets, as far as they are in a piece."""
+
+    offset: int  # in the file
+    data: bytes
+    goes_on: bool  # it continues the gap before
+
+
+class Gaps:
+    """Finds those of a log, piece by piece."""
+
+    def __init__(self) -> None:
+        self._free = 0  # the end of the last packet
+        self._end = -1  # of the last gap
+
+    def of(self, piece: Piece) -> Iterator[Gap]:
+        """Those of the next piece, while it is looked at."""
+        first = max(0, self._free - piece.begin)
+        begins = np.concatenate(([first], piece.end))
+        ends = np.concatenate((piece.at, [max(first, piece.size)]))
+        places = np.flatnonzero(ends > begins)
+        if len(piece.at):
+            self._free = piece.begin + int(piece.end[-1])
+        for begin, end in zip(begins[places].tolist(), ends[places].tolist()):
+            offset = piece.begin + begin
+            goes_on, self._end = offset == self._end, piece.begin + end
+            yield Gap(offset, piece.data[begin:end].tobytes(), goes_on)
+
+
+def sentences(log: Log) -> Iterator[tuple[int, str]]:
+    """The NMEA sentences of a log with a right checksum, and where each begins in the file."""
+    gaps, finder = Gaps(), Sentences()
+    fed, places = 0, [(0, 0)]  # bytes that were given before a gap, and where it begins
+    for part in log.parts(PART):
+        for piece in part.pieces(fields=False):
+            for gap in gaps.of(piece):
+                places.append((fed, gap.offset))
+                for place, text in finder.placed(gap.data):
+                    while len(places) > 1 and places[1][0] <= place:
+                        places.pop(0)
+                    yield places[0][1] + place - places[0][0], text
+                fed += len(gap.data)
+
+
+def table(log: Log, clock: str) -> Table:
+    """The NMEA sentences of a log, with the time of the last packet before each."""
+    found = list(sentences(log))
+    offset = np.array([at for at, _ in found], np.int64)
+    columns = []
+    if clock:
+        columns.append(time_column(_before(log, clock, offset), clock))
+        columns.append(Series("time_own", np.zeros(len(found), bool), None, {}))
+    columns.append(Series("offset", offset, None, {}))
+    parts = [text[1:].rpartition("*")[0].split(",") for _, text in found]
+    for name, values in (
+        ("talker", [head[:1] if head.startswith("P") else head[:2] for head, *_ in parts]),
+        ("type", [head[1:] if head.startswith("P") else head[2:] for head, *_ in parts]),
+        ("sentence", [text for _, text in found]),
+    ):
+        texts = np.empty(len(found), object)
+        texts[:] = values
+        columns.append(Series(name, texts, None, {}))
+    fields = np.empty(len(found), object)
+    fields[:] = [rest for _, *rest in parts] if found else []
+    columns.append(Series("fields", fields, None, {}, (1, "|O")))
+    return Table(columns, [])
+
+
+def _before(log: Log, clock: str, offset: Array) -> Array:
+    """The last valid timestamp of any packet before each place, as far as it is near."""
+    stamps = [times.read(log, number, clock) for number in log.sets() if number >= 0x80]
+    where = np.concatenate([s.offset for s in stamps if s.some] or [np.zeros(0, np.int64)])
+    value = np.concatenate([s.value for s in stamps if s.some] or [np.zeros(0, np.int64)])
+    there = value != times.NONE
+    order = np.argsort(where[there], kind="stable")
+    where, value = where[there][order], value[there][order]
+    last = np.searchsorted(where, offset) - 1
+    found = np.full(len(offset), times.NONE, np.int64)
+    near = (last >= 0) & (offset - where[last] <= REACH) if len(where) else np.zeros(len(offset), bool)
+    found[near] = value[last[near]]
+    return found

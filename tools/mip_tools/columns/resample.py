@@ -1,0 +1,172 @@
+"""Tables on a grid of equal steps: values of fields between the times at which they were measured."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from . import tables, times
+from .column import Column
+from .scan import Array
+from .tables import Form, Series
+from .times import NONE
+
+if TYPE_CHECKING:
+    from .log import Log
+
+METHODS = ("linear", "nearest", "last")
+_SECOND = 1_000_000_000
+#: Where no packet has a time for so long, or time goes back so far, the grid ends and begins anew.
+PAUSE = 10 * _SECOND
+#: A value is known for so many usual intervals of its field.
+_USUAL = 2.5
+_CIRCLES = {"rad": 2 * np.pi, "deg": 360.0}
+_QUATERNION = ("w", "x", "y", "z")
+_RATE = re.compile(r"\s*([0-9.eE+-]+)\s*(Hz|kHz|s|ms|us)\s*")
+_UNITS = {"Hz": 1.0, "kHz": 1000.0, "s": 1.0, "ms": 1e-3, "us": 1e-6}
+
+
+def step(rate: str | float) -> int:
+    """Nanoseconds between two rows: of "100Hz", "10ms", or a number in Hz. Raises ValueError."""
+    match = _RATE.fullmatch(rate if isinstance(rate, str) else f"{rate}Hz")
+    try:
+        value = float(match[1]) * _UNITS[match[2]] if match else 0.0
+        found = round(_SECOND / value if match and match[2].endswith("Hz") else _SECOND * value)
+    except (ValueError, OverflowError, ZeroDivisionError):
+        found = 0
+    if not 1000 <= found <= 3600 * _SECOND:
+        raise ValueError(f"rate {rate!r}: write '100Hz', '10ms', or a number in Hz, from once an hour to 1 MHz")
+    return found
+
+
+def resampled(log: Log, columns: Sequence[Column[Any]], every: int, method: str, form: Form) -> list[Series]:
+    """The columns of the table, with a row every so many nanoseconds. Raises ValueError."""
+    if method not in METHODS:
+        raise ValueError(f"method {method!r}: {', '.join(METHODS)}")
+    if not form.clock:
+        raise ValueError("the log has no valid timestamps to resample by")
+    known: list[Array] = []
+    converted: dict[str, str] = {}
+    for column in columns:
+        time, others = times.merged(log, column, form.clock)
+        known.append(time)
+        converted |= others
+    spans = _spans(columns, known)
+    grids = [np.arange(-(-first // every) * every, last + 1, every) for first, last, *_ in spans]
+    facts = {}
+    if converted:
+        facts["converted"] = ", ".join(f"{set} from {other}" for set, other in sorted(converted.items()))
+    grid = np.concatenate(grids) if grids else np.zeros(0, np.int64)
+    series = [tables.time_column(grid, form.clock, **facts)]
+    for column, time in zip(columns, known):
+        usual = _usual(time)
+        for group in tables.groups(column, form, len(columns) == 1):
+            parts: list[list[Series]] = []
+            for (_, _, begin, end), grid in zip(spans, grids):
+                here = (column.offset >= begin) & (column.offset < end) & (time != NONE)
+                parts.append(_sampled(group, time, here, grid, method, max(usual, every)))
+            series += [_after_each_other(list(same)) for same in zip(*parts)]
+    return series
+
+
+def _after_each_other(parts: list[Series]) -> Series:
+    masks = [np.zeros(len(p.values), bool) if p.mask is None else p.mask for p in parts]
+    return parts[0]._replace(values=np.concatenate([p.values for p in parts]), mask=np.concatenate(masks))
+
+
+def _spans(columns: Sequence[Column[Any]], known: Sequence[Array]) -> list[tuple[int, int, int, int]]:
+    """The first and the last time of each part without a pause, and the bytes of the file that it is in."""
+    offset = np.concatenate([column.offset for column in columns])
+    time = np.concatenate(known)
+    there = time != NONE
+    offset, time = offset[there], time[there]
+    order = np.argsort(offset, kind="stable")
+    offset, time = offset[order], time[order]
+    steps = np.diff(time)
+    cuts = np.flatnonzero((steps > PAUSE) | (steps < -PAUSE)) + 1
+    spans = []
+    for begin, end in zip([0, *cuts.tolist()], [*cuts.tolist(), len(time)]):
+        if end > begin:
+            part = time[begin:end]
+            stop = int(offset[end]) if end < len(time) else int(offset[-1]) + 1
+            spans.append((int(part.min()), int(part.max()), int(offset[begin]), stop))
+    return spans
+
+
+def _usual(time: Array) -> float:
+    """How long a value counts, in nanoseconds."""
+    steps = np.diff(np.unique(time[time != NONE]))
+    return float(np.median(steps)) * _USUAL if len(steps) else 0.0
+
+
+def _sampled(group: list[Series], time: Array, here: Array, grid: Array, method: str, reach: float) -> list[Series]:
+    """A group of columns on a grid; what is further away than `reach` nanoseconds counts no more."""
+    there = here.copy()
+    for one in group:
+        if one.mask is not None:
+            there &= ~one.mask
+    rows = np.flatnonzero(there)
+    rows = rows[np.argsort(time[rows], kind="stable")]
+    when = time[rows]
+    last = np.ones(len(when), bool)  # of several at one time
+    last[:-1] = when[1:] != when[:-1]
+    rows, when = rows[last], when[last]
+    if not len(rows):
+        size, gone = len(grid), np.ones(len(grid), bool)
+        empty = [np.zeros((size, *one.values.shape[1:]), one.values.dtype) for one in group]
+        return [one._replace(values=values, mask=gone) for one, values in zip(group, empty)]
+    left = np.clip(np.searchsorted(when, grid, side="right") - 1, 0, len(rows) - 1)
+    right = np.clip(left + 1, 0, len(rows) - 1)
+    right = np.where(when[left] >= grid, left, right)  # it is there exactly, or nothing is before it
+    before, after = when[left] <= grid, when[right] >= grid
+    floats = all(one.values.dtype.kind == "f" and one.values.ndim == 1 for one in group) and len(group) < 9
+    if method == "linear" and floats:
+        missing = ~(before & after) | (when[right] - when[left] > reach)
+        span = np.maximum(when[right] - when[left], 1)
+        weight = np.where(missing, 0.0, (grid - when[left]) / span)
+        a = [one.values[rows[left]].astype(np.float64) for one in group]
+        b = [one.values[rows[right]].astype(np.float64) for one in group]
+        found = _between(group, a, b, weight, [one.values[rows] for one in group])
+        return [one._replace(values=v.astype(one.values.dtype), mask=missing) for one, v in zip(group, found)]
+    chosen = left
+    if method == "nearest":
+        chosen = np.where(np.abs(when[right] - grid) < np.abs(grid - when[left]), right, left)
+        missing = np.abs(when[chosen] - grid) > reach / 2
+    else:
+        missing = ~before | (grid - when[left] > reach)
+    return [one._replace(values=one.values[rows[chosen]], mask=missing) for one in group]
+
+
+def _between(group: list[Series], a: list[Array], b: list[Array], weight: Array, every: list[Array]) -> list[Array]:
+    """Values between two of them: of a quaternion by its direction, of angles the short way round."""
+    if tuple(one.name.rpartition(".")[2] for one in group) == _QUATERNION:
+        sign = np.where(sum(x * y for x, y in zip(a, b)) < 0, -1.0, 1.0)  # both are the same rotation
+        mixed = [x + weight * (sign * y - x) for x, y in zip(a, b)]
+        size = np.sqrt(np.sum(np.square(mixed), axis=0))
+        exact = (weight == 0) | (size == 0)
+        return [np.where(exact, x, m / np.where(exact, 1.0, size)) for x, m in zip(a, mixed)]
+    found: list[Array] = []
+    for one, x, y, values in zip(group, a, b, every):
+        circle = _CIRCLES.get(one.facts.get("unit", ""), 0.0)
+        low = _lowest(values, circle)
+        if low is None:
+            found.append(x + weight * (y - x))
+            continue
+        way = (y - x + circle / 2) % circle - circle / 2
+        angle = x + weight * way
+        outside = (angle < low) | (angle >= low + circle)
+        found.append(np.where(outside & (weight > 0), (angle - low) % circle + low, angle))
+    return found
+
+
+def _lowest(values: Array, circle: float) -> float | None:
+    """Where the range of angles begins: at 0, or at minus half of the circle. None if they are no such angles."""
+    if not circle:
+        return None
+    least, most = float(np.nanmin(values, initial=0.0)), float(np.nanmax(values, initial=0.0))
+    if least >= -circle * 0.5001 and most <= circle * 0.5001:
+        return -circle / 2
+    return 0.0 if least >= 0 and most <= circle * 1.0001 else None

@@ -1,0 +1,389 @@
+"""Tables of several types of fields: the rows, the names and the types that frames and all exports have."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from ..binding import CLOCKS, SETS, Field, Parameter, timestamps
+from ..occurrence import listed, of
+from . import contents, instants, times
+from .column import Column, absent
+from .general import Ragged, Values
+from .scan import Array
+
+if TYPE_CHECKING:
+    from .log import Log
+
+#: What a table has beside the parameters of fields.
+OWN = ("time", "time_own", "packet", "set", "offset")
+#: Bytes of a log whose rows are in memory together.
+PART = 1 << 22
+
+
+class Series(NamedTuple):
+    """One column of a table."""
+
+    name: str
+    values: Array
+    mask: Array | None  # True where there is no value
+    facts: dict[str, str]  # unit, frame, type, clock
+    lists: tuple[int, str] = (0, "")  # of an array of objects: how deep lists are nested, and NumPy's type in them
+
+    def rows(self, which: Any) -> Series:
+        """Some of its rows."""
+        return self._replace(values=self.values[which], mask=None if self.mask is None else self.mask[which])
+
+
+def time_column(values: Array, clock: str, **facts: str) -> Series:
+    """Times in nanoseconds, which are dates if the clock has one, else durations since its start."""
+    return Series("time", values.view(times.dtype(clock)), values == times.NONE, {"clock": clock, **facts})
+
+
+class Table(NamedTuple):
+    """Rows of a log. Each type of field has some of the columns, and values in some of the rows."""
+
+    columns: list[Series]
+    types: list[tuple[slice, Array]]  # of each type, its columns, and the rows that have it
+
+    def __len__(self) -> int:
+        return len(self.columns[0].values) if self.columns else 0
+
+
+class Form(NamedTuple):
+    """What a table has; see `Log.frame`."""
+
+    by: str = "time"
+    clock: str = ""  # of the time; "" for none
+    time: bool = True
+    invalid: str = "keep"
+    position: bool = False
+    named: bool = False
+    wanted: Callable[[int, int], bool] | None = None  # is the field of this set and descriptor in it?
+
+    def check(self) -> None:
+        """Raises ValueError."""
+        if self.by not in ("time", "packet"):
+            raise ValueError(f"by {self.by!r}: time or packet")
+        if self.invalid not in ("keep", "mask", "drop"):
+            raise ValueError(f"invalid {self.invalid!r}: keep, mask or drop")
+
+
+class _Part(NamedTuple):
+    """The fields of one type that are in a table."""
+
+    column: Column[Any]
+    rows: Array  # which of the column's
+    time: times.Times | None
+    once: bool
+
+
+def apart(kind: type[Field]) -> bool:
+    """Is a shared field of several sets a field of each of them? The timestamps of one instant say the same."""
+    return not listed(kind) and kind.SET != 0 and timestamps.clock_of(0x80, kind.DESCRIPTOR) is None
+
+
+def whole(log: Log, columns: Sequence[Column[Any]], form: Form) -> Table:
+    """The table of some columns of a log."""
+    if form.by == "time":
+        columns = list(_sets_apart(log, columns))
+    return _table([_part(column, form) for column in columns], form, slice(None))
+
+
+def _sets_apart(log: Log, columns: Sequence[Column[Any]]) -> Iterator[Column[Any]]:
+    for column in columns:
+        if len(columns) > 1 and len(column.sets) > 1 and apart(column.type):
+            yield from log.columns([(number, column.type) for number in column.sets])
+        else:
+            yield column
+
+
+def survey(log: Log, form: Form) -> tuple[list[tuple[int, type[Field]]], str]:
+    """The types of fields that the tables of a log have, by set and descriptor, and their clock: in bounded memory."""
+    present: dict[tuple[int, type[Field]], None] = {}
+    sets: set[int] = set()
+    stamped: dict[str, set[int]] = {clock: set() for clock in CLOCKS}
+    for part in log.parts(2 * PART):
+        for number, kind in contents.kinds(part):
+            if form.wanted is None or form.wanted(number, kind.DESCRIPTOR):
+                sets.add(number)
+                one = (number, kind) if form.by == "time" and apart(kind) else of(number, kind)
+                present.setdefault((one[0], kind))
+        for clock, have in stamped.items():
+            have |= {n for n in sets - have if n >= 0x80 and times.read(part, n, clock).some}
+            if have == sets:
+                break
+    every = [clock for clock, have in stamped.items() if have and have == sets]
+    clock = next(iter([*every, *(clock for clock, have in stamped.items() if have)]), "")
+    return sorted(present, key=lambda one: (one[0], one[1].DESCRIPTOR, one[1].NAME)), clock
+
+
+def parts(log: Log, kinds: Sequence[Any], form: Form) -> Iterator[tuple[Table, int]]:
+    """The same in parts, in bounded memory, and where in the log each ends. All have the same columns.
+
+    An instant whose packets are in two parts is in the second one, as in one table of all.
+    """
+    from .log import Log
+
+    begin = stop = log.begin
+    number = 0
+    done: Array = np.zeros(0, np.int64)
+    while True:
+        stop = min(log.end, stop + PART)
+        part = Log(log.source, begin, stop, log.device)
+        chosen = [_part(column, form, done) for column in part.columns(kinds)]
+        rows, last = _found(chosen, form), stop >= log.end
+        limit = stop - instants.TOGETHER
+        yield _table(chosen, form, slice(None) if last else rows.begin < limit, rows, number), stop
+        if last:
+            return
+        waits = rows.first >= limit
+        begin = int(rows.first[waits].min()) if waits.any() else stop
+        done = np.concatenate((done, rows.packets[~waits]))
+        done = done[done >= begin]
+        number += part.before_offset(begin)
+
+
+def _part(column: Column[Any], form: Form, done: Array | None = None) -> _Part:
+    """The rows of a column that are wanted, without those of packets that are done."""
+    there: Array = np.ones(len(column), bool)
+    if form.wanted is not None and len(column):
+        sets = [n for n in column.sets if form.wanted(n, column.type.DESCRIPTOR)]
+        if len(sets) < len(column.sets):
+            there &= np.isin(column.set, sets)
+    if done is not None and len(done):
+        there &= ~np.isin(column.offset, done)
+    if form.invalid == "drop":
+        for name in column.names:
+            if column.parameters[name].flags:
+                valid = column.valid(name)
+                there &= valid if valid.ndim == 1 else valid.all(axis=1)
+    time = column.time(form.clock) if form.clock else None
+    kind = column.type
+    once = not listed(kind) and kind.SET != 0 and not apart(kind)
+    return _Part(column, np.flatnonzero(there), time, once)
+
+
+def _found(chosen: Sequence[_Part], form: Form) -> instants.Instants:
+    fields = []
+    for column, rows, time, once in chosen:
+        own: Array = np.full(len(rows), times.NONE)
+        if time is not None:
+            own = np.where(time.own[rows], time.values.view(np.int64)[rows], times.NONE)
+        fields.append(instants.Fields(column.offset[rows], own, once and len(chosen) > 1))
+    # Of one type alone, the order is that of the log.
+    return instants.found(fields, form.by if len(fields) > 1 else "packet")
+
+
+def _table(
+    chosen: Sequence[_Part],
+    form: Form,
+    which: slice | Array,
+    rows: instants.Instants | None = None,
+    number: int = 0,
+) -> Table:
+    """The table of these fields; of all rows only some, if others must wait. `number` is that of the first packet."""
+    rows = _found(chosen, form) if rows is None else rows
+    new = np.full(len(rows.begin), -1, np.int64)  # number of a row in this table
+    count = len(rows.begin[which])
+    new[which] = np.arange(count)
+    places, lefts = [], []
+    for part, kept, place in zip(chosen, rows.kept, rows.place):
+        left = new[place] >= 0
+        lefts.append(part.rows[kept[left]])
+        places.append(new[place[left]])
+    columns = list(_beside(chosen, lefts, places, rows.begin[which], form, number))
+    types = []
+    single = len(chosen) == 1
+    for (column, *_), left, place in zip(chosen, lefts, places):
+        first = len(columns)
+        for one in _values(column, form, single):
+            columns.append(_spread(one, left, place, count))
+        if not column.names:
+            there = np.zeros(count, bool)
+            there[place] = True
+            columns.append(Series(heading(column, "", single), there, None, {}))
+        types.append((slice(first, len(columns)), place))
+    return Table(columns, types)
+
+
+def _beside(
+    chosen: Sequence[_Part], lefts: list[Array], places: list[Array], begin: Array, form: Form, number: int
+) -> Iterator[Series]:
+    """Time, and place in the log: those of the first packet of each row."""
+    count = len(begin)
+    if form.clock and form.time:
+        values = np.full(count, "NaT", times.dtype(form.clock))
+        own = np.zeros(count, bool)
+        for part, left, place in zip(chosen, lefts, places):
+            assert part.time is not None
+            values[place], own[place] = part.time.values[left], part.time.own[left]
+        yield time_column(values.view(np.int64), form.clock)
+        yield Series("time_own", own, None, {})
+    if not form.position:
+        return
+    packet, set = np.zeros(count, np.int64), np.zeros(count, np.uint8)
+    for part, left, place in zip(chosen, lefts, places):
+        first = part.column.offset[left] == begin[place]
+        packet[place[first]] = part.column.packet[left[first]] + number
+        set[place[first]] = part.column.set[left[first]]
+    yield Series("packet", packet, None, {})
+    yield Series("set", set, None, {})
+    yield Series("offset", begin, None, {})
+
+
+def heading(column: Column[Any], name: str, single: bool) -> str:
+    """The name of a parameter in a table: that in the specification, with set and field if there are several types."""
+    number = column.only
+    set, _, field = column.name.partition(".")
+    if number is not None and not listed(column.type):  # a shared field of one set
+        set = SETS[number][0] if number in SETS else f"0x{number:02X}"
+    if not name:
+        return field if single else f"{set}.{field}"
+    if single:
+        return f"{field}.{name}" if name in OWN else name
+    return f"{set}.{name}" if name.split(".")[0] == field else f"{set}.{field}.{name}"
+
+
+class _Values(NamedTuple):
+    """The values of a parameter, or of an element of it, in all rows of a column."""
+
+    name: str
+    values: Values
+    mask: Array | None
+    facts: dict[str, str]
+    group: str = ""  # of an element: what it is an element of
+
+
+def _values(column: Column[Any], form: Form, single: bool) -> Iterator[_Values]:
+    """The columns of a table for one type: vectors get one for each element."""
+    for path, title in column.titles.items():
+        p, values = column.parameters[path], column[path]
+        name = heading(column, title, single)
+        facts = {"frame": p.frame} if p.frame else {}
+        if p.type is not None:
+            facts["type"] = p.type.__name__
+        bad = ~column.valid(path) if form.invalid == "mask" and p.flags else None
+        units = {"unit": p.units[0]} if len(set(p.units)) == 1 and p.units[0] not in ("", "1") else {}
+        if isinstance(values, Ragged):
+            yield _Values(name, values, values.mask, facts | units)
+            continue
+        gone = absent(values) if isinstance(values, np.ma.MaskedArray) else None
+        held = np.asarray(values)
+        if held.dtype == object:
+            held = _stripped(held)
+        if form.named and p.type is not None and held.dtype.kind in "iu" and held.ndim == 1:
+            held = _names(p, held)
+        if p.elements and held.ndim == 2:
+            for i, element in enumerate(p.elements):
+                unit = p.units[min(i, len(p.units) - 1)] if p.units else ""
+                wrong = bad if bad is None or bad.ndim == 1 else bad[:, i]
+                own = {"unit": unit} if unit not in ("", "1") else {}
+                yield _Values(f"{name}.{element}", held[:, i], _either(gone, wrong), facts | own, name)
+        else:
+            wrong = bad if bad is None or bad.ndim == 1 else np.asarray(bad.all(axis=1))
+            yield _Values(name, held, _either(gone, wrong), facts | units)
+
+
+def _stripped(texts: Array) -> Array:
+    """Texts without the zeros and spaces that fill them up."""
+    short = np.empty(texts.shape, object)
+    flat = short.reshape(-1)
+    flat[:] = [None if text is None else text.strip("\0 ") for text in texts.reshape(-1).tolist()]
+    return short
+
+
+def _names(p: Parameter, numbers: Array) -> Array:
+    """The names of enumerations' values and of flags."""
+    known, place = np.unique(numbers, return_inverse=True)
+    names = np.empty(len(known), object)
+    names[:] = [p.format(number) for number in known.tolist()]
+    return np.asarray(names[place.reshape(-1)])
+
+
+def _lists(ragged: Ragged) -> tuple[int, str]:
+    """How deep its lists are nested, and the type of what is in them."""
+    if isinstance(ragged.values, Ragged):
+        depth, item = _lists(ragged.values)
+        return depth + 1, item
+    return ragged.values.ndim, ragged.values.dtype.str
+
+
+def _listed(row: Any) -> Any:
+    """Arrays as lists."""
+    if isinstance(row, np.ndarray):
+        return row.tolist()
+    return [_listed(item) for item in row] if isinstance(row, list) else row
+
+
+def _either(first: Array | None, second: Array | None) -> Array | None:
+    if first is None or second is None:
+        return second if first is None else first
+    return first | second
+
+
+def groups(column: Column[Any], form: Form, single: bool) -> list[list[Series]]:
+    """The columns of a table for all rows of one type; the elements of a vector together."""
+    every = np.arange(len(column))
+    found: dict[str, list[Series]] = {}
+    for one in _values(column, form, single):
+        found.setdefault(one.group or one.name, []).append(_spread(one, every, every, len(every)))
+    return list(found.values())
+
+
+def _spread(one: _Values, left: Array, place: Array, count: int) -> Series:
+    """Some of the values in their rows; the others have none."""
+    if isinstance(one.values, Ragged):
+        every = one.values.rows()
+        items = np.empty(count, object)
+        for row, i in zip(place.tolist(), left.tolist()):
+            items[row] = _listed(every[i])
+        mask = np.ones(count, bool)
+        mask[place] = False if one.mask is None else one.mask[left]
+        return Series(one.name, items, mask, one.facts, _lists(one.values))
+    if len(left) == count == len(one.values) and (place[1:] > place[:-1]).all():
+        return Series(one.name, one.values, one.mask, one.facts)  # all, in this order
+    values = np.zeros((count, *one.values.shape[1:]), one.values.dtype)
+    values[place] = one.values[left]
+    if len(left) == count and one.mask is None:
+        return Series(one.name, values, None, one.facts)
+    mask = np.ones(count, bool)
+    mask[place] = False if one.mask is None else one.mask[left]
+    return Series(one.name, values, mask, one.facts)
+
+
+class Aligned:
+    """Rows of one type only, with the last values of the others, also of parts before."""
+
+    def __init__(self, base: int) -> None:
+        """`base` is the number of the type."""
+        self._base = base
+        self._before: dict[int, Series] = {}  # number of a column -> its last value
+
+    def of(self, table: Table) -> Table:
+        """The next part."""
+        columns = list(table.columns)
+        count = len(table)
+        base = table.types[self._base][1]
+        for which, place in table.types:
+            last: Array = np.full(count + 1, 0)  # the row before the first one is that of the parts before
+            last[place + 1] = place + 1
+            last = np.maximum.accumulate(last)
+            for number in range(which.start, which.stop):
+                whole = self._with_before(number, columns[number])
+                self._before[number] = whole.rows(last[-1:])
+                columns[number] = whole.rows(last[base + 1])
+        kept = [one.rows(base) for one in columns[: table.types[0][0].start]]
+        return Table([*kept, *columns[len(kept) :]], [(which, np.arange(len(base))) for which, _ in table.types])
+
+    def _with_before(self, number: int, one: Series) -> Series:
+        """A column with one more row in front: the last value of the parts before."""
+        before = self._before.get(number)
+        if before is None:
+            nothing = np.zeros((1, *one.values.shape[1:]), one.values.dtype)
+            before = one._replace(values=nothing, mask=np.ones(1, bool))
+        mask = np.zeros(len(one.values), bool) if one.mask is None else one.mask
+        gone = np.zeros(1, bool) if before.mask is None else before.mask
+        return one._replace(values=np.concatenate((before.values, one.values)), mask=np.concatenate((gone, mask)))

@@ -1,0 +1,172 @@
+"""Why there is no connection to a device, or less data than wanted."""
+
+from __future__ import annotations
+
+import argparse
+import errno
+import os
+import time
+from collections.abc import Mapping
+from importlib import import_module
+from typing import Any
+
+from ..binding import (
+    MipError,
+    NoAnswer,
+    Refused,
+    identify,
+    module,
+    open_port,
+    session,
+)
+from ..cli import show
+from ..cli.ports import reason
+from ..cli.scan import Piece, Scanner
+from ..cli.silence import resume_command
+from ..occurrence import Occurrence
+from .findings import Finding
+from .stream import Examined
+
+#: Bits on a serial line for a byte.
+_BITS = 10
+#: A line that is used more is full.
+FULL = 0.9
+#: A rate is reached if so much of it is.
+_REACHED = 0.95
+
+
+class Patient:
+    """A device at a port, and what it sends while it is watched."""
+
+    def __init__(self, name: str, options: argparse.Namespace) -> None:
+        self.name = name
+        self.findings: list[Finding] = []
+        self.model: str | None = None
+        self.pieces: list[Piece] = []
+        self.bytes = 0
+        self.bases: dict[int, float] = {}  # set -> base rate, of the sets with wanted rates
+        self._baud: int | None = options.baud
+
+    def watch(self, seconds: float, rates: Mapping[Occurrence, float]) -> None:
+        """Opens the port, asks the device for its identity and its base rates, and collects what it sends."""
+        came: list[bytes] = []
+        try:
+            device = open_port(self.name, self._baud, capacity=1, on_bytes=lambda data: came.append(bytes(data)))
+        except (OSError, ImportError, MipError, ValueError) as error:
+            self.findings.append(why_not_open(self.name, error))
+            return
+        with device:
+            self._baud = device.baud
+            answers = self._ask(device, rates)
+            came.clear()
+            time.sleep(seconds)
+            data = b"".join(came)
+            lost = device.closed
+        self.bytes = len(data)
+        scanner = Scanner()
+        self.pieces = [*scanner.feed(data), *scanner.flush()]
+        if lost:
+            self._find("port lost", "the port was closed meanwhile", "check the plug and the power of the device")
+        self._connection(answers, any(p.packet is not None for p in self.pieces), seconds)
+
+    def _ask(self, device: Any, rates: Mapping[Occurrence, float]) -> bool:
+        """Does the device answer?"""
+        commands = session()
+        if commands is None:
+            return False
+        try:
+            told = device.request(module("base").GetDeviceInfo())
+            found = identify(told.device_info)
+            self.model = found.id if found is not None else None
+        except Refused:
+            pass
+        except NoAnswer:
+            return False
+        except (MipError, AttributeError):
+            pass
+        for number in dict.fromkeys(one.set for one in rates):
+            try:
+                self.bases[number] = commands.rate(device.request(commands.base_rate(number)))
+            except MipError:
+                continue  # an older device, or one without this set
+        return True
+
+    def _find(self, cause: str, text: str, remedy: str = "", *details: str) -> None:
+        self.findings.append(Finding(cause, text, remedy, details))
+
+    def _connection(self, answers: bool, packets: bool, seconds: float) -> None:
+        serial = self._baud is not None
+        if answers and not packets:
+            remedy = f"`mip send {self.name} {resume_command()}`, or start data: `mip stream {self.name} NAME@HZ`"
+            self._find("idle", f"the device answers, but sends no data in {seconds:g} s", remedy)
+        elif not answers and packets:
+            self._find("no answers", "data arrive, but commands are not answered", "check the line to the device")
+        elif not answers and self.bytes:
+            remedy = (
+                f"`mip doctor {self.name} --baud auto` finds the rate" if serial else "is it a port of a MIP device?"
+            )
+            at = f" at {self._baud} Bd" if serial else ""
+            self._find("wrong baud rate" if serial else "wrong port", f"bytes arrive{at}, but no packets", remedy)
+        elif not answers:
+            more = f"; `mip doctor {self.name} --baud auto` tries all rates" if serial else ""
+            self._find("no device", "nothing arrives and nothing answers", f"wrong port, or no power{more}")
+
+    def line(self, seconds: float) -> None:
+        """Is the line full?"""
+        if self._baud is None or not self.bytes:
+            return
+        used = self.bytes * _BITS / (self._baud * seconds)
+        if used > FULL:
+            text = f"{used:.0%} of {self._baud} Bd are used"
+            self._find("line is full", text, "raise the baud rate, or send less: `mip bandwidth`")
+
+    def rates(self, wanted: Mapping[Occurrence, float], found: Examined) -> None:
+        """Are these rates reached, and if not, why?"""
+        for one, rate in wanted.items():
+            real = found.rates.get((one.set, one.kind.DESCRIPTOR), 0.0)
+            if real >= _REACHED * rate:
+                continue
+            base = self.bases.get(one.set)
+            remedy = f"`mip stream {self.name} {one.name}@{rate:g}` starts it"
+            if base and rate > base:
+                remedy = f"the base rate of {show.set_name(one.set)} is {base:g} Hz, which is the highest"
+            elif base and abs(base / rate - round(base / rate)) > 1e-9:
+                near = base / max(round(base / rate), 1)
+                remedy = f"rates are {base:g} Hz divided by whole numbers; the nearest is {near:g} Hz"
+            elif any(e.cause == "overload" for e in found.events) or any(
+                f.cause == "line is full" for f in self.findings
+            ):
+                remedy = "the line cannot carry it: `mip bandwidth`"
+            self._find("rate not reached", f"{one.name}: {real:.4g} Hz instead of {rate:g} Hz", remedy)
+
+
+def why_not_open(name: str, error: BaseException) -> Finding:
+    """Why a port cannot be opened."""
+    number = getattr(error, "errno", None)
+    said = f"{name}: {reason(error)}"
+    if isinstance(error, ImportError):
+        return Finding("missing extra", said, "install the extra `serial`: pip install pyserial")
+    if number == errno.EBUSY:
+        return Finding("port in use", said, "close the other program; on Linux, `fuser` names it")
+    if number == errno.EACCES:
+        return Finding("no permission", said, "on Linux, join the group that owns the port: dialout or uucp")
+    if number == errno.ENOENT or (os.sep in name and not os.path.exists(name)):
+        return Finding("no such port", said, _others())
+    if isinstance(error, ConnectionRefusedError):
+        return Finding("wrong port", said, "nothing listens there; check host and number")
+    if getattr(error, "kind", "") == "no_device":
+        return Finding("no device", said, "wrong port, no power, or the device is in another protocol")
+    return Finding("cannot be opened", said, "check its name")
+
+
+def _others() -> str:
+    """The serial ports that there are."""
+    try:
+        listing: Any = import_module("serial.tools.list_ports")
+    except ImportError:
+        return "check its name"
+    names = ", ".join(sorted(port.device for port in listing.comports()))
+    return f"there are {names}" if names else "there is no serial port; is the device plugged in?"
+
+
+__all__ = ["FULL", "Patient", "why_not_open"]

@@ -1,0 +1,67 @@
+"""From the axes of MIP, NED and a body of forward, right, down, to those of REP 103: ENU and forward, left, up."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import sqrt
+
+Vector = tuple[float, float, float]
+#: w, x, y, z.
+Quaternion = tuple[float, float, float, float]
+
+NOT_ROTATED: Quaternion = (1.0, 0.0, 0.0, 0.0)
+
+
+def body(v: Sequence[float]) -> Vector:
+    """Forward, left, up of forward, right, down: y and z change their signs."""
+    x, y, z = v
+    return x, -y, -z
+
+
+def world(v: Sequence[float]) -> Vector:
+    """East, north, up of north, east, down."""
+    north, east, down = v
+    return east, north, -down
+
+
+def attitude(q: Sequence[float]) -> Quaternion:
+    """The rotation from the body of REP 103 to ENU, of the attitude in NED that a device sends."""
+    w, x, y, z = q
+    length = sqrt(2 * (w * w + x * x + y * y + z * z)) or 1.0
+    return (w + z) / length, (x + y) / length, (x - y) / length, (w - z) / length
+
+
+def matrix(q: Quaternion) -> list[list[float]]:
+    """The rotation matrix of a unit quaternion."""
+    w, x, y, z = q
+    return [
+        [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+        [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+        [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
+    ]
+
+
+def into_body(q: Quaternion, v: Sequence[float]) -> Vector:
+    """A vector of the world in the axes of a body with this attitude."""
+    m = matrix(q)
+    x, y, z = (sum(m[k][i] * v[k] for k in range(3)) for i in range(3))
+    return x, y, z
+
+
+def variances_into_body(q: Quaternion, variances: Sequence[float]) -> list[float]:
+    """The covariance (3 x 3, row by row) in the body of independent errors along the axes of the world."""
+    m = matrix(q)
+    return [sum(m[k][i] * variances[k] * m[k][j] for k in range(3)) for i in range(3) for j in range(3)]
+
+
+__all__ = [
+    "NOT_ROTATED",
+    "Quaternion",
+    "Vector",
+    "attitude",
+    "body",
+    "into_body",
+    "matrix",
+    "variances_into_body",
+    "world",
+]

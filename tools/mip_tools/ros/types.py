@@ -1,0 +1,112 @@
+"""The types of messages, and objects of them, with the package rosbags."""
+
+from __future__ import annotations
+
+import os
+from importlib import import_module
+from pathlib import Path
+from typing import Any
+
+from ..binding import Described, Field, MissingExtra, Structure, info
+from ..errors import Failure
+
+PACKAGE = "mip_msgs"
+
+
+class Types:
+    """The types of a release of ROS 2 and, from a folder, those of mip_msgs."""
+
+    def __init__(self, messages: Path | None = None) -> None:
+        try:
+            typesys: Any = import_module("rosbags.typesys")
+        except ImportError:
+            raise Failure(f"{MissingExtra('rosbags', 'ros')}; mcap with JSON needs mcap only") from None
+        self.store = typesys.get_typestore(typesys.Stores.ROS2_HUMBLE)
+        self._of_field: dict[str, str] = {}
+        folder = messages or installed()
+        if folder is not None:
+            self._add(folder / "msg" if (folder / "msg").is_dir() else folder, typesys.get_types_from_msg)
+
+    def _add(self, folder: Path, parse: Any) -> None:
+        found = sorted(folder.glob("*.msg"))
+        if not found:
+            raise Failure(f"{folder} has no .msg files; name the folder of {PACKAGE}, as mipgen generates it")
+        types: dict[str, Any] = {}
+        for path in found:
+            text = path.read_text("utf-8")
+            name = f"{PACKAGE}/msg/{path.stem}"
+            types |= parse(text, name)
+            first = text.partition("\n")[0]
+            self._of_field[first.lstrip("# ").partition(":")[0]] = name  # as the generator writes it
+        self.store.register(types)
+
+    def of(self, kind: type[Field]) -> str | None:
+        """The type of a field's messages; None if there is none."""
+        return self._of_field.get(kind.NAME)
+
+    def build(self, name: str, values: dict[str, Any]) -> Any:
+        """A message with these values. What is left out is zero, or empty."""
+        made = {}
+        for member, (node, detail) in self.store.fielddefs[name][1]:
+            made[member] = self._value(int(node), detail, values.get(member))
+        return self.store.types[name](**made)
+
+    def _value(self, node: int, detail: Any, value: Any) -> Any:
+        import numpy as np
+
+        if node == 1:  # a number or a text
+            base = detail[0]
+            if base == "string":
+                return value or ""
+            return bool(value) if base == "bool" else value if value is not None else np.dtype(base).type(0)
+        if node == 2:  # another message
+            return self.build(detail, value or {})
+        (inner, inside), count = detail  # an array or a sequence
+        if int(inner) == 1 and inside[0] != "string":
+            fixed = count if node == 3 else 0
+            held = [0] * fixed if value is None else value
+            return np.array(held, np.dtype("uint8" if inside[0] in ("octet", "char") else inside[0]))
+        return [self._value(int(inner), inside, v) for v in value or ()]
+
+    def content(self, record: Described, name: str) -> dict[str, Any]:
+        """The values of a field for `build`, in the order of the members of its message."""
+        held: list[Any] = []
+        for p in info(type(record)).members:
+            value = getattr(record, p.attribute)
+            if p.cases:
+                alternatives = [c for c in p.cases.values() if c is not None]
+                held += [[value] if value is not None and _is(record, p, c) else [] for c in alternatives]
+            else:
+                held.append(value)
+        members = [m for m in self.store.fielddefs[name][1] if m[0] != "header"]
+        return {m[0]: self._plain(v, m[1]) for m, v in zip(members, held)}
+
+    def _plain(self, value: Any, kind: Any) -> Any:
+        node, detail = int(kind[0]), kind[1]
+        if node == 2 and isinstance(value, Structure):
+            return self.content(value, detail)
+        if node > 2:
+            items = [] if value is None else list(value) if isinstance(value, (list, tuple, bytes)) else [value]
+            if items and isinstance(items[0], Structure):
+                return [self._plain(v, detail[0]) for v in items]
+            return [w for v in items for w in (v if isinstance(v, (list, tuple)) else (v,))]
+        if isinstance(value, str):
+            return value.rstrip("\0")
+        return value
+
+
+def _is(record: Described, p: Any, case: Any) -> bool:
+    """Is this the alternative of a union that its tag selects?"""
+    return p.cases.get(int(getattr(record, p.tag))) is case
+
+
+def installed() -> Path | None:
+    """The folder of mip_msgs in a sourced ROS 2 workspace."""
+    for prefix in os.environ.get("AMENT_PREFIX_PATH", "").split(os.pathsep):
+        folder = Path(prefix, "share", PACKAGE)
+        if prefix and folder.is_dir():
+            return folder
+    return None
+
+
+__all__ = ["PACKAGE", "Types", "installed"]
