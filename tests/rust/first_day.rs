@@ -90,6 +90,11 @@ impl Port for Fake {
     fn write(&mut self, bytes: &[u8]) -> Result<(), Self::Error> {
         let command = u16::from_be_bytes([bytes[2], bytes[5]]);
         assert!(Packet::new(bytes).is_ok());
+        if command == 0x0101 && bytes[3] > 2 {
+            let answers = [4, 0xF1, 1, 0].repeat(usize::from(bytes[3] / 2)); // to a barrier
+            self.coming.extend(packet(1, &answers));
+            return Ok(());
+        }
         self.sent.push(bytes.to_vec());
         if self.rate != self.baud {
             self.coming.extend([0x75 ^ 0x5A; 40]);

@@ -33,7 +33,7 @@ static void registry(void) {
     for (const struct mip_entry *e = NULL; (e = mip_registry_next(1, 0x90, e)) != NULL; count++) {
         CHECK(e->descriptor == 0x90);
     }
-    CHECK(count == 4 && mip_registry_next(1, 0x7F, NULL) == NULL && mip_registry_next(0x55, 0x01, NULL) == NULL);
+    CHECK(count == 5 && mip_registry_next(1, 0x7F, NULL) == NULL && mip_registry_next(0x55, 0x01, NULL) == NULL);
     field = field_of(0x55, 0xF1, "");
     CHECK(mip_registry_find(&field)->codec == &mip_protocol_acknowledge_codec);
     field = field_of(0x99, 0xD3, "");

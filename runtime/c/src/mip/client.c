@@ -121,7 +121,7 @@ static uint8_t respond(struct mip_request *request, const struct mip_field *fiel
         request->error = (uint8_t)error;
         request->responded = error == MIP_OK;
     }
-    if (r->layout != NULL) {
+    if (r->layout != NULL && !request->responded) {
         request->codec = r->layout;
     }
     return request->error != MIP_OK ? MIP_REQUEST_UNDECODABLE : MIP_REQUEST_ACKNOWLEDGED;
