@@ -205,7 +205,7 @@ types:
             kind::mip_3dm_nmea_message_format_response: mip_3dm_nmea_message_format_response
             kind::mip_3dm_get_base_rate_response: mip_3dm_get_base_rate_response
             kind::mip_3dm_message_format_response: mip_3dm_message_format_response
-            kind::mip_3dm_device_status_basic_rq1_imu_response: mip_3dm_device_status_basic_rq1_imu_response_layouts
+            kind::mip_3dm_device_status_basic_response: mip_3dm_device_status_basic_response_layouts
             kind::mip_3dm_gps_dynamics_mode_response: mip_3dm_gps_dynamics_mode_response
             kind::mip_3dm_imu_timestamp_response: mip_3dm_imu_timestamp_response
             kind::mip_3dm_complementary_filter_response: mip_3dm_complementary_filter_response
@@ -666,7 +666,7 @@ types:
     seq:
       - id: bytes
         size-eos: true
-  mip_3dm_device_status_basic_rq1_imu_response_layouts:
+  mip_3dm_device_status_basic_response_layouts:
     -kind: layouts
     doc: The layout of the data, chosen by its constants and its size.
     seq:
@@ -10139,7 +10139,7 @@ enums:
       -role: response
       doc: Message Format response
     0x0c90:
-      id: mip_3dm_device_status_basic_rq1_imu_response
+      id: mip_3dm_device_status_basic_response
       -orig-id: 3dm.device_status_basic_rq1_imu_response
       -role: response
       doc: Basic Device Status of the inertial sensor of the 3DM-RQ1-45

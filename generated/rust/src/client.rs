@@ -696,12 +696,11 @@ impl Slots {
     /// Does the packet answer the last barrier? Then nothing answers any more what was sent before.
     fn passes(&mut self, packet: &Packet<'_>) -> bool {
         let (size, [set, descriptor]) = (self.behind, BARRIER);
-        let (acknowledges, rest) = packet.payload().split_at(packet.payload().len() & !3);
-        let all = acknowledges
-            .chunks_exact(4)
-            .all(|field| field.starts_with(&[4, Acknowledge::DESCRIPTOR, descriptor]));
-        let count = packet.payload().len() / 4;
-        if size == 0 || packet.set() != set || count != size.into() || !rest.is_empty() || !all {
+        let mut fields = packet.payload().chunks(4);
+        let answers = packet.set() == set
+            && packet.payload().len() == 4 * usize::from(size)
+            && fields.all(|field| field.starts_with(&[4, Acknowledge::DESCRIPTOR, descriptor]));
+        if size == 0 || !answers {
             return false;
         }
         let order = self.happened;

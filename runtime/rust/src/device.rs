@@ -61,8 +61,6 @@ pub use asynchronous::AsyncDevice;
 #[cfg(feature = "embedded-io")]
 pub use embedded::{EmbeddedError, EmbeddedPort};
 #[cfg(feature = "open")]
-pub(crate) use line::nobody;
-#[cfg(feature = "open")]
 pub use line::Line;
 #[cfg(feature = "std")]
 pub use standard::StdPort;

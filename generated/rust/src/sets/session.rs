@@ -55,10 +55,21 @@ pub fn open(place: &str) -> Result<Device<crate::device::Line>, DeviceError<std:
     }
     match found {
         Err(DeviceError::Command(CommandError::TimedOut)) => {
-            Err(DeviceError::Port(crate::device::nobody(place, all)))
+            Err(DeviceError::Port(nobody(place, all)))
         }
         found => found.map(|_| device),
     }
+}
+
+/// That a device was not found, with the remedy.
+#[cfg(feature = "open")]
+fn nobody(place: &str, rates: &[u32]) -> std::io::Error {
+    let list = std::format!("{rates:?}");
+    let list = list.trim_matches(['[', ']']);
+    let at = if list.is_empty() { "" } else { " at " };
+    let text =
+        std::format!("{place}: no device answers{at}{list}; is it switched on, and on this port?");
+    std::io::Error::new(std::io::ErrorKind::NotFound, text)
 }
 
 /// A field of a stream, and how often it is sent.
@@ -245,6 +256,7 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
     /// [`StreamError::NoSuchRate`], before any setting is changed; [`StreamError::Device`] if a field
     /// does not occur in the set, there are too many, or a command fails.
     #[rustfmt::skip]
+    #[allow(clippy::float_cmp)] // a rate that is nearly the same is another one
     pub fn stream(&mut self, set: u8, rates: &[Rate]) -> Result<u16, StreamError<P::Error>> {
         for rate in rates {
             if let Some(first) = rate.sets.first().filter(|_| !rate.sets.contains(&set)) {

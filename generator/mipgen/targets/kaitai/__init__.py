@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 from mipgen import model as m
@@ -60,12 +60,17 @@ def kinds(model: m.Model) -> list[tuple[int, str, tuple[m.Field, ...]]]:
     for f in (model.protocol.acknowledge, *model.fields):
         for o in f.occurrences:
             layouts.setdefault((o.set, f.descriptor), []).append(f)
-    return [(s << 8 | d, names.kind_name(fields[0], s), tuple(fields)) for (s, d), fields in sorted(layouts.items())]
+    return [(s << 8 | d, names.kind_name(first(x), s), tuple(x)) for (s, d), x in sorted(layouts.items())]
 
 
-def home(fields: tuple[m.Field, ...]) -> str:
+def first(fields: Sequence[m.Field]) -> m.Field:
+    """The layout that names a descriptor: the first in the specification; those of `fields` are in order of choice."""
+    return min(fields, key=lambda f: f.position or ())
+
+
+def home(fields: Sequence[m.Field]) -> str:
     """The type of a descriptor's data."""
-    return type_name(fields[0]) if len(fields) == 1 else f"{type_name(fields[0])}_layouts"
+    return type_name(first(fields)) + ("_layouts" if len(fields) > 1 else "")
 
 
 def kind(model: m.Model) -> str:

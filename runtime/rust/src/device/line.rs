@@ -3,7 +3,6 @@
 use std::fs::File;
 use std::io::{self, ErrorKind, Read, Write};
 use std::net::TcpStream;
-use std::string::{String, ToString};
 use std::time::{Duration, Instant};
 use std::{boxed::Box, format};
 
@@ -171,12 +170,4 @@ impl Port for Line {
             _ => None,
         }
     }
-}
-
-/// That a device was not found, with the remedy.
-pub(crate) fn nobody(place: &str, rates: &[u32]) -> io::Error {
-    let tried: std::vec::Vec<String> = rates.iter().map(ToString::to_string).collect();
-    let at = if tried.is_empty() { String::new() } else { format!(" at {} Bd", tried.join(", ")) };
-    let text = format!("{place}: no device answers{at}; is it switched on, and on this port?");
-    io::Error::new(ErrorKind::NotFound, text)
 }

@@ -140,7 +140,7 @@ types:
             kind::tools_pin_response: tools_pin_response
             kind::tools_hello_response: tools_hello_response
             kind::tools_readings_response: tools_readings_response
-            kind::tools_status_paged: tools_status_paged_layouts
+            kind::tools_status_short: tools_status_short_layouts
             kind::tools_bias_vector: tools_bias_vector
             kind::mip_3d_default: mip_3d_default
             kind::measurements_accel: measurements_accel
@@ -171,7 +171,7 @@ types:
     seq:
       - id: bytes
         size-eos: true
-  tools_status_paged_layouts:
+  tools_status_short_layouts:
     -kind: layouts
     doc: The layout of the data, chosen by its constants and its size.
     seq:
@@ -1261,7 +1261,7 @@ enums:
       -role: response
       doc: Readings response
     0x0190:
-      id: tools_status_paged
+      id: tools_status_short
       -orig-id: tools.status_paged
       -role: response
       doc: Status response
