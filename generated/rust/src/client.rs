@@ -699,7 +699,10 @@ impl Slots {
         let mut fields = packet.payload().chunks(4);
         let answers = packet.set() == set
             && packet.payload().len() == 4 * usize::from(size)
-            && fields.all(|field| field.starts_with(&[4, Acknowledge::DESCRIPTOR, descriptor]));
+            && fields.all(|field| match *field {
+                [4, kind, of, _] => kind == Acknowledge::DESCRIPTOR && of == descriptor,
+                _ => false,
+            });
         if size == 0 || !answers {
             return false;
         }
