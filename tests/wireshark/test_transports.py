@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+import re
 from pathlib import Path
 
 import captures
@@ -199,6 +200,17 @@ def test_bytes_are_recognized_by_any_packet(first: bytes, tmp_path: Path) -> Non
     data = first + (b"" if first.startswith(FALSE_SYNC) else codec.checksum(first)) + accel(0.5) * 2
     for capture in (data, captures.tcp([(True, data)], 45678), captures.datagrams([data], 45678)):
         assert trees(tmp_path, capture, "-Y", "mip_protocol || mip_stream")
+
+
+def test_a_log_is_recognized_by_its_first_bytes(tmp_path: Path) -> None:
+    """As the README says: a packet must end in the first 65536."""
+    (said,) = re.findall(r"in its first (\d+) bytes", (shark("real").plugin.parent / "README.md").read_text("utf-8"))
+    for noise in (5000, int(said) - len(accel(0.5))):
+        assert len(found(trees(tmp_path, b"x" * noise + accel(0.5)))) == 1
+    log = tmp_path / "log.bin"
+    log.write_bytes(b"x" * (noise + 1) + accel(0.5))
+    with pytest.raises(AssertionError, match="capture file"):
+        shark("real").run("-r", str(log))
 
 
 # --------------------------------------------------------------------------- requests and answers

@@ -1694,7 +1694,8 @@ apply_preferences()
 -- Opens a log of raw bytes as a capture: a frame for each packet, and one for the bytes between two packets.
 
 local LONGEST = 255 + AROUND -- bytes of a packet
-local PROBE = 4096 -- bytes at the start of a log, in which a packet must be; the most in a frame between packets
+local PROBE = 65536 -- bytes at the start of a log, in which a packet must be
+local LUMP = 4096 -- the most bytes in a frame between packets
 
 -- What Wireshark puts in front of an exported PDU: the name of its dissector, and the end of such tags.
 local EXPORTED = "\0\12\0" .. string.char(#NAME) .. NAME .. "\0\0\0\0"
@@ -1708,8 +1709,8 @@ local function next_bytes(file)
   end
   local first = scan(raw, #raw < LONGEST, 1)[1]
   if not first or first.at > 0 then
-    raw = raw .. (file:read(PROBE - LONGEST) or "")
-    local packets, rest = scan(raw, #raw < PROBE, 1)
+    raw = raw .. (file:read(LUMP - LONGEST) or "")
+    local packets, rest = scan(raw, #raw < LUMP, 1)
     first = packets[1] and { at = 0, size = packets[1].at } or { at = 0, size = rest or #raw }
   end
   file:seek("set", from + first.size)
