@@ -521,6 +521,7 @@ def test_the_package_is_enough_to_reach_its_modules() -> None:
 import sys, mip_protocol
 assert not [k for k in sys.modules if k in ("dataclasses", "inspect", "mip_protocol.sensor", "mip_protocol.client")]
 assert {"sensor", "registry", "devices", "Client", "Decoder"} <= set(dir(mip_protocol))
+assert not {"Any", "annotations", "TYPE_CHECKING", "errors"} & set(dir(mip_protocol))
 assert mip_protocol.sensor.ScaledAccel.SET == 0x80 and mip_protocol.Client and mip_protocol.registry.types(0x80, 4)
 assert "dataclasses" not in sys.modules or "mip_protocol.client" in sys.modules
 try: mip_protocol.nothing

@@ -112,7 +112,8 @@ _USED = {
     "described": "Described",
     "device": "open_port",
     "devices": "DEVICES identify model_number",
-    "errors": "DecodeError EncodeError MipError MissingExtra NoAnswer PacketError PortClosed Refused UnknownName",
+    "errors": "DecodeError EncodeError MipError MissingExtra NoAnswer PacketError PortClosed PortError Refused "
+    "UnknownName",
     "field": "Command Data Field Response Structure chosen",
     "info": "BitsInfo EnumInfo",
     "lookup": "device_id",
@@ -151,6 +152,7 @@ if TYPE_CHECKING:
         NoAnswer,
         PacketError,
         PortClosed,
+        PortError,
         Refused,
         UnknownName,
     )

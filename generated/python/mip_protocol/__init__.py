@@ -21,6 +21,7 @@ from .errors import (
     NoSuchRate,
     PacketError,
     PortClosed,
+    PortError,
     Refused,
     Truncated,
     UnknownName,
@@ -92,7 +93,7 @@ if not TYPE_CHECKING:  # for type checkers it would have any name
 def __dir__() -> list[str]:
     from ._sets import MODULES
 
-    return sorted({*globals(), *_LAZY, *_MODULES, *MODULES.values()})
+    return sorted({*__all__, "VERSION", *_MODULES, *MODULES.values()})
 
 
 # fmt: off
@@ -100,7 +101,7 @@ __all__ = [
     "AckCode", "Acknowledge", "Answer", "Arrival", "Client", "Command", "Data", "DecodeError",
     "Decoder", "Device", "EncodeError", "Field", "FunctionSelector", "MipError", "MissingExtra",
     "MissingResponse", "NoAnswer", "NoDevice", "NoSuchRate", "Outcome", "Packet", "PacketBuilder", "PacketError",
-    "Parser", "PortClosed", "RawField", "Received", "Refused", "Response", "Samples",
+    "Parser", "PortClosed", "PortError", "RawField", "Received", "Refused", "Response", "Samples",
     "Skipped", "TimedOut", "Truncated", "Undecoded", "UnknownName", "checksum", "detect_baud",
     "open_port", "samples",
 ]

@@ -51,6 +51,7 @@ from .port import (
     Reader,
     address,
     as_port,
+    cannot_open,
     warn_unclosed,
     weakly,
 )
@@ -638,12 +639,15 @@ async def _connect(url: str | os.PathLike[str], baud: int | None) -> Any:
     try:
         done, _ = await asyncio.wait((opening,), timeout=seconds)
         if not done:
-            raise TimeoutError(f"{url} does not answer")
+            raise cannot_open(url, TimeoutError("nobody answers"))
     except BaseException:
         stop()
         opening.add_done_callback(_discard)
         await asyncio.wait((opening,), timeout=CLOSE_TIMEOUT)  # the port can be opened again then
         raise
+    error = opening.exception()
+    if host is not None and isinstance(error, OSError):
+        raise cannot_open(url, error) from error
     return opening.result()
 
 

@@ -496,8 +496,8 @@ def open_port(
 
     `baud`: the baud rate, or None to find it. The other arguments are those of `Device`. All except
     TCP connections need pyserial, which the extra `serial` installs. A serial port is opened for this
-    device alone. Raises OSError if the port cannot be opened or is in use, NoDevice if no baud rate
-    is found, ValueError if the URL is wrong, and MissingExtra.
+    device alone. Raises PortError, an OSError, if the port cannot be opened or is in use, NoDevice if
+    no baud rate is found, and MissingExtra.
     """
     port = connect(url, baud)
     device = Device(

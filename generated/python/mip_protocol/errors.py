@@ -66,6 +66,19 @@ class UnknownName(MipError, LookupError):
         return self.detail
 
 
+class PortError(OSError, MipError):
+    """A port that cannot be opened: `errno` is the reason, `kind` is `port`; or `url` if its name
+    is wrong."""
+
+    def __init__(self, kind: str, detail: str, errno: int | None = None) -> None:
+        MipError.__init__(self, kind, detail)
+        self.args = (kind, detail, errno)
+        self.errno = errno
+
+    def __str__(self) -> str:
+        return self.detail
+
+
 class Refused(MipError):
     """The device has refused a command; `code` is the reason.
 

@@ -17,7 +17,7 @@ from importlib import import_module
 from typing import Any, ParamSpec, Protocol
 from urllib.parse import urlsplit
 
-from .errors import MissingExtra
+from .errors import MissingExtra, PortError
 
 #: Seconds for which a read waits for the first byte, at ports that this module opens.
 READ_TIMEOUT = 0.05
@@ -91,8 +91,8 @@ def open_url(url: str | os.PathLike[str], baud: int) -> Any:
     """A port by its name: a path, COM3, HOST:PORT, socket://HOST:PORT, or another URL that pyserial
     supports.
 
-    A serial port is opened for this program alone. Raises OSError if it cannot be opened, ValueError
-    if the URL is wrong, MissingExtra without pyserial, which TCP connections do not need.
+    A serial port is opened for this program alone. Raises PortError if it cannot be opened, and
+    MissingExtra without pyserial, which TCP connections do not need.
     """
     if not isinstance(baud, int):
         raise TypeError(f"baud rate {baud!r}: needs a whole number, as in 115200")
@@ -100,25 +100,39 @@ def open_url(url: str | os.PathLike[str], baud: int) -> Any:
         raise ValueError(f"baud rate {baud}: at least 1")
     url = os.fspath(url)
     host = address(url)
-    if host is not None:
-        return SocketPort(socket.create_connection(host, CONNECT_TIMEOUT))
+    try:
+        if host is not None:
+            return SocketPort(socket.create_connection(host, CONNECT_TIMEOUT))
+        return _serial(url, baud)
+    except (OSError, ValueError) as error:
+        raise cannot_open(url, error) from error
+
+
+def cannot_open(url: str | os.PathLike[str], error: Exception) -> PortError:
+    """What says why a port cannot be opened. A ValueError is pyserial's, of a URL that it does not
+    know."""
+    number = getattr(error, "errno", None)
+    if number in (errno.EAGAIN, errno.EBUSY):  # of a lock, of the device itself
+        number, why = errno.EBUSY, IN_USE
+    else:  # pyserial names the port once more
+        why = os.strerror(number) if number else str(error)
+    kind = "port" if isinstance(error, OSError) else "url"
+    return PortError(kind, f"{os.fspath(url)} cannot be opened: {why}", number)
+
+
+def _serial(url: str, baud: int) -> Any:
     try:
         serial: Any = import_module("serial")
     except ImportError:
         raise MissingExtra("pyserial", "serial") from None
-    try:
-        # Two readers of one port would each get a part of what arrives.
-        return serial.serial_for_url(
-            url, baudrate=baud, timeout=READ_TIMEOUT, write_timeout=WRITE_TIMEOUT, exclusive=True
-        )
-    except OSError as error:
-        if error.errno not in (errno.EAGAIN, errno.EBUSY):  # of a lock, of the device itself
-            raise
-        raise OSError(errno.EBUSY, IN_USE, url) from error
+    # Two readers of one port would each get a part of what arrives.
+    return serial.serial_for_url(
+        url, baudrate=baud, timeout=READ_TIMEOUT, write_timeout=WRITE_TIMEOUT, exclusive=True
+    )
 
 
 def address(url: str | os.PathLike[str]) -> tuple[str, int] | None:
-    """Host and number of HOST:PORT, socket://… and tcp://…; None for other URLs. Raises ValueError."""
+    """Host and number of HOST:PORT, socket://… and tcp://…; None for other URLs. Raises PortError."""
     url = os.fspath(url)
     scheme, separator, rest = url.partition("://")
     if not separator and _HOST.fullmatch(url):
@@ -131,7 +145,7 @@ def address(url: str | os.PathLike[str]) -> tuple[str, int] | None:
     except ValueError:
         number = None
     if not parts.hostname or not number:
-        raise ValueError(f"{url!r} is not a TCP port; write HOST:PORT")
+        raise PortError("url", f"{url!r} is not a TCP port; write HOST:PORT")
     return parts.hostname, number
 
 
@@ -267,6 +281,7 @@ __all__ = [
     "SocketPort",
     "address",
     "as_port",
+    "cannot_open",
     "open_url",
     "read_some",
     "warn_unclosed",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import errno
 import math
 import pickle
 import queue
@@ -661,19 +662,23 @@ def test_a_port_that_does_not_come_back(kind: Kind) -> None:
 
 
 @pytest.mark.parametrize(
-    ("url", "error", "message"),
+    ("url", "number", "message"),
     [
-        ("socket://localhost", ValueError, "write HOST:PORT"),
-        ("socket://localhost:99999", ValueError, "write HOST:PORT"),
-        ("localhost:99999", ValueError, "write HOST:PORT"),
-        ("localhost:1", OSError, "Err|Connect"),
-        ("socket://localhost:1", OSError, "Err|Connect"),
-        ("/no/such/port", OSError, "/no/such/port"),
+        ("socket://localhost", None, "'socket://localhost' is not a TCP port; write HOST:PORT"),
+        ("socket://localhost:99999", None, "write HOST:PORT"),
+        ("localhost:99999", None, "write HOST:PORT"),
+        ("nothing://localhost:1", None, "nothing://localhost:1 cannot be opened: invalid URL, protocol 'nothing' not known"),
+        ("localhost:1", errno.ECONNREFUSED, "localhost:1 cannot be opened: Connection refused"),
+        ("socket://localhost:1", errno.ECONNREFUSED, "//localhost:1 cannot be opened: Connection refused"),
+        ("/no/such/port", errno.ENOENT, "/no/such/port cannot be opened: No such file or directory$"),
     ],
 )
-def test_ports_that_cannot_be_opened(kind: Kind, url: str, error: type[Exception], message: str) -> None:
-    with pytest.raises(error, match=message):
+def test_ports_that_cannot_be_opened(kind: Kind, url: str, number: int | None, message: str) -> None:
+    with pytest.raises(mip.PortError, match=message) as caught:
         kind.open(url)
+    error = pickle.loads(pickle.dumps(caught.value))
+    assert isinstance(error, OSError) and isinstance(error, mip.MipError)
+    assert (error.errno, error.kind, str(error)) == (number, "port" if number else "url", str(caught.value))
 
 
 def test_wrong_arguments(kind: Kind, peer: Peer) -> None:

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
-from ..binding import MipError
+from ..binding import MipError, PortError
 from ..errors import Failure
 from .scan import Piece, Scanner
 from .silence import Silence
@@ -58,17 +58,20 @@ def opened(name: str, options: argparse.Namespace, **more: Any) -> Iterator[Devi
     try:
         device = open_port(name, options.baud, **more)
     except (OSError, ImportError, MipError, ValueError) as error:
-        raise Failure(f"{name} cannot be opened: {reason(error)}") from None
+        raise Failure(why_not(name, error)) from None
     with device:
         yield device
+
+
+def why_not(name: str, error: BaseException) -> str:
+    """Why a port cannot be opened, with its name."""
+    said = reason(error)
+    return said if isinstance(error, PortError) else f"{name} cannot be opened: {said}"
 
 
 def reason(error: BaseException) -> str:
     """The message of an exception, in one line."""
     said = getattr(error, "strerror", None) or str(error) or type(error).__name__
-    number = getattr(error, "errno", None)
-    if number and str(said).startswith("could not open port"):  # pyserial: with the port once more
-        said = os.strerror(number)
     return " ".join(str(said).split())
 
 

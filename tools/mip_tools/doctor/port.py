@@ -20,7 +20,7 @@ from ..binding import (
     session,
 )
 from ..cli import show
-from ..cli.ports import reason
+from ..cli.ports import why_not
 from ..cli.scan import Piece, Scanner
 from ..cli.silence import resume_command
 from ..occurrence import Occurrence
@@ -143,7 +143,7 @@ class Patient:
 def why_not_open(name: str, error: BaseException) -> Finding:
     """Why a port cannot be opened."""
     number = getattr(error, "errno", None)
-    said = f"{name}: {reason(error)}"
+    said = why_not(name, error)
     if isinstance(error, ImportError):
         return Finding("missing extra", said, "install the extra `serial`: pip install pyserial")
     if number == errno.EBUSY:
@@ -152,7 +152,7 @@ def why_not_open(name: str, error: BaseException) -> Finding:
         return Finding("no permission", said, "on Linux, join the group that owns the port: dialout or uucp")
     if number == errno.ENOENT or (os.sep in name and not os.path.exists(name)):
         return Finding("no such port", said, _others())
-    if isinstance(error, ConnectionRefusedError):
+    if number == errno.ECONNREFUSED:
         return Finding("wrong port", said, "nothing listens there; check host and number")
     if getattr(error, "kind", "") == "no_device":
         return Finding("no device", said, "wrong port, no power, or the device is in another protocol")
