@@ -667,7 +667,7 @@ def test_a_port_that_does_not_come_back(kind: Kind) -> None:
         ("socket://localhost", None, "'socket://localhost' is not a TCP port; write HOST:PORT"),
         ("socket://localhost:99999", None, "write HOST:PORT"),
         ("localhost:99999", None, "write HOST:PORT"),
-        ("nothing://localhost:1", None, "nothing://localhost:1 cannot be opened: invalid URL, protocol 'nothing' not known"),
+        ("nothing://localhost:1", None, "nothing://localhost:1 cannot be opened: invalid URL, protocol 'nothing'"),
         ("localhost:1", errno.ECONNREFUSED, "localhost:1 cannot be opened: Connection refused"),
         ("socket://localhost:1", errno.ECONNREFUSED, "//localhost:1 cannot be opened: Connection refused"),
         ("/no/such/port", errno.ENOENT, "/no/such/port cannot be opened: No such file or directory$"),
