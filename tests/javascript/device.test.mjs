@@ -338,7 +338,11 @@ test("the baud rate of a serial port is found", async () => {
     assert.deepEqual(given.opens, [9600]);
 });
 
-test("a serial port without a device", async () => {
+test("a serial port without a device", async (t) => {
+    const { now } = performance;
+    const { setTimeout: later } = globalThis;
+    t.mock.method(performance, "now", () => 50 * now.call(performance)); // it waits at each rate
+    t.mock.method(globalThis, "setTimeout", (call, milliseconds) => later(call, milliseconds / 50));
     await assert.rejects(openSerial(new FakeSerial(1)), { kind: "no_device" });
 });
 
