@@ -5,6 +5,9 @@ import type * as types from "./types.mjs";
 
 export { AckCode } from "./types.mjs";
 
+/** Set and descriptor of the command that a barrier of `Client` consists of; zeros if the specification names none. */
+export declare const BARRIER: readonly [set: number, descriptor: number];
+
 export type FunctionSelector = Flavor<number, "function_selector">;
 /** What a settings command is asked to do. */
 export declare const FunctionSelector: Enumeration<FunctionSelector> & {

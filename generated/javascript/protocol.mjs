@@ -6,6 +6,9 @@ import * as types from "./types.mjs";
 
 export { AckCode } from "./types.mjs";
 
+/** Set and descriptor of the command that a barrier of `Client` consists of; zeros if the specification names none. */
+export const BARRIER = [0x01, 0x01];
+
 export const FunctionSelector = /* @__PURE__ */ codec.enumeration(codec.u8, {
     WRITE: 1,
     READ: 2,

@@ -9,10 +9,11 @@ import { pathToFileURL } from "node:url";
 
 const folder = path.resolve(process.env.FOLDER);
 const load = (name) => import(pathToFileURL(path.join(folder, name)));
-const { Device, fromHex, MipError, Packet, Parser, toHex } = await load("mip/index.mjs");
+const { Device, fromHex, MipError, Packet, packetOf, Parser, toHex } = await load("mip/index.mjs");
 const { openSerial } = await load("mip/serial.mjs");
 const { openTcp } = await load("mip/tcp.mjs");
 const { openWebSocket } = await load("mip/websocket.mjs");
+const { GetBaseRate } = await load("3dm.mjs");
 const { CommSpeed, GetDeviceInfo, Ping } = await load("base.mjs");
 const { EcefPosition } = await load("aiding.mjs");
 const { ScaledAccel, ScaledGyro } = await load("sensor.mjs");
@@ -70,13 +71,35 @@ const opened = async (reply, options) => {
     return { port, device: await Device.open(async () => port, options) };
 };
 
+const joined = (parts) => new Uint8Array(Buffer.concat(parts));
+const pings = (count) => packetOf(Array.from({ length: count }, () => new Ping())).bytes;
+
+/** Answers each packet with what `reply` makes of each of its fields. */
+const answering = (reply) => {
+    const parser = new Parser();
+    return (bytes) => joined(parser.feed(bytes).map((sent) => packet(...[...sent.fields()].flatMap(reply))));
+};
+
 /** Acknowledges every field, with a code. */
-const acknowledging =
-    (code = 0) =>
-    (bytes) => {
-        const sent = new Packet(bytes);
-        return packet(...[...sent.fields()].map(({ descriptor }) => ack(sent.set, descriptor, code)));
+const acknowledging = (code = 0) => answering(({ set, descriptor }) => ack(set, descriptor, code));
+
+/** Acknowledges every field, and tells base rates: 100 Hz of set 0x80, and 4 Hz of others. */
+const rating = () =>
+    answering(({ set, descriptor, data: [of] }) => {
+        const rate = { descriptor: 0x8e, data: Uint8Array.of(of, 0, of === 0x80 ? 100 : 4), set };
+        return [ack(set, descriptor), ...(descriptor === 0x0e ? [rate] : [])];
+    });
+
+/** The same, but the first answer comes with the second. */
+const lagging = () => {
+    const reply = rating();
+    const late = [];
+    let asked = 0;
+    return (bytes) => {
+        late.push(reply(bytes));
+        return asked++ ? joined(late.splice(0)) : new Uint8Array();
     };
+};
 
 test("what a command may end with", async () => {
     const { device } = await opened(acknowledging());
@@ -182,6 +205,33 @@ test("a port that is lost is opened again", async () => {
     await device.close();
 });
 
+test("the answer of a lost connection is not that of a command of the next one", async () => {
+    const ports = [fakePort(), fakePort(acknowledging())];
+    let opens = 0;
+    const device = await Device.open(async () => ports[opens++]);
+    const waiting = assert.rejects(device.request(new Ping()), { kind: "closed" });
+    ports[0].lose();
+    await waiting;
+    await device.reopen();
+    ports[1].arrive(packet(ack(1, 1, 3)));
+    assert.equal(await device.request(new Ping()), undefined);
+    assert.equal(toHex((await device.next()).bytes), toHex(packet(ack(1, 1, 3))));
+    await device.close();
+});
+
+test("nobody waits for the answer to what is only sent, and it is not that of the next command", async () => {
+    const { device, port } = await opened();
+    await device.send(new Ping());
+    const ping = device.request(new Ping(), { timeout: 5 });
+    await new Promise((resolve) => setTimeout(resolve));
+    assert.equal(toHex(port.written[1]), toHex(pings(2)) + toHex(pings(1)));
+    for (const answer of [[ack(1, 1, 3)], [ack(1, 1), ack(1, 1)], [ack(1, 1)]]) port.arrive(packet(...answer));
+    assert.equal(await ping, undefined);
+    assert.equal(toHex((await device.next()).bytes), toHex(packet(ack(1, 1, 3))));
+    assert.equal(device.waiting, 0);
+    await device.close();
+});
+
 test("a setting that silences commands is asked for once", async () => {
     const echo = Uint8Array.of(0); // commands are not acknowledged
     const { device, port } = await opened((bytes) => {
@@ -199,16 +249,12 @@ test("a setting that silences commands is asked for once", async () => {
     assert.equal(await device.request(position), undefined);
     assert.equal(await device.request(position), undefined);
     assert.equal(port.written.length, 3);
+    assert.deepEqual(port.written[2], port.written[1]); // without a barrier: no answer is missing
     await device.close();
 });
 
 test("rates are checked before anything is changed", async () => {
-    const { device, port } = await opened((bytes) => {
-        const sent = new Packet(bytes);
-        const [{ descriptor, data }] = sent.fields();
-        const rate = descriptor === 0x0e ? [{ descriptor: 0x8e, data: Uint8Array.of(data[0], 0, 100), set: sent.set }] : [];
-        return packet(ack(sent.set, descriptor), ...rate);
-    });
+    const { device, port } = await opened(rating());
     await assert.rejects(device.stream([[ScaledAccel, 30]]), { kind: "rate", message: /100 Hz.*nearest: 33.3/ });
     assert.equal(port.written.length, 1);
     await assert.rejects(device.stream([[LlhPosition, 1]]), { kind: "set" });
@@ -244,8 +290,9 @@ test("objects are checked as they are made", () => {
 class FakeSerial {
     opens = [];
 
-    constructor(rate) {
+    constructor(rate, reply = acknowledging()) {
         this.rate = rate;
+        this.reply = reply;
     }
 
     async open({ baudRate }) {
@@ -253,7 +300,7 @@ class FakeSerial {
         this.opens.push(baudRate);
         const answer = (bytes) => {
             const right = baudRate === this.rate;
-            this.controller.enqueue(right ? acknowledging()(bytes) : Uint8Array.of(0xff, 0x75, 0x00));
+            this.controller.enqueue(right ? this.reply(bytes) : Uint8Array.of(0xff, 0x75, 0x00));
         };
         const begin = () => {
             this.readable = new ReadableStream({
@@ -280,7 +327,7 @@ test("the baud rate of a serial port is found", async () => {
     const port = new FakeSerial(921600);
     const device = await openSerial(port);
     assert.deepEqual(port.opens, [115200, 3000000, 921600]);
-    assert.equal(await device.request(new Ping()), undefined);
+    assert.deepEqual(await Promise.all([1, 2].map(() => device.request(new Ping()))), [undefined, undefined]); // at once
     port.damage(); // a byte is lost, the port is not
     await new Promise((resolve) => setTimeout(resolve, 20));
     assert.equal(await device.request(new Ping()), undefined);
@@ -291,12 +338,17 @@ test("the baud rate of a serial port is found", async () => {
     assert.deepEqual(given.opens, [9600]);
 });
 
-test("a serial port without a device", async () => {
+test("a serial port without a device", async (t) => {
+    const { now } = performance;
+    const { setTimeout: later } = globalThis;
+    t.mock.method(performance, "now", () => 50 * now.call(performance)); // it waits at each rate
+    t.mock.method(globalThis, "setTimeout", (call, milliseconds) => later(call, milliseconds / 50));
     await assert.rejects(openSerial(new FakeSerial(1)), { kind: "no_device" });
 });
 
-test("a WebSocket", async () => {
-    class FakeSocket extends EventTarget {
+/** A class of WebSockets behind which a device answers. */
+const fakeSocket = (reply) =>
+    class extends EventTarget {
         constructor(url) {
             super();
             this.url = url;
@@ -304,7 +356,7 @@ test("a WebSocket", async () => {
         }
 
         send(bytes) {
-            const data = acknowledging()(bytes);
+            const data = reply(bytes);
             this.dispatchEvent(new MessageEvent("message", { data: "text is no data" }));
             for (const part of [data.slice(0, 3), data.slice(3)]) {
                 this.dispatchEvent(new MessageEvent("message", { data: part.buffer }));
@@ -314,11 +366,13 @@ test("a WebSocket", async () => {
         close() {
             this.dispatchEvent(new Event("close"));
         }
-    }
-    const device = await openWebSocket("ws://localhost:1", { WebSocket: FakeSocket });
+    };
+
+test("a WebSocket", async () => {
+    const device = await openWebSocket("ws://localhost:1", { WebSocket: fakeSocket(acknowledging()) });
     assert.equal(await device.request(new Ping()), undefined);
     await device.close();
-    await assert.rejects(openWebSocket("ws://none", { WebSocket: FakeSocket }), { kind: "closed" });
+    await assert.rejects(openWebSocket("ws://none", { WebSocket: fakeSocket() }), { kind: "closed" });
     await assert.rejects(openWebSocket("ws://none", { WebSocket: null }), { kind: "websocket" });
 });
 
@@ -335,3 +389,27 @@ test("a TCP connection that the other end closes", async () => {
     server.close();
     await assert.rejects(openTcp("localhost", 1), { code: "ECONNREFUSED" });
 });
+
+/** A TCP server behind which a device answers. */
+async function served(reply) {
+    const server = net.createServer((socket) => socket.on("data", (bytes) => socket.write(reply(bytes))));
+    await new Promise((resolve) => server.listen(0, "localhost", resolve));
+    return server.unref();
+}
+
+for (const [name, open] of Object.entries({
+    "a port": async (reply) => (await opened(reply)).device,
+    TCP: async (reply) => openTcp("localhost", (await served(reply)).address().port),
+    "Web Serial": (reply) => openSerial(new FakeSerial(9600, reply), { baud: 9600 }),
+    "a WebSocket": (reply) => openWebSocket("ws://localhost:1", { WebSocket: fakeSocket(reply) }),
+})) {
+    test(`a late answer over ${name} is not that of the next command`, async (t) => {
+        const device = await open(lagging());
+        t.after(() => device.close()); // an open socket would keep a failed test from ending
+        await assert.rejects(device.request(new GetBaseRate({ descriptorSet: 0x82 }), { timeout: 0.05 }), { kind: "timeout" });
+        assert.equal((await device.request(new GetBaseRate({ descriptorSet: 0x80 }), { timeout: 5 })).rate, 100);
+        assert.equal([...(await device.next()).fields()][1].data[0], 0x82); // it is data
+        assert.equal((await device.request(new GetBaseRate({ descriptorSet: 0x82 }))).rate, 4);
+        assert.equal(device.waiting, 0);
+    });
+}

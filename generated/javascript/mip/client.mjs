@@ -1,13 +1,17 @@
 // The command client, without input or output: its caller transfers the bytes and tells the time, in seconds of any
 // clock that does not jump.
 
-import { MipError } from "./bytes.mjs";
+import { BARRIER } from "../protocol.mjs";
+import { concatenated, MipError } from "./bytes.mjs";
 import { Command, packetOf } from "./field.mjs";
-import { FIRST_DATA_SET, RawField } from "./packet.mjs";
+import { FIRST_DATA_SET, Packet, RawField } from "./packet.mjs";
 import { Parser } from "./parser.mjs";
 
 /** Descriptor of the acknowledge in every command set; its data are the descriptor of the command, and a code. */
 const ACKNOWLEDGE = 0xf1;
+
+/** How many barriers there are. They have 2 to 63 commands: the answer to each is one packet. */
+const BARRIERS = 62;
 
 /** Raises a MipError if this is not a time to wait. */
 export function checkSeconds(timeout) {
@@ -16,11 +20,21 @@ export function checkSeconds(timeout) {
     }
 }
 
-/** Follows the commands that wait for an answer. Data between the answers is passed through. */
+/**
+ * Follows the commands that wait for an answer. Data between the answers is passed through.
+ *
+ * After a command without an answer, its answer may still come, and MIP has no mark by which it could be told from that of
+ * the next such command. `send` then begins with a barrier: a packet of several commands that change nothing. The device
+ * answers in order, and those of one packet in one packet, whose size tells which barrier it answers. Until then, nothing
+ * answers the commands behind it, and from then on nothing those before it, which have timed out. A command whose barrier
+ * is not answered times out, although the device may have carried it out.
+ */
 export class Client {
     #parser;
     #timeout;
-    #waiting = [];
+    #waiting = []; // each with `behind`: the size of a barrier that must be answered first; 0: none
+    #missed = 0; // commands without an answer, since a barrier was answered
+    #behind = 0; // the size of the last barrier, until it is answered
 
     /** @param options.timeout seconds until a command times out; longer for commands that take longer */
     constructor({ timeout = 1, onSkipped } = {}) {
@@ -45,22 +59,55 @@ export class Client {
     }
 
     /**
-     * The bytes to send: one packet with these commands, all of one set. Raises a MipError, and waits for no answer, if
-     * they do not fit into one.
+     * The bytes to send: one packet with these commands, all of one set, behind a barrier if an earlier command was not
+     * answered. Raises a MipError, and waits for no answer, if they do not fit into one packet.
      *
      * @param options.timeout seconds for these commands, in place of their usual time-outs
+     * @param options.wait false if answers are not expected, and are events like data
      */
-    send(commands, now, { timeout } = {}) {
+    send(commands, now, { timeout, wait = true } = {}) {
         if (timeout !== undefined) checkSeconds(timeout);
         if (commands.length === 0) throw new MipError("missing", "send needs at least one command");
         if (!commands.every((one) => one instanceof Command)) throw new MipError("set", "only commands are sent");
         const { bytes } = packetOf(commands);
-        for (const command of commands) {
-            if (!command.answered) continue;
-            const seconds = timeout ?? Math.max(this.#timeout, command.constructor.TIMEOUT ?? 0);
-            this.#waiting.push({ command, wanted: command.replies, deadline: now + seconds });
+        const answered = commands.filter((one) => one.answered);
+        if (!wait) {
+            this.#miss(answered.length);
+            return bytes;
         }
-        return bytes;
+        const barrier = this.#barrier();
+        for (const command of answered) {
+            const seconds = timeout ?? Math.max(this.#timeout, command.constructor.TIMEOUT ?? 0);
+            this.#waiting.push({ command, wanted: command.replies, deadline: now + seconds, behind: this.#behind });
+        }
+        return concatenated(barrier, bytes);
+    }
+
+    #barrier() {
+        const [set, descriptor] = BARRIER;
+        if (!set || !this.#missed || this.#behind === this.#missed + 1) return [];
+        this.#miss(this.#waiting.length); // they may be of its kind
+        this.#behind = this.#missed + 1;
+        return Packet.build(set, Array(this.#behind).fill({ descriptor, data: [] })).bytes;
+    }
+
+    #miss(count) {
+        if (count) this.#missed = ((this.#missed + count - 1) % BARRIERS) + 1;
+    }
+
+    /** If the packet answers the last barrier, with any codes: the time-outs of all that was sent before it. */
+    #passed({ set, payload }) {
+        const [number, descriptor] = BARRIER;
+        const size = this.#behind;
+        if (!size || set !== number || payload.length !== 4 * size) return undefined;
+        const acknowledge = [4, ACKNOWLEDGE, descriptor];
+        if (!payload.every((byte, i) => i % 4 === 3 || byte === acknowledge[i % 4])) return undefined;
+        const before = this.#waiting.filter(({ behind }) => behind !== size);
+        this.#waiting = this.#waiting.filter(({ behind }) => behind === size);
+        for (const one of this.#waiting) one.behind = 0;
+        if (size === this.#missed + 1) this.#missed = 0;
+        this.#behind = 0;
+        return before.map(timedOut);
     }
 
     /** The events of these bytes and this time: answers, other packets, time-outs. */
@@ -85,9 +132,27 @@ export class Client {
         return [...events, ...this.poll(now)];
     }
 
-    /** Waits for this command no longer. */
-    cancel(command) {
-        this.#waiting = this.#waiting.filter((one) => one.command !== command);
+    /**
+     * Waits for this command no longer. Its answer, if it still comes, answers no other.
+     *
+     * @param options.silent the device does not answer it
+     */
+    cancel(command, { silent = false } = {}) {
+        const left = this.#waiting.filter((one) => one.command !== command);
+        if (!silent) this.#miss(this.#waiting.length - left.length);
+        this.#waiting = left;
+    }
+
+    /**
+     * The connection was lost: gives up an incomplete packet, and the commands that wait time out. What still comes over the
+     * next connection is not taken for an answer to later commands.
+     */
+    interrupt() {
+        const events = this.#events(this.#parser.flush());
+        const given = this.#waiting.map(timedOut);
+        this.#miss(given.length);
+        this.#waiting = [];
+        return [...events, ...given];
     }
 
     /**
@@ -102,8 +167,9 @@ export class Client {
             if (packets.length === 0) break;
             events.push(...this.#events(packets));
         }
-        const given = this.#waiting.filter(late).map(({ command }) => ({ type: "timedOut", command }));
+        const given = this.#waiting.filter(late).map(timedOut);
         this.#waiting = this.#waiting.filter((one) => !late(one));
+        this.#miss(given.length);
         return [...events, ...given];
     }
 
@@ -113,6 +179,8 @@ export class Client {
 
     /** The answers in a packet, and the packet itself if it has other fields. */
     #taken(packet) {
+        const passed = this.#passed(packet);
+        if (passed) return passed;
         const fields = [];
         const { bytes, set } = packet;
         const wrong = packet.walk((at, end) => {
@@ -142,7 +210,9 @@ export class Client {
     #answer({ set, data }, behind) {
         if (data.length < 2) return undefined;
         const [descriptor, code] = data;
-        const asked = this.#waiting.filter(({ command: { constructor: kind } }) => kind.SET === set && kind.DESCRIPTOR === descriptor);
+        const asked = this.#waiting.filter(
+            ({ command: { constructor: kind }, behind: barrier }) => !barrier && kind.SET === set && kind.DESCRIPTOR === descriptor,
+        );
         let alone;
         for (const one of asked) {
             if (code !== 0) return this.#done(one, { code });
@@ -165,6 +235,8 @@ export class Client {
         return { type: "answer", command: one.command, accepted: answer.code === 0, ...answer };
     }
 }
+
+const timedOut = ({ command }) => ({ type: "timedOut", command });
 
 /** The response that a field is, if it is one of those that are asked for; or why it cannot be decoded. */
 function responseIn({ descriptor, data }, wanted) {

@@ -30,16 +30,15 @@ export class Device {
     #timer;
     #heard = 0;
     #incomplete = false;
-    #lastSkipped = 0;
 
     /** How many packets were dropped because nobody read them in time. */
     dropped = 0;
 
     constructor(open, { timeout = 1, capacity = 10_000, onBytes, onSkipped } = {}) {
         if (!(capacity >= 1)) throw new MipError("range", `capacity ${capacity}: at least one packet must have room`);
-        checkSeconds(timeout);
         this.#open = open;
-        this.#options = { timeout, capacity, onBytes, onSkipped };
+        this.#options = { capacity, onBytes };
+        this.#client = new Client({ timeout, onSkipped });
     }
 
     /** @param open opens the port, also if the device is opened again */
@@ -51,10 +50,8 @@ export class Device {
 
     async #begin() {
         this.#port = await this.#open();
-        const { timeout, onSkipped } = this.#options;
-        this.#lastSkipped = this.skipped;
-        this.#client = new Client({ timeout, onSkipped });
         this.#settings.clear();
+        this.#incomplete = false;
         this.#end = undefined;
         this.#read(this.#port);
     }
@@ -66,7 +63,7 @@ export class Device {
 
     /** How many bytes are part of no packet. */
     get skipped() {
-        return this.#lastSkipped + (this.#client?.skipped ?? 0);
+        return this.#client.skipped;
     }
 
     /** How many packets can be read without waiting. */
@@ -111,11 +108,11 @@ export class Device {
         const client = this.#client;
         const pending = client.pending; // the client tells commands by their objects
         const sent = commands.map((one, i) => (pending.includes(one) || commands.indexOf(one) < i ? new one.constructor({ ...one }) : one));
-        const bytes = client.send(sent, now(), options);
+        const bytes = client.send(sent, now(), { ...options, wait });
         const outcomes = sent.map((command) => {
             if (!client.pending.includes(command)) return undefined;
-            if (!wait || this.#isSilenced(command)) {
-                client.cancel(command);
+            if (this.#isSilenced(command)) {
+                client.cancel(command, { silent: true });
                 return undefined;
             }
             return new Promise((resolve) => this.#waiting.set(command, resolve));
@@ -333,11 +330,10 @@ export class Device {
         if (this.#end) return;
         this.#end = { message, cause };
         clearTimeout(this.#timer);
-        for (const event of this.#client?.flush(now()) ?? []) {
+        for (const event of this.#client.interrupt()) {
             if (event.type === "received") this.#arrive(event.packet);
-            else this.#waiting.get(event.command)?.(event);
+            else this.#waiting.get(event.command)?.(event.type === "answer" ? event : { ...event, type: "closed", message });
         }
-        for (const [command, resolve] of this.#waiting) resolve({ type: "closed", command, message });
         this.#waiting.clear();
         for (const { resolve, reject, timer } of this.#readers.splice(0)) {
             clearTimeout(timer);

@@ -225,7 +225,12 @@ export interface Closed {
 
 export type ClientEvent = Answer | TimedOut | Received;
 
-/** The command client, without input or output. Times are in seconds of any clock that does not jump. */
+/**
+ * The command client, without input or output. Times are in seconds of any clock that does not jump.
+ *
+ * After a command without an answer, the next ones are sent behind a barrier, a packet of several commands that change
+ * nothing: what comes before its answer is an event like data, and answers no command behind it.
+ */
 export declare class Client {
     /** @param options.timeout seconds until a command times out; longer for commands that take longer */
     constructor(options?: { timeout?: number; onSkipped?: (bytes: Uint8Array) => void });
@@ -235,8 +240,14 @@ export declare class Client {
     get skipped(): number;
     /** When the next command times out; undefined if none waits. */
     get deadline(): number | undefined;
-    /** The bytes to send: one packet with these commands, all of one set. Raises a MipError, and waits for no answer then. */
-    send(commands: readonly Command[], now: number, options?: { timeout?: number }): Uint8Array;
+    /**
+     * The bytes to send: one packet with these commands, all of one set, behind a barrier if an earlier command was not
+     * answered. Raises a MipError, and waits for no answer then.
+     *
+     * @param options.timeout seconds for these commands, in place of their usual time-outs
+     * @param options.wait false if answers are not expected, and are events like data
+     */
+    send(commands: readonly Command[], now: number, options?: { timeout?: number; wait?: boolean }): Uint8Array;
     /** The events of these bytes and this time. */
     receive(bytes: Bytes, now: number): ClientEvent[];
     /** The commands that have timed out. */
@@ -245,8 +256,17 @@ export declare class Client {
     lookBehind(now: number): ClientEvent[];
     /** Gives up an incomplete packet, for example at the end of a file. */
     flush(now: number): ClientEvent[];
-    /** Waits for this command no longer. */
-    cancel(command: Command): void;
+    /**
+     * Waits for this command no longer. Its answer, if it still comes, answers no other.
+     *
+     * @param options.silent the device does not answer it
+     */
+    cancel(command: Command, options?: { silent?: boolean }): void;
+    /**
+     * The connection was lost: gives up an incomplete packet, and the commands that wait time out. What still comes over the
+     * next connection is not taken for an answer to later commands.
+     */
+    interrupt(): ClientEvent[];
 }
 
 // ---------------------------------------------------------------------------------------------------- a device

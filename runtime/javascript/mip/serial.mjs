@@ -62,13 +62,11 @@ async function opened(port, baudRate) {
                 }
             }
         },
-        async write(bytes) {
+        write(bytes) {
             const writer = port.writable.getWriter();
-            try {
-                await writer.write(bytes);
-            } finally {
-                writer.releaseLock();
-            }
+            const written = writer.write(bytes);
+            writer.releaseLock(); // the next write may begin before the end of this one
+            return written;
         },
         async close() {
             closed = true;
