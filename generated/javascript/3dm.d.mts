@@ -1043,7 +1043,7 @@ export declare class DeviceStatusDiagnosticRq1_45Response extends Response {
 /**
  * Diagnostic Device Status of the 3DM-GX4-15 and 3DM-GX4-25 (0x0C,0x90).
  *
- * Timer with the counters of pulses, streams, port and USB.
+ * Timer, and counters of pulses, streams, port and USB.
  *
  * Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGnssResponse`,
  * `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticImuResponse`,
@@ -1811,7 +1811,7 @@ export declare class EventActionConfigResponse extends Response {
     /** Kind of action. Default: `types.EventActionType.NONE`. */
     type: types.EventActionType;
     /**
-     * The effect. Selected by `type`.
+     * What the action does. Selected by `type`.
      *
      * - If `type` is `types.EventActionType.NONE`: `{}`.
      * - If `type` is `types.EventActionType.GPIO`: `gpio: types.EventActionGpio`.
@@ -2774,7 +2774,7 @@ export declare class EventActionConfig<R extends Response | undefined = undefine
     /** Kind of action. Default: `types.EventActionType.NONE`. Required for `write`. */
     type?: types.EventActionType;
     /**
-     * The effect. Selected by `type`. Required for `write`.
+     * What the action does. Selected by `type`. Required for `write`.
      *
      * - If `type` is `types.EventActionType.NONE`: `{}`.
      * - If `type` is `types.EventActionType.GPIO`: `gpio: types.EventActionGpio`.

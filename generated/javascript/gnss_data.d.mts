@@ -355,11 +355,11 @@ export type JammingState = Flavor<number, "gnss_data.jamming_state">;
 export declare const JammingState: Enumeration<JammingState> & {
     /** Not known. */
     readonly UNKNOWN: JammingState & 0;
-    /** Not at all. */
+    /** Not jammed. */
     readonly NONE: JammingState & 1;
-    /** In part. */
+    /** Partly jammed. */
     readonly PARTIAL: JammingState & 2;
-    /** Badly. */
+    /** Heavily jammed. */
     readonly SIGNIFICANT: JammingState & 3;
 };
 
@@ -368,11 +368,11 @@ export type SpoofingState = Flavor<number, "gnss_data.spoofing_state">;
 export declare const SpoofingState: Enumeration<SpoofingState> & {
     /** Not known. */
     readonly UNKNOWN: SpoofingState & 0;
-    /** Not at all. */
+    /** Not spoofed. */
     readonly NONE: SpoofingState & 1;
-    /** In part. */
+    /** Partly spoofed. */
     readonly PARTIAL: SpoofingState & 2;
-    /** Badly. */
+    /** Heavily spoofed. */
     readonly SIGNIFICANT: SpoofingState & 3;
 };
 

@@ -3726,7 +3726,7 @@ types:
       - id: parameters
         type: parameters_cases
         if: function_value == function_selector::write or (_io.size > 4 and ((type == event_action_type::gpio and _io.size >= 6) or (type == event_action_type::message and _io.size >= 8)))
-        doc: The effect.
+        doc: What the action does.
     types:
       parameters_cases:
         -kind: union
@@ -4736,7 +4736,7 @@ types:
         doc: "System timer at the last message of the receiver. Unit: ms."
   mip_3dm_device_status_diagnostic_gx4_response:
     -orig-id: 3dm.device_status_diagnostic_gx4_response
-    doc: Diagnostic Device Status of the 3DM-GX4-15 and 3DM-GX4-25. Timer with the counters of pulses, streams, port and USB.
+    doc: Diagnostic Device Status of the 3DM-GX4-15 and 3DM-GX4-25. Timer, and counters of pulses, streams, port and USB.
     seq:
       - id: model_number
         type: u2
@@ -5399,7 +5399,7 @@ types:
         doc: "Kind of action. Default: `none_value`."
       - id: parameters
         type: parameters_cases
-        doc: The effect.
+        doc: What the action does.
     types:
       parameters_cases:
         -kind: union
@@ -13470,13 +13470,13 @@ enums:
     1:
       id: none_value
       -orig-id: none
-      doc: Not at all.
+      doc: Not jammed.
     2:
       id: partial
-      doc: In part.
+      doc: Partly jammed.
     3:
       id: significant
-      doc: Badly.
+      doc: Heavily jammed.
   gnss_data_spoofing_state:
     0:
       id: unknown
@@ -13484,13 +13484,13 @@ enums:
     1:
       id: none_value
       -orig-id: none
-      doc: Not at all.
+      doc: Not spoofed.
     2:
       id: partial
-      doc: In part.
+      doc: Partly spoofed.
     3:
       id: significant
-      doc: Badly.
+      doc: Heavily spoofed.
   gnss_data_heading_fix_type:
     0:
       id: unknown

@@ -1186,7 +1186,7 @@ field({ descriptor = 0x2F, name = "3dm.event_action_config", role = "command", t
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "instance", type = "u8", size = 1, doc = "Action instance; 0 means all (save, load, default)." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "trigger", type = "u8", size = 1, doc = "Trigger instance that the action follows." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "type", type = "u8", size = 1, enum = E["event_action_type"], doc = "Kind of action. Default: none." }, } },
-      { kind = "group", first = 4, last = 4, body = { { kind = "switch", name = "parameters", tag = "type", doc = "The effect.", cases = {
+      { kind = "group", first = 4, last = 4, body = { { kind = "switch", name = "parameters", tag = "type", doc = "What the action does.", cases = {
       [0] = { label = "none" },
       [1] = { label = "gpio", item = { kind = "struct", name = "gpio", record = S["event_action_gpio"], doc = "" } },
       [2] = { label = "message", item = { kind = "struct", name = "message", record = S["event_action_message"], doc = "" } }, } }, } },
@@ -1663,7 +1663,7 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_rq1_45_response"
       { kind = "scalar", name = "gnss_last_message_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last message of the receiver. Unit: ms." },
     } }, { { set = 0x0C, name = "3dm.device_status_diagnostic_rq1_45_response", title = "Diagnostic Device Status of the 3DM-RQ1-45" }, })
 field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gx4_response", role = "response", title = "Diagnostic Device Status of the 3DM-GX4-15 and 3DM-GX4-25",
-    doc = "Timer with the counters of pulses, streams, port and USB.", least = 73,
+    doc = "Timer, and counters of pulses, streams, port and USB.", least = 73,
     always = 21,
     constants = { { at = 2, value = "\2" }, },
     rows = {
@@ -1979,7 +1979,7 @@ field({ descriptor = 0xB9, name = "3dm.event_action_config_response", role = "re
       { kind = "scalar", name = "instance", type = "u8", size = 1, doc = "Number of the action." },
       { kind = "scalar", name = "trigger", type = "u8", size = 1, doc = "Trigger instance that the action follows." },
       { kind = "scalar", name = "type", type = "u8", size = 1, enum = E["event_action_type"], doc = "Kind of action. Default: none." },
-      { kind = "switch", name = "parameters", tag = "type", doc = "The effect.", cases = {
+      { kind = "switch", name = "parameters", tag = "type", doc = "What the action does.", cases = {
       [0] = { label = "none" },
       [1] = { label = "gpio", item = { kind = "struct", name = "gpio", record = S["event_action_gpio"], doc = "" } },
       [2] = { label = "message", item = { kind = "struct", name = "message", record = S["event_action_message"], doc = "" } }, } },

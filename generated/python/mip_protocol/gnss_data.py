@@ -384,11 +384,11 @@ class JammingState(codec.OpenEnum):
     UNKNOWN = 0
     """Not known."""
     NONE = 1
-    """Not at all."""
+    """Not jammed."""
     PARTIAL = 2
-    """In part."""
+    """Partly jammed."""
     SIGNIFICANT = 3
-    """Badly."""
+    """Heavily jammed."""
 
 
 class SpoofingState(codec.OpenEnum):
@@ -397,11 +397,11 @@ class SpoofingState(codec.OpenEnum):
     UNKNOWN = 0
     """Not known."""
     NONE = 1
-    """Not at all."""
+    """Not spoofed."""
     PARTIAL = 2
-    """In part."""
+    """Partly spoofed."""
     SIGNIFICANT = 3
-    """Badly."""
+    """Heavily spoofed."""
 
 
 @codec.open_flag(16)

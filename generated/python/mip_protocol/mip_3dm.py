@@ -2776,7 +2776,7 @@ _DEVICE_STATUS_DIAGNOSTIC_GX4_RESPONSE_1 = codec.Block(
 class DeviceStatusDiagnosticGx4Response(Response):
     """Diagnostic Device Status of the 3DM-GX4-15 and 3DM-GX4-25 (0x0C,0x90).
 
-    Timer with the counters of pulses, streams, port and USB.
+    Timer, and counters of pulses, streams, port and USB.
 
     Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
     `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`,
@@ -5398,7 +5398,7 @@ class EventActionConfigResponse(Response):
     type: types.EventActionType
     """Kind of action. Default: `types.EventActionType.NONE`."""
     parameters: types.EventActionGpio | types.EventActionMessage | None
-    """The effect. Selected by `type`.
+    """What the action does. Selected by `type`.
 
     - If `type` is `types.EventActionType.NONE`: `None`.
     - If `type` is `types.EventActionType.GPIO`: `types.EventActionGpio`.
@@ -8266,7 +8266,7 @@ class EventActionConfig(Command[R]):
     type: types.EventActionType | None
     """Kind of action. Default: `types.EventActionType.NONE`. Required for `write`."""
     parameters: types.EventActionGpio | types.EventActionMessage | None
-    """The effect. Selected by `type`. Required for `write`.
+    """What the action does. Selected by `type`. Required for `write`.
 
     - If `type` is `types.EventActionType.NONE`: `None`.
     - If `type` is `types.EventActionType.GPIO`: `types.EventActionGpio`.

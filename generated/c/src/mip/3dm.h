@@ -3451,7 +3451,7 @@ struct mip_3dm_event_action_config {
      */
     uint8_t type;
     /**
-     * The effect. Selected by type. Required for write. Empty if type is
+     * What the action does. Selected by type. Required for write. Empty if type is
      * MIP_EVENT_ACTION_TYPE_NONE.
      */
     union mip_3dm_event_action_config_parameters parameters;
@@ -3484,7 +3484,7 @@ MIP_CHECKED static inline mip_error mip_3dm_event_action_config_encode(
    * - trigger: Trigger instance that the action follows. Required for write.
    * - type: Kind of action. A value of enum mip_event_action_type. Default:
    *   MIP_EVENT_ACTION_TYPE_NONE. Required for write.
-   * - parameters: The effect. Selected by type. Required for write. Empty if type is
+   * - parameters: What the action does. Selected by type. Required for write. Empty if type is
    *   MIP_EVENT_ACTION_TYPE_NONE.
    */
 static inline struct mip_3dm_event_action_config *
@@ -3576,7 +3576,7 @@ struct mip_3dm_event_action_config_response {
      * Kind of action. A value of enum mip_event_action_type. Default: MIP_EVENT_ACTION_TYPE_NONE.
      */
     uint8_t type;
-    /** The effect. Selected by type. Empty if type is MIP_EVENT_ACTION_TYPE_NONE. */
+    /** What the action does. Selected by type. Empty if type is MIP_EVENT_ACTION_TYPE_NONE. */
     union mip_3dm_event_action_config_response_parameters parameters;
 };
 
@@ -7731,7 +7731,7 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_rq1_45_resp
 /**
  * Diagnostic Device Status of the 3DM-GX4-15 and 3DM-GX4-25: response (0x0C,0x90).
  *
- * Timer with the counters of pulses, streams, port and USB.
+ * Timer, and counters of pulses, streams, port and USB.
  *
  * No device is certain to support it. Answers mip_3dm_device_status. Distinguished from
  * mip_3dm_device_status_diagnostic_response, mip_3dm_device_status_diagnostic_gnss_response,

@@ -1765,7 +1765,7 @@ static inline mip_error mip_send_3dm_event_action_config(
  * - trigger: Trigger instance that the action follows. Required for write.
  * - type: Kind of action. A value of enum mip_event_action_type. Default:
  *   MIP_EVENT_ACTION_TYPE_NONE. Required for write.
- * - parameters: The effect. Selected by type. Required for write. Empty if type is
+ * - parameters: What the action does. Selected by type. Required for write. Empty if type is
  *   MIP_EVENT_ACTION_TYPE_NONE.
  */
 static inline struct mip_result mip_call_3dm_event_action_config_write(

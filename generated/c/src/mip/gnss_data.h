@@ -344,11 +344,11 @@ MIP_API const char *mip_gnss_data_rf_band_name(uint8_t value);
 enum mip_gnss_data_jamming_state MIP_ENUM_8 {
     /** Not known. */
     MIP_GNSS_DATA_JAMMING_STATE_UNKNOWN = 0,
-    /** Not at all. */
+    /** Not jammed. */
     MIP_GNSS_DATA_JAMMING_STATE_NONE = 1,
-    /** In part. */
+    /** Partly jammed. */
     MIP_GNSS_DATA_JAMMING_STATE_PARTIAL = 2,
-    /** Badly. */
+    /** Heavily jammed. */
     MIP_GNSS_DATA_JAMMING_STATE_SIGNIFICANT = 3
 };
 
@@ -358,11 +358,11 @@ MIP_API const char *mip_gnss_data_jamming_state_name(uint8_t value);
 enum mip_gnss_data_spoofing_state MIP_ENUM_8 {
     /** Not known. */
     MIP_GNSS_DATA_SPOOFING_STATE_UNKNOWN = 0,
-    /** Not at all. */
+    /** Not spoofed. */
     MIP_GNSS_DATA_SPOOFING_STATE_NONE = 1,
-    /** In part. */
+    /** Partly spoofed. */
     MIP_GNSS_DATA_SPOOFING_STATE_PARTIAL = 2,
-    /** Badly. */
+    /** Heavily spoofed. */
     MIP_GNSS_DATA_SPOOFING_STATE_SIGNIFICANT = 3
 };
 

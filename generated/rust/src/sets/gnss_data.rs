@@ -504,11 +504,11 @@ open_enum! {
     JammingState: u8 {
         /// Not known.
         UNKNOWN = 0, "unknown";
-        /// Not at all.
+        /// Not jammed.
         NONE = 1, "none";
-        /// In part.
+        /// Partly jammed.
         PARTIAL = 2, "partial";
-        /// Badly.
+        /// Heavily jammed.
         SIGNIFICANT = 3, "significant";
     }
 }
@@ -518,11 +518,11 @@ open_enum! {
     SpoofingState: u8 {
         /// Not known.
         UNKNOWN = 0, "unknown";
-        /// Not at all.
+        /// Not spoofed.
         NONE = 1, "none";
-        /// In part.
+        /// Partly spoofed.
         PARTIAL = 2, "partial";
-        /// Badly.
+        /// Heavily spoofed.
         SIGNIFICANT = 3, "significant";
     }
 }

@@ -2307,7 +2307,7 @@ record! {
         /// [write](types::FunctionSelector::WRITE).
         #[cfg_attr(feature = "serde", serde(rename = "type"))]
         pub type_: Option<types::EventActionType>,
-        /// The effect.
+        /// What the action does.
         ///
         /// Selected by [`type_`](EventActionConfig::type_). Required for
         /// [write](types::FunctionSelector::WRITE).
@@ -6187,7 +6187,7 @@ field! {
 record! {
     /// Diagnostic Device Status of the 3DM-GX4-15 and 3DM-GX4-25 (0x0C,0x90).
     ///
-    /// Timer with the counters of pulses, streams, port and USB.
+    /// Timer, and counters of pulses, streams, port and USB.
     ///
     /// Answers [`DeviceStatus`]. Distinguished from [`DeviceStatusDiagnosticResponse`],
     /// [`DeviceStatusDiagnosticGnssResponse`], [`DeviceStatusDiagnosticGq4_45Response`],
@@ -8062,7 +8062,7 @@ record! {
         /// Default: [`types::EventActionType::NONE`].
         #[cfg_attr(feature = "serde", serde(rename = "type"))]
         pub type_: types::EventActionType,
-        /// The effect.
+        /// What the action does.
         ///
         /// Selected by [`type_`](EventActionConfigResponse::type_).
         pub parameters: EventActionConfigParameters,
