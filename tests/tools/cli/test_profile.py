@@ -18,7 +18,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from mip_protocol import Device, _index, base, devices, mip_3dm, types
+from mip_protocol import Device, Parser, _index, base, devices, mip_3dm, types
 from mip_protocol import profile as profiles
 from mip_tools.cli import device_file, listing
 from mip_tools.errors import Failure
@@ -518,12 +518,15 @@ def test_ctrl_c_resumes(tmp_path: Path) -> None:
     def serve(server: socket.socket) -> None:
         connection, _ = server.accept()
         connection.settimeout(PATIENCE)
+        parser = Parser()
         while data := connection.recv(4096):
-            seen.append(data[5])
-            if data[5] != 0x03:  # get_device_info is not answered
-                link.write(data)
-                device.advance(0.05)
-                connection.sendall(link.read())
+            for packet in parser.feed(data):  # several may come at once
+                number = next(iter(packet)).descriptor
+                seen.append(number)
+                if number != 0x03:  # get_device_info is not answered
+                    link.write(bytes(packet))
+                    device.advance(0.05)
+                    connection.sendall(link.read())
 
     with socket.create_server(("127.0.0.1", 0)) as server:
         thread = threading.Thread(target=serve, args=(server,), daemon=True)
