@@ -13,13 +13,14 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-import jsonschema
 import pytest
 import yaml
 from bad_spec_files import BASE
 from mipgen.model import SCALARS
 from mipgen.read.loader import BESIDE, LAYOUT, WITNESSES
-from support import model
+from support import later, model
+
+jsonschema = later("jsonschema")
 
 ROOT = Path(__file__).parents[2]
 SCHEMAS = ROOT / "spec/schema"
