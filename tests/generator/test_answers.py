@@ -8,8 +8,6 @@ from mipgen import model as m
 from mipgen.facts import describe
 from support import model
 
-INVENTED, REAL = model("invented"), model("real")
-
 
 def field(of: m.Model, name: str) -> m.Field:
     found = of.field(name)
@@ -23,77 +21,86 @@ def said(of: m.Model, name: str, topic: str) -> list[str]:
 
 
 def test_silence_by_parameters_and_by_settings() -> None:
-    formats, default = field(INVENTED, "tools.formats"), field(INVENTED, "3d.default")
+    formats, default = field(model("invented"), "tools.formats"), field(model("invented"), "3d.default")
     assert [(c.command, c.parameter, c.value) for c in formats.silent_when] == [(None, "suppress_ack", 1)]
     assert not formats.silenced_by and not default.silent_when  # a client knows the parameters, not the settings
     assert [(c.command, c.parameter, c.value) for c in default.silenced_by] == [("tools.settings", "mode", 1)]
-    assert said(INVENTED, "tools.formats", "silent") == ["Not acknowledged if <suppress_ack> is true."]
-    assert said(INVENTED, "3d.default", "silent") == ["Not acknowledged if <mode> of <tools.settings> is <fast>."]
+    assert said(model("invented"), "tools.formats", "silent") == ["Not acknowledged if <suppress_ack> is true."]
+    assert said(model("invented"), "3d.default", "silent") == [
+        "Not acknowledged if <mode> of <tools.settings> is <fast>."
+    ]
 
 
 def test_echo_control() -> None:
     """All aiding measurements are silent by the same setting, and nothing else is."""
-    silent = {f.full_name for f in REAL.fields if f.silenced_by}
+    silent = {f.full_name for f in model("real").fields if f.silenced_by}
     settings = {"aiding.frame_config", "aiding.echo_control"}
-    commands = {f.full_name for f in REAL.fields if f.family == "aiding" and f.role == m.COMMAND}
+    commands = {f.full_name for f in model("real").fields if f.family == "aiding" and f.role == m.COMMAND}
     assert silent == commands - settings and len(silent) == 9
     wanted = ["Not acknowledged if <mode> of <aiding.echo_control> is <suppress_ack>."]
-    assert all(said(REAL, name, "silent") == wanted for name in silent)
+    assert all(said(model("real"), name, "silent") == wanted for name in silent)
 
 
 def test_a_response_says_once_what_it_answers() -> None:
-    assert said(INVENTED, "tools.bias_vector", "commands") == ["Answers <tools.bias> and <tools.capture_bias>."]
-    assert field(INVENTED, "tools.bias_vector").description == ""
+    assert said(model("invented"), "tools.bias_vector", "commands") == [
+        "Answers <tools.bias> and <tools.capture_bias>."
+    ]
+    assert field(model("invented"), "tools.bias_vector").description == ""
 
 
 def test_devices_that_send_a_response() -> None:
     """A device that takes no function that is answered by a response does not send it."""
     names = {"write", "apply"}
-    settings, response = field(INVENTED, "tools.settings"), field(INVENTED, "tools.settings_response")
+    settings, response = field(model("invented"), "tools.settings"), field(model("invented"), "tools.settings_response")
     some = tuple(f for f in settings.functions if f.name in names)
     writes = m.Support(settings, settings.set, some, m.Evidence("documented"))
     devices = tuple(
         dataclasses.replace(d, supports=tuple(writes if s.field is settings else s for s in d.supports))
         if d.id == "model-b"
         else d
-        for d in INVENTED.devices
+        for d in model("invented").devices
     )
-    changed = dataclasses.replace(INVENTED, devices=devices)
-    assert [d.id for d in INVENTED.devices_of(response)] == ["model-a", "model-b", "model-c"]
+    changed = dataclasses.replace(model("invented"), devices=devices)
+    assert [d.id for d in model("invented").devices_of(response)] == ["model-a", "model-b", "model-c"]
     assert [d.id for d in changed.devices_of(settings)] == ["model-a", "model-b", "model-c"]
     assert [d.id for d in changed.devices_of(response)] == ["model-a", "model-c"]
-    assert [d.id for d in INVENTED.devices_of(field(INVENTED, "tools.inventory_response"))] == ["model-a", "model-c"]
+    assert [d.id for d in model("invented").devices_of(field(model("invented"), "tools.inventory_response"))] == [
+        "model-a",
+        "model-c",
+    ]
 
 
 def test_devices_that_send_a_layout() -> None:
     """Each device sends the layouts that name it, else those that name none."""
-    status = field(REAL, "3dm.device_status")
+    status = field(model("real"), "3dm.device_status")
     start, end = "device_status_", "_response"
     sent = {
-        d.id: [r.name.removeprefix(start).removesuffix(end) for r in REAL.answers(status, d.id)]
-        for d, _ in REAL.supports(status)
+        d.id: [r.name.removeprefix(start).removesuffix(end) for r in model("real").answers(status, d.id)]
+        for d, _ in model("real").supports(status)
     }
     assert sent["3dm-gx5-15"] == sent["3dm-cv5-25"] == ["basic", "diagnostic"]
     assert sent["3dm-gq4-45"] == ["basic", "diagnostic_gq4_45"]
     assert sent["3dm-gx5-45"] == sent["3dm-gx4-45"] == ["basic", "diagnostic_gnss"]
     assert sent["3dm-gx4-15"] == ["basic_without_state", "diagnostic_gx4"]
     assert sent["3dm-gx5-10"] == ["basic_without_state", "diagnostic_imu"]
-    gq4 = field(REAL, "3dm.device_status_diagnostic_gq4_45_response")
-    assert [d.id for d in REAL.devices_of(gq4)] == ["3dm-gq4-45"] and REAL.devices_of(gq4, certain=False) == ()
-    names = {r.full_name for r in REAL.responses(status)}
-    for d, _ in REAL.supports(status):  # what the notes of the devices say, which cite the source
+    gq4 = field(model("real"), "3dm.device_status_diagnostic_gq4_45_response")
+    assert [d.id for d in model("real").devices_of(gq4)] == ["3dm-gq4-45"] and model("real").devices_of(
+        gq4, certain=False
+    ) == ()
+    names = {r.full_name for r in model("real").responses(status)}
+    for d, _ in model("real").supports(status):  # what the notes of the devices say, which cite the source
         note = next((n.description for n in d.notes if n.name == "device_status"), "")
         told = {name for name in names if f"`{name}`" in note}
-        assert not told or told == {r.full_name for r in REAL.answers(status, d.id)}, d.id
+        assert not told or told == {r.full_name for r in model("real").answers(status, d.id)}, d.id
 
 
 def test_layouts_of_one_device_in_the_model() -> None:
-    status = field(INVENTED, "tools.status")
-    assert [r.name for r in INVENTED.answers(status, "model-a")] == ["status_short", "status_old"]
-    assert [r.name for r in INVENTED.answers(status, "model-b")] == ["status_short", "status_long"]
-    assert [r.name for r in INVENTED.answers(status, "model-c")] == ["status_paged", "status_full"]
-    assert said(INVENTED, "tools.status_full", "devices") == ["Supported by <Model C>."]
-    (behavior,) = (b for b in INVENTED.simulation.behaviors if b.command == status)
+    status = field(model("invented"), "tools.status")
+    assert [r.name for r in model("invented").answers(status, "model-a")] == ["status_short", "status_old"]
+    assert [r.name for r in model("invented").answers(status, "model-b")] == ["status_short", "status_long"]
+    assert [r.name for r in model("invented").answers(status, "model-c")] == ["status_paged", "status_full"]
+    assert said(model("invented"), "tools.status_full", "devices") == ["Supported by <Model C>."]
+    (behavior,) = (b for b in model("invented").simulation.behaviors if b.command == status)
     assert behavior.answers == (
         ("status_paged", ("model-c",)),
         ("status_old", ("model-a",)),
@@ -103,19 +110,19 @@ def test_layouts_of_one_device_in_the_model() -> None:
 
 def test_the_layouts_that_a_device_sends() -> None:
     """Its own, else those of all devices; if there is none of these either, any."""
-    status = field(INVENTED, "tools.status")
+    status = field(model("invented"), "tools.status")
 
     def sent(of: m.Model, device: str) -> list[str]:
         return [f.name for f in of.answers(status, device)]
 
-    assert sent(INVENTED, "model-a") == ["status_short", "status_old"]
-    assert sent(INVENTED, "model-c") == ["status_paged", "status_full"]
-    assert sent(INVENTED, "model-b") == ["status_short", "status_long"]
+    assert sent(model("invented"), "model-a") == ["status_short", "status_old"]
+    assert sent(model("invented"), "model-c") == ["status_paged", "status_full"]
+    assert sent(model("invented"), "model-b") == ["status_short", "status_long"]
 
     def bound(f: m.Field) -> m.Field:
         return dataclasses.replace(f, devices=("model-a",)) if f.name == "status_long" else f
 
-    families = tuple(dataclasses.replace(x, fields=tuple(map(bound, x.fields))) for x in INVENTED.families)
-    assert sent(dataclasses.replace(INVENTED, families=families), "model-b") == [
+    families = tuple(dataclasses.replace(x, fields=tuple(map(bound, x.fields))) for x in model("invented").families)
+    assert sent(dataclasses.replace(model("invented"), families=families), "model-b") == [
         "status_short", "status_long", "status_old", "status_full"
     ]  # fmt: skip

@@ -7,7 +7,6 @@ import shutil
 from pathlib import Path
 from typing import Any
 
-import jsonschema
 import pytest
 from bad_spec_files import BASE
 from mipgen.model import SCALARS
@@ -16,7 +15,9 @@ from mipgen.read.nodes import Node
 from mipgen.read.position import Position
 from mipgen.read.problems import MANY, Problems, SpecError, nearest
 from mipgen.resolve.load import load_model
-from support import ROOT, model
+from support import ROOT, later, model
+
+jsonschema = later("jsonschema")
 
 
 def parse(text: str | bytes, folder: Path) -> tuple[Node | None, list[str]]:

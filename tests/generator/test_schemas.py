@@ -11,20 +11,16 @@ import re
 import sys
 from collections.abc import Iterator
 from pathlib import Path
-from random import Random
 from typing import Any
 
-import jsonschema
 import pytest
 import yaml
 from bad_spec_files import BASE
 from mipgen.model import SCALARS
-from mipgen.read.loader import BESIDE, LAYOUT, WITNESSES, _schema, _validators
-from mipgen.read.nodes import read
-from mipgen.read.obeys import _RULES, _SILENT, obeys
-from mipgen.read.problems import Problems
-from random_values import chance
-from support import model, rounds
+from mipgen.read.loader import BESIDE, LAYOUT, WITNESSES
+from support import later, model
+
+jsonschema = later("jsonschema")
 
 ROOT = Path(__file__).parents[2]
 SCHEMAS = ROOT / "spec/schema"
@@ -107,38 +103,6 @@ def test_every_pattern_has_words(path: Path) -> None:
     schema = json.loads(path.read_text("utf-8"))
     patterns = [s for key, s in rules(schema) if key == "pattern"]
     assert all(s in schema.get("definitions", {}).values() and s["description"][-1] != "." for s in patterns)
-
-
-@pytest.mark.parametrize("path", schemas(), ids=lambda p: p.name)
-def test_every_rule_is_known(path: Path) -> None:
-    assert {key for key, _ in rules(json.loads(path.read_text("utf-8")))} <= {"$ref", *_SILENT, *_RULES}
-
-
-def damaged(value: Any, random: Random) -> Any:
-    """The value with one of its parts replaced, dropped or named differently."""
-    if isinstance(value, (dict, list)) and value and random.random() < 0.9:
-        keys = list(value) if isinstance(value, dict) else range(len(value))
-        key = random.choice(keys)
-        kept = [k for k in keys if k != key or random.random() < 0.9]
-        pairs = [(k, damaged(value[k], random) if k == key else value[k]) for k in kept]
-        if isinstance(value, list):
-            return [v for _, v in pairs]
-        return {(random.choice(["", "A b", "x", k]) if k == key and random.random() < 0.1 else k): v for k, v in pairs}
-    plain = [None, True, 0, 1, -1, 300, 1.0, 0.5, "", "x", "x\n", "0x0C", "A b."]
-    return random.choice([*plain, [], [value], {}, {"x": value}])
-
-
-INVENTED = [(kind, path) for kind, path in FILES if path.is_relative_to(ROOT / "tests/invented")]
-
-
-@pytest.mark.parametrize(("kind", "path"), INVENTED, ids=lambda x: x if isinstance(x, str) else x.stem)
-def test_a_file_obeys_if_the_library_finds_nothing_wrong(kind: str, path: Path) -> None:
-    root = read(path, path.name, Problems())
-    assert root is not None
-    kind, whole, random = _schema(kind, root, False), root.plain(), chance(path.name)
-    assert obeys(f"{kind}.schema.json", whole)
-    for value in (damaged(whole, random) for _ in range(rounds(30, 500))):
-        assert obeys(f"{kind}.schema.json", value) == _validators()[kind].is_valid(value)
 
 
 def lists() -> dict[str, list[str]]:

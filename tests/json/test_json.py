@@ -14,11 +14,12 @@ from types import ModuleType
 from typing import Any
 
 import pytest
-from jsonschema import Draft7Validator
 from mipgen import model as m
 from mipgen.model import guides, simulation
 from mipgen.targets.json import document
-from support import ROOT, SPECS, model
+from support import ROOT, SPECS, later, model
+
+jsonschema = later("jsonschema")
 
 specs = pytest.mark.parametrize("spec", sorted(SPECS))
 MOST = 2_000_000  # bytes
@@ -68,8 +69,10 @@ def interpreter() -> ModuleType:
 
 @specs
 def test_it_has_the_form_of_its_schema(spec: str) -> None:
-    Draft7Validator.check_schema(schema())
-    wrong = [f"{list(e.path)}: {e.message[:200]}" for e in Draft7Validator(schema()).iter_errors(whole(spec))]
+    jsonschema.Draft7Validator.check_schema(schema())
+    wrong = [
+        f"{list(e.path)}: {e.message[:200]}" for e in jsonschema.Draft7Validator(schema()).iter_errors(whole(spec))
+    ]
     assert not wrong, wrong[:5]
 
 

@@ -16,7 +16,6 @@ from mipgen.base.resources import MANIFEST
 from . import overlay
 from .documents import Document
 from .nodes import Node, read
-from .obeys import obeys
 from .position import Position
 from .problems import Problems, close, nearest
 from .spelling import strange
@@ -171,7 +170,7 @@ def _is_integer(_: Any, value: Any) -> bool:
 
 @functools.cache
 def _validators() -> dict[str, Any]:
-    """The validator of each kind of file. Its library is slow to import, and only needed if a file is wrong."""
+    """The validator of each kind of file. Its library is slow to import, and only needed if a file has changed."""
     import jsonschema
     import referencing
     from referencing.jsonschema import DRAFT7
@@ -194,10 +193,7 @@ def _validators() -> dict[str, Any]:
 
 def _valid(kind: str, root: Node, problems: Problems) -> bool:
     """Does a file obey its schema? If not, `problems` takes what is wrong."""
-    value = root.plain()
-    if obeys(f"{kind}{_SUFFIX}", value):
-        return True
-    errors = list(_validators()[kind].iter_errors(value))
+    errors = list(_validators()[kind].iter_errors(root.plain()))
     for error in errors:
         path = list(error.absolute_path)
         for extra, message in messages(error, "the file"):

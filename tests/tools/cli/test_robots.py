@@ -10,7 +10,6 @@ from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
-import jsonschema
 import pytest
 from mip_protocol import Parser, registry
 from mip_tools.binding import info
@@ -19,8 +18,10 @@ from mip_tools.ros import axes
 from mip_tools.ros.standard import Converter
 from mip_tools.simulator import VirtualDevice
 from program import DEVICE, log, mip
-from support import ROOT, heavy
+from support import ROOT, heavy, later
 from test_doctor import sent, started
+
+jsonschema = later("jsonschema")
 
 MESSAGES = ROOT / "generated/ros2"
 NAVIGATION = {
