@@ -242,22 +242,23 @@ bool mip_client_passes(struct mip_client *client, const struct mip_packet *packe
         packet->bytes[3] != size) {
         return false;
     }
-    for (size_t left = size; left > 0; left -= 4) { /* with any code */
-        if (field[0] != 4 || field[1] != MIP_ACKNOWLEDGE_DESCRIPTOR ||
-            field[2] != MIP_BARRIER_DESCRIPTOR) {
+    for (size_t at = 0; at < size; at += 4) { /* with any code */
+        if (mip_get_32(field + at) >> 8 !=
+            (4UL << 16 | MIP_ACKNOWLEDGE_DESCRIPTOR << 8 | MIP_BARRIER_DESCRIPTOR)) {
             return false;
         }
-        field += 4;
     }
     client->behind = 0;
     if (client->missed == size) {
         client->missed = 0;
     }
-    while (client->waiting != NULL && client->waiting->behind != size) {
-        leave(&client->waiting, MIP_REQUEST_TIMED_OUT); /* answers are in order: it has none */
-    }
-    for (struct mip_request *r = client->waiting; r != NULL; r = r->next) {
-        r->behind = 0;
+    for (struct mip_request **at = &client->waiting; *at != NULL;) {
+        if ((*at)->behind != size) {
+            leave(at, MIP_REQUEST_TIMED_OUT); /* answers are in order: it has none */
+        } else {
+            (*at)->behind = 0;
+            at = &(*at)->next;
+        }
     }
     return true;
 }
