@@ -238,13 +238,14 @@ size_t mip_client_barrier(struct mip_client *client, uint8_t *bytes) {
 bool mip_client_passes(struct mip_client *client, const struct mip_packet *packet) {
     const uint8_t size = client->behind;
     const uint8_t *field = packet->bytes + MIP_HEADER_SIZE;
+    const uint32_t answer = /* of each command: length, descriptor, what it acknowledges */
+        UINT32_C(0x40000) + MIP_ACKNOWLEDGE_DESCRIPTOR * 256U + MIP_BARRIER_DESCRIPTOR;
     if (MIP_BARRIER_SET == 0 || size == 0 || packet->descriptor_set != MIP_BARRIER_SET ||
         packet->bytes[3] != size) {
         return false;
     }
     for (size_t at = 0; at < size; at += 4) { /* with any code */
-        if (mip_get_32(field + at) >> 8 !=
-            (4UL << 16 | MIP_ACKNOWLEDGE_DESCRIPTOR << 8 | MIP_BARRIER_DESCRIPTOR)) {
+        if (mip_get_32(field + at) >> 8 != answer) {
             return false;
         }
     }

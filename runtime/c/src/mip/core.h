@@ -410,7 +410,8 @@ MIP_CHECKED MIP_API mip_error mip_encode(const struct mip_codec *codec, const vo
 /** May packets of this set contain fields of that one? Set 0 means all command sets, 0xFF all
  * data sets. */
 static inline bool mip_set_has(uint8_t packet_set, uint8_t field_set) {
-    return field_set == packet_set || field_set == (packet_set >= 0x80 ? 0xFF : 0);
+    return field_set == packet_set || (field_set == 0xFF && packet_set >= 0x80) ||
+           (field_set == 0 && packet_set < 0x80);
 }
 
 /** Is it this field, with at least this many bytes of data? MIP_OK, or what is wrong with it. */
