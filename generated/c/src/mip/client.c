@@ -238,26 +238,28 @@ size_t mip_client_barrier(struct mip_client *client, uint8_t *bytes) {
 bool mip_client_passes(struct mip_client *client, const struct mip_packet *packet) {
     const uint8_t size = client->behind;
     const uint8_t *field = packet->bytes + MIP_HEADER_SIZE;
+    const uint32_t answer = /* of each command: length, descriptor, what it acknowledges */
+        UINT32_C(0x40000) + MIP_ACKNOWLEDGE_DESCRIPTOR * 256U + MIP_BARRIER_DESCRIPTOR;
     if (MIP_BARRIER_SET == 0 || size == 0 || packet->descriptor_set != MIP_BARRIER_SET ||
         packet->bytes[3] != size) {
         return false;
     }
-    for (size_t left = size; left > 0; left -= 4) { /* with any code */
-        if (field[0] != 4 || field[1] != MIP_ACKNOWLEDGE_DESCRIPTOR ||
-            field[2] != MIP_BARRIER_DESCRIPTOR) {
+    for (size_t at = 0; at < size; at += 4) { /* with any code */
+        if (mip_get_32(field + at) >> 8 != answer) {
             return false;
         }
-        field += 4;
     }
     client->behind = 0;
     if (client->missed == size) {
         client->missed = 0;
     }
-    while (client->waiting != NULL && client->waiting->behind != size) {
-        leave(&client->waiting, MIP_REQUEST_TIMED_OUT); /* answers are in order: it has none */
-    }
-    for (struct mip_request *r = client->waiting; r != NULL; r = r->next) {
-        r->behind = 0;
+    for (struct mip_request **at = &client->waiting; *at != NULL;) {
+        if ((*at)->behind != size) {
+            leave(at, MIP_REQUEST_TIMED_OUT); /* answers are in order: it has none */
+        } else {
+            (*at)->behind = 0;
+            at = &(*at)->next;
+        }
     }
     return true;
 }

@@ -28,9 +28,9 @@ static uint8_t *move_narrow(uint8_t *wire, uint8_t *memory, size_t count, bool w
 
 #ifdef __OPTIMIZE_SIZE__
 
-/** Reads or writes numbers of one kind. */
-static inline uint8_t *move(uint8_t *wire, uint8_t *memory, unsigned kind, size_t count,
-                            bool writing) {
+/** Reads or writes numbers of one kind. Few programs do both. */
+MIP_INLINE uint8_t *move(uint8_t *wire, uint8_t *memory, unsigned kind, size_t count,
+                         bool writing) {
     /* On a little-endian host, bytes in memory are in reverse order, which flips the last bits of
      * their index. */
     const uint16_t one = 1;
@@ -55,7 +55,7 @@ uint8_t *mip_move(uint8_t *wire, uint8_t *memory, unsigned kind, size_t count, b
 }
 
 /** Reads or writes a layout that is only numbers. */
-static void move_all(const uint8_t *program, uint8_t *wire, uint8_t *value, bool writing) {
+MIP_INLINE void move_all(const uint8_t *program, uint8_t *wire, uint8_t *value, bool writing) {
     for (unsigned step = *program; step != MIP_END; step = *program) {
         wire = move(wire, value + program[1], step >> 5, step & 31, writing);
         program += 2;

@@ -55,28 +55,23 @@ static void handle(struct mip_device *device, const struct mip_packet *packet) {
     device->packet = NULL;
 }
 
-/** What a read has shown: is the port there, has anything come? */
-#define OPEN 1U
-#define CAME 2U
-
-/** Reads once, into MIP_MAX_PACKET bytes, and updates the time. */
-static unsigned update(struct mip_device *device, uint8_t *bytes) {
+/** Reads once, into MIP_MAX_PACKET bytes, and updates the time. False if the port is gone. */
+static bool update(struct mip_device *device, uint8_t *bytes) {
     const struct mip_port *port = &device->port;
     const uint8_t *data = bytes;
     struct mip_packet packet;
     size_t size = 0;
-    unsigned shown = port->read(port->user, bytes, MIP_MAX_PACKET, &size) ? OPEN : 0;
+    bool open = port->read(port->user, bytes, MIP_MAX_PACKET, &size);
     uint32_t now = port->now(port->user);
     if (size > MIP_MAX_PACKET) { /* what has been read is not known */
         size = 0;
-        shown = 0;
+        open = false;
     }
     if (size > 0) {
         device->heard = now;
-        shown |= CAME;
     }
-    const bool ended = (shown & OPEN) == 0 ||
-                       (device->silence > 0 && (uint32_t)(now - device->heard) >= device->silence);
+    const bool ended =
+        !open || (device->silence > 0 && (uint32_t)(now - device->heard) >= device->silence);
     if (size == MIP_MAX_PACKET) { /* the answer may already be waiting after what was read */
         const uint32_t timeout = device->client.timeout;
         now -= timeout < MIP_DEFAULT_TIMEOUT ? timeout : MIP_DEFAULT_TIMEOUT;
@@ -86,12 +81,12 @@ static unsigned update(struct mip_device *device, uint8_t *bytes) {
            mip_client_poll(&device->client, &device->parser, now, &packet)) {
         handle(device, &packet);
     }
-    return shown;
+    return open;
 }
 
 bool mip_device_poll(struct mip_device *device) {
     uint8_t bytes[MIP_MAX_PACKET];
-    return device->packet == NULL && (update(device, bytes) & OPEN) != 0;
+    return device->packet == NULL && update(device, bytes);
 }
 
 /* ------------------------------------------------------------------------------------- commands */
@@ -137,7 +132,7 @@ static void carry_out(struct mip_device *device, struct mip_request *request, ui
     if (transmit(device, request->exchange->descriptor_set, bytes, size + 2)) {
         mip_client_wait(&device->client, request, bytes + MIP_HEADER_SIZE, port->now(port->user));
         while (request->state == MIP_REQUEST_WAITING) {
-            if ((update(device, bytes) & OPEN) == 0) {       /* the packet is gone */
+            if (!update(device, bytes)) {                    /* the packet is gone */
                 mip_client_cancel(&device->client, request); /* unless the last bytes answered it */
             }
         }

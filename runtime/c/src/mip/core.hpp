@@ -305,9 +305,13 @@ struct field : mip_field {
         }
         return value;
     }
-    /** Decodes it. If it is not of this type or too short, `value` is zeroed. `trailing` receives
-     * the number of bytes after the last known parameter. */
-    template <MIP_LAYOUT_TYPE T> mip_error decode(T &value, std::size_t *trailing = nullptr) const {
+    /** Decodes it. If it is not of this type or too short, `value` is zeroed. */
+    template <MIP_LAYOUT_TYPE T> mip_error decode(T &value) const {
+        c_type<T> &to = value;
+        return mip_decode_only(&traits<T>::codec(), traits<T>::descriptor, &to, sizeof(to), this);
+    }
+    /** The same; `trailing` receives the number of bytes after the last known parameter. */
+    template <MIP_LAYOUT_TYPE T> mip_error decode(T &value, std::size_t *trailing) const {
         c_type<T> &to = value;
         return mip_decode(&traits<T>::codec(), &to, this, trailing);
     }
@@ -539,7 +543,10 @@ template <class F> bool offer(const field &from, std::uint16_t key, F &handler) 
             return false;
         }
         T value;
-        if (from.decode(value) != MIP_OK) {
+        c_type<T> &to = value;
+        /* its descriptor has been compared */
+        if (mip_decode_only(&traits<T>::codec(), from.descriptor, &to, sizeof(to), &from) !=
+            MIP_OK) {
             return false;
         }
         call(handler, value, from);

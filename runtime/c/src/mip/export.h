@@ -1,7 +1,8 @@
 /**
  * @file
  * What is said to compilers that understand it: MIP_API marks what a shared library exports,
- * MIP_QUICK and MIP_APART what is compiled for speed, MIP_CHECKED what callers must look at.
+ * MIP_INLINE, MIP_QUICK and MIP_APART what becomes part of its callers, MIP_CHECKED what callers
+ * must look at.
  *
  * A static library, and sources that are compiled with the program, need none of this. To build a
  * shared library, define MIP_SHARED for the library and its users, and MIP_BUILDING for the library
@@ -34,10 +35,18 @@
 #define MIP_CHECKED
 #endif
 
+#if defined(__GNUC__)
+/** A static function that becomes part of those that call it, even where size matters. */
+#define MIP_INLINE static inline __attribute__((always_inline))
+#else
+/** A static function that becomes part of those that call it, even where size matters. */
+#define MIP_INLINE static inline
+#endif
+
 /* The way of most fields is one function without calls; what others need is apart from it. */
 #if defined(__GNUC__) && !defined(__OPTIMIZE_SIZE__)
 /** A static function that becomes part of those that call it. */
-#define MIP_QUICK static inline __attribute__((always_inline))
+#define MIP_QUICK MIP_INLINE
 /** A static function that does not. */
 #define MIP_APART static __attribute__((noinline))
 #else
