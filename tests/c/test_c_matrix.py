@@ -58,13 +58,12 @@ def test_garbage_in_all_real_fields(compiler: str, tmp_path: Path) -> None:
 
 def rows() -> Iterator[object]:
     """Every language with every level; the flags change from row to row, so that pairs of all are met."""
-    light = {("cc", "newest C", "-O2")}
     for compiler in ("cc", "clang"):
         for i, language in enumerate(C):
             for k, level in enumerate(LEVELS):
                 flags = [CHARS[(i + k) % 2], *(["-fshort-enums"] if k != i % 3 else [])]
                 row = (compiler, language, level)
-                marks = () if row in light else heavy("clang" if compiler == "clang" else "many builds of C")
+                marks = heavy("clang" if compiler == "clang" else "many builds of C")
                 yield pytest.param(*row, flags, marks=marks, id="-".join((*row, *flags)).replace(" ", "_"))
 
 

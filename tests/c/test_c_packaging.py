@@ -277,6 +277,7 @@ def test_conan(project: Path, tmp_path: Path) -> None:
     quickstart(tmp_path / "user/main")
 
 
+@heavy(PACKAGES_OF_C)
 def test_the_port_of_vcpkg(project: Path, tmp_path: Path) -> None:
     """vcpkg is in no registry: its functions, as far as the port uses them, are in tests/c/packages."""
     port, prefix = project / "mip/vcpkg", tmp_path / "packages"

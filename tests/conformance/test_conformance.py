@@ -23,6 +23,7 @@ from support import (
     expected,
     model,
     offering,
+    rounds,
     set_of,
 )
 
@@ -39,6 +40,11 @@ def compare(language: str, spec: str, requests: list[dict[str, Any]]) -> list[di
 def wanted(spec: str, requests: str) -> list[dict[str, Any]]:
     """The same for every language."""
     return [expected(model(spec), r) for r in json.loads(requests)]
+
+
+def usual(spec: str, small: int, real: int) -> int:
+    """How often something is tried: of the real specification, which has ten times as many fields, less often."""
+    return rounds(real, 2 * small) if spec == "real" else small
 
 
 # --------------------------------------------------------------------------- printed packets
@@ -166,7 +172,7 @@ def random_packets(spec: str) -> list[str]:
 @cache
 def random_values(spec: str) -> list[tuple[m.Field, dict[str, Any]]]:
     """Values for every field, drawn first and sent in one batch: a process for each would take minutes."""
-    return [(f, values) for f in all_fields(model(spec)) for values in drawn(f, 8)]
+    return [(f, values) for f in all_fields(model(spec)) for values in drawn(f, usual(spec, 8, 4))]
 
 
 @each("decode")
@@ -193,7 +199,7 @@ def test_every_length_of_several_layouts(language: str, spec: str) -> None:
             head[at : at + len(constant)] = constant
         wrong = [head[:at] + bytes([head[at] ^ 0x40]) + head[at + 1 :] for at, _ in f.signature]
         for start in (head, *wrong):
-            for n in range(m.MAX_FIELD_DATA + 1):
+            for n in lengths(spec, f, of):
                 data = bytes(start[:n].ljust(n, b"\1"))
                 requests.append(decode_request(codec.build(of, f.set, [(f.descriptor, data)])))
                 wanted.append(f.name_in(f.set) if start is head and n in of.sizes(f) and n >= f.min_size else None)
@@ -201,6 +207,15 @@ def test_every_length_of_several_layouts(language: str, spec: str) -> None:
     assert {a["fields"][0].get("name") for a in answers} > {None} or not requests
     for name, answer in zip(wanted, answers, strict=True):
         assert name is None or answer["fields"][0]["name"] == name
+
+
+def lengths(spec: str, f: m.Field, of: m.Model) -> list[int]:
+    """Numbers of bytes: of the invented specification all, of the real one those around its own, and some others."""
+    every = range(m.MAX_FIELD_DATA + 1)
+    ends = [0, m.MAX_FIELD_DATA, *(at + len(constant) for at, constant in f.signature)]
+    ends += [n for layout in of.layouts(f) for n in (*of.sizes(layout), layout.min_size, layout.max_size)]
+    near = {n for end in ends for n in every if abs(n - end) <= 1}
+    return sorted({*near, *chance_of(f.full_name).sample(every, usual(spec, len(every), 12))})
 
 
 @each("decode")
@@ -225,7 +240,7 @@ def random_bytes(spec: str) -> list[dict[str, Any]]:
     of, chance = model(spec), chance_of(2)
     requests = []
     for f in all_fields(of):
-        for _ in range(12):
+        for _ in range(usual(spec, 12, 5)):
             data = mutated(chance, samples(f, chance)[0], f)
             requests.append(decode_request(codec.build(of, set_of(f, of), [(f.descriptor, data)])))
     return requests

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 from mipgen.emit.target import OPERATIONS
-from support import OFFERS, ROOT, SOURCES, WITHIN, build_script
+from support import OFFERS, ROOT, SOURCES, SPECS, WITHIN, build_script
 
 #: A target whose driver finds packets, and nothing else.
 TARGET = """
@@ -52,18 +52,18 @@ def test_the_bindings_offer_everything(operation: str) -> None:
     assert {name for name, offered in OFFERS.items() if operation in offered} >= {"c", "python", "rust"}
 
 
-def mine(folder: Path, driver: str = DRIVER, declared: str = 'conformance=("parse",)') -> Path:
-    """A folder of targets with one that has a driver."""
+def mine(folder: Path, driver: str = DRIVER, declared: str = 'conformance=("parse",)', name: str = "mine") -> Path:
+    """A folder of targets, and in it one that has a driver."""
     paths = os.pathsep.join((str(ROOT / "generator"), str(ROOT / "tests")))
-    (folder / "mine").mkdir(parents=True)
-    for name, text in (
+    (folder / name).mkdir(parents=True)
+    for file, text in (
         ("target.py", TARGET.format(declared=declared)),
         ("set.txt.j2", "{{ model.sets | length }}\n"),
-        ("build_driver.sh", BUILD_DRIVER.format(paths=paths, driver=folder / "mine/driver.py")),
+        ("build_driver.sh", BUILD_DRIVER.format(paths=paths, driver=folder / name / "driver.py")),
         ("driver.py", driver),
     ):
-        (folder / "mine" / name).write_text(text)
-    (folder / "mine/build_driver.sh").chmod(0o755)
+        (folder / name / file).write_text(text)
+    (folder / name / "build_driver.sh").chmod(0o755)
     return folder
 
 
@@ -78,31 +78,21 @@ def suite(targets: Path) -> str:
 
 
 def test_the_suite_asks_a_target_of_others_what_it_declares(tmp_path: Path) -> None:
-    said = suite(mine(tmp_path))
+    """And leaves out, by name, those whose tools or programs are not there."""
+    mine(tmp_path, declared='conformance=("parse",), program="sh"')
+    mine(tmp_path, declared='conformance=("parse",), needs="punched cards"', name="mine_cards")
+    mine(tmp_path, declared='conformance=("parse",), program="no-such-program"', name="mine_program")
+    said = suite(tmp_path)
     # Streams, intact packets, descriptor set 0, and requests that are none.
     assert "tests run: conformance 4; " in said, said
     assert " failed" not in said
+    for what in ("punched cards", "no-such-program"):
+        assert re.search(f"left out, for `make test-all`: .*{what}", said), said
 
 
 def test_a_wrong_driver_fails(tmp_path: Path) -> None:
     said = suite(mine(tmp_path, DRIVER.replace("expected_parse(bytes.fromhex", "expected_parse(b'u' + bytes.fromhex")))
     assert "3 failed, 1 passed" in said, said
-
-
-def test_other_tools_are_named(tmp_path: Path) -> None:
-    said = suite(mine(tmp_path, declared='conformance=("parse",), needs="punched cards"'))
-    assert re.search("left out, for `make test-all`: .*punched cards", said), said
-
-
-def test_a_driver_runs_where_its_program_is(tmp_path: Path) -> None:
-    said = suite(mine(tmp_path, declared='conformance=("parse",), program="sh"'))
-    assert "tests run: conformance 4; " in said, said
-
-
-def test_a_missing_program_is_named(tmp_path: Path) -> None:
-    said = suite(mine(tmp_path, declared='conformance=("parse",), program="no-such-program"'))
-    assert "tests run: none; " in said, said
-    assert re.search("left out, for `make test-all`: .*no-such-program", said), said
 
 
 @pytest.mark.parametrize(
@@ -120,8 +110,8 @@ def test_a_missing_program_is_named(tmp_path: Path) -> None:
 def test_a_wrong_declaration_is_named(declared: str, error: str, tmp_path: Path) -> None:
     folder = mine(tmp_path / "targets", declared=declared)
     done = subprocess.run(
-        [sys.executable, "-m", "mipgen", "generate", "--target", "mine", "--target-path", str(folder), "--out",
-         str(tmp_path / "out")],
+        [sys.executable, "-m", "mipgen", "generate", "--spec", str(SPECS["invented"][0]), "--target", "mine",
+         "--target-path", str(folder), "--out", str(tmp_path / "out")],
         cwd=ROOT, capture_output=True, text=True, env={**os.environ, "PYTHONPATH": str(ROOT / "generator")},
     )  # fmt: skip
     assert done.returncode == 1 and not (tmp_path / "out").exists()

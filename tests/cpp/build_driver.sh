@@ -4,7 +4,8 @@
 #     build_driver.sh GENERATED_FOLDER BUILD_FOLDER
 #
 # It is the driver of C, but for what C++ does: see driver/layouts.cpp. The variables are those of tests/c/build_driver.sh,
-# and CXX chooses the compiler of C++.
+# and CXX chooses the compiler of C++. MIP_EVERY=N and MIP_SEED: the three ways to get a value are compared for each N-th
+# layout, from that one on; for each one if it is not given.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 generated=$(cd "$1" && pwd)
@@ -13,6 +14,8 @@ build=$(cd "$2" && pwd)
 : "${CC:=cc}"
 : "${CXX:=c++}"
 : "${CFLAGS:=}"
+: "${MIP_EVERY:=1}"
+: "${MIP_SEED:=1}"
 
 warnings="-O1 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror $CFLAGS"
 program=$build/driver
@@ -27,9 +30,11 @@ done
 
 # Everything that the program is made of, so that nothing is built twice.
 stamp=$(cat "$0" "$here"/driver/* "$here"/../c/driver/* "$generated"/src/mip/* | cksum)
-stamp="$CC $CXX $warnings $generated $stamp"
+stamp="$CC $CXX $warnings $generated $MIP_EVERY $MIP_SEED $stamp"
 if [ ! -x "$program" ] || [ "$(cat "$program.stamp" 2>/dev/null)" != "$stamp" ]; then
-    sed -n 's/^MIP_LAYOUT(\([a-z0-9_]*\),.*/LAYOUT(\1)/p' "$generated"/src/mip/*.hpp >"$build/layouts.inc"
+    sed -n 's/^MIP_LAYOUT(\([a-z0-9_]*\),.*/\1/p' "$generated"/src/mip/*.hpp |
+        awk -v n="$MIP_EVERY" -v seed="$MIP_SEED" '{ print "LAYOUT(" $1 ", " ((NR + seed) % n == 0 ? "true" : "false") ")" }' \
+            >"$build/layouts.inc"
     cd "$build"
     # shellcheck disable=SC2086
     "$CC" -std=c99 $warnings $names -I"$generated/src" -c "$here"/../c/driver/*.c

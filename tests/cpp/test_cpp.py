@@ -170,7 +170,9 @@ def test_the_node_publishes_what_a_device_sends(tmp_path: Path) -> None:
     assert (done.returncode, done.stderr) == (1, f"no connection to {host}:{port}\n")
 
 
-@pytest.mark.parametrize("how", ["subdirectory", "fetched", pytest.param("installed", marks=heavy("g++"))])
+@pytest.mark.parametrize(
+    "how", ["subdirectory", *(pytest.param(how, marks=heavy("g++")) for how in ("fetched", "installed"))]
+)
 def test_cmake(how: str, tmp_path: Path) -> None:
     project, prefix = tmp_path / "project", tmp_path / "prefix"
     project.mkdir()

@@ -87,7 +87,7 @@ def edits(spec: Path) -> Iterator[tuple[Path, str, str]]:
 def test_after_any_edit_the_output_is_that_of_a_complete_run(spec: str, tmp_path: Path) -> None:
     runs = Runs(SPECS[spec][0], tmp_path)
     runs.check(runs.run())
-    wanted = 6 if spec == "real" else rounds(10, 200)
+    wanted = 6 if spec == "real" else rounds(4, 200)
     for path, text, edited in edits(runs.spec):
         path.write_text(edited, "utf-8")
         try:

@@ -11,7 +11,7 @@ from mipgen.audit import sdk, sdk_2014, tables, witnesses
 from mipgen.base.errors import Failure
 from mipgen.read.problems import SpecError
 from small_specs import load
-from support import ROOT, SEED, model, rounds
+from support import ROOT, SEED, heavy, model, rounds
 from witness_changes import run
 
 SPEC = """\
@@ -218,6 +218,7 @@ def test_the_specification_agrees_with_its_witnesses() -> None:
     assert found.counts["units"] > 1200
 
 
+@heavy("random changes that witnesses find")
 def test_most_random_changes_are_found() -> None:
     """One of each kind; `python tests/witness_changes.py` makes 200."""
     found = run(rounds(11, 200), SEED, False)

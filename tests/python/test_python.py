@@ -19,7 +19,7 @@ from mipgen.resolve.load import load_model
 from mipgen.targets.python import members, names
 from packages import REAL, Package, mip, real
 from spec_defaults import filled
-from support import ROOT, SPECS, all_fields, another_python, heavy, model, mypy, parse_as
+from support import ROOT, SPECS, all_fields, another_python, heavy, model, mypy, parse_as, small
 
 
 def user(folder: Path, code: str, python: str = sys.executable, **environment: str) -> str:
@@ -655,7 +655,7 @@ def assert_strict(folder: Path) -> None:
     assert done.returncode == 0, done.stdout
 
 
-@pytest.mark.parametrize("spec", sorted(SPECS))
+@small("strict types of the real package")
 def test_strict_types(spec: str) -> None:
     assert_strict(SPECS[spec][1] / "python")
 

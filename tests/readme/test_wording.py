@@ -50,7 +50,8 @@ def texts(node: yaml.Node, key: str = "") -> Iterator[tuple[int, str]]:
 
 def turns_in(path: Path, turns: dict[str, str]) -> list[str]:
     text = path.read_text("utf-8")
-    lines = texts(yaml.compose(text)) if path.suffix == ".yaml" else enumerate(text.splitlines(), 1)
+    loader = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+    lines = texts(yaml.compose(text, loader)) if path.suffix == ".yaml" else enumerate(text.splitlines(), 1)
     return [
         f"{path}:{line}: {text.strip()[:120]}: write: {better}"
         for line, text in lines

@@ -78,6 +78,7 @@ def test_everything(spec: str) -> None:
     assert count > len(specification(spec).fields)
 
 
+@heavy(LONG)
 def test_a_wrong_constructor_would_be_noticed() -> None:
     """The tests above are no better than what they compare."""
     wrong = everything.source(specification("invented")).replace("tools::Settings::write(", "tools::Settings::apply(")
@@ -352,6 +353,7 @@ fn test() {{
     passes(folder, "test", "--offline", "--quiet", "--test", "few")
 
 
+@heavy(LONG)
 def test_errors_are_errors_without_std() -> None:
     """The feature `core-error`; without it and `std` they are none, which the oldest compilers need."""
     code = b"""#![no_std]
@@ -374,6 +376,7 @@ pub fn all() {
     assert done.returncode != 0 and "the trait bound" in done.stderr
 
 
+@heavy(LONG)
 def test_documentation_tells_which_feature_brings_an_item() -> None:
     """As docs.rs builds it. The badges need a feature of the compiler that is not stable yet."""
     environment = {"RUSTC_BOOTSTRAP": "1", "RUSTDOCFLAGS": "--cfg docsrs -D warnings"}

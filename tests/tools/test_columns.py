@@ -810,6 +810,7 @@ def installed(folder: Path, pure: bool) -> tuple[str, str]:
     return made.name, done.stdout
 
 
+@heavy("wheels of the tools")
 def test_wheels_bring_compiled_code_or_none(tmp_path: Path) -> None:
     """One for all versions of Python on this platform, and a pure one."""
     (tmp_path / "platform").mkdir()

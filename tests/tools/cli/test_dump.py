@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 from mip_protocol import Packet, PacketBuilder, Parser, registry
 from program import ENVIRONMENT, command, log, mip, run, simulated
+from support import rounds
 
 #: Set -> how many fields and commands it has.
 TYPES = Counter(number for number, _ in registry.all_types())
@@ -134,7 +135,7 @@ def test_any_bytes(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     rng = random.Random(7)
     base = log(0.3)
     path = tmp_path / "log"
-    for turn in range(40):
+    for turn in range(rounds(16, 200)):
         data = bytearray(base[: rng.randrange(1, 2000)])
         for _ in range(rng.randrange(30)):
             data[rng.randrange(len(data))] = rng.choice((0, 0x75, 0x65, 0xFF, rng.randrange(256)))

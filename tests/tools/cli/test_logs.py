@@ -23,6 +23,7 @@ from mip_protocol import Packet, PacketBuilder, Parser, base, filter_data, gnss_
 from mip_tools.cli import outputs
 from mip_tools.errors import Failure
 from program import ENVIRONMENT, PATIENCE, RATES, command, log, mip, run, running
+from support import rounds
 
 NOISE = b"$GPGGA,123519,4807.038,N*27\r\n"
 
@@ -391,7 +392,7 @@ def test_any_field_can_be_exported(tmp_path: Path) -> None:
     rng = random.Random(1)
     data, count = b"", 0
     for number, kind in registry.all_types():
-        for _ in range(3):
+        for _ in range(rounds(1, 10)):
             raw = bytes(rng.choice((0, 1, 2, rng.randrange(256))) for _ in range(rng.randrange(200)))
             builder = PacketBuilder(number if 0 < number < 0xFF else 0x80).add(kind.DESCRIPTOR, raw)
             packet = builder.build()

@@ -639,7 +639,9 @@ def test_an_incomplete_profile_is_said_to_be_so(capsys: pytest.CaptureFixture[st
 def test_help(capsys: pytest.CaptureFixture[str]) -> None:
     code, out, _ = run(capsys)
     assert code == 0 and all(f"  {name} " in out and text in out for name, (_, text) in __main__.COMMANDS.items())
-    assert run(capsys, "--version")[1] .startswith(f"mip {__version__}, mip_protocol {VERSION}; logs are read with NumPy")
+    assert run(capsys, "--version")[1].startswith(
+        f"mip {__version__}, mip_protocol {VERSION}; logs are read with NumPy"
+    )
     code, out, _ = run(capsys, "simulate", "--help")
     assert code == 0 and "lose_answer" in out and "--strict-baud" in out
     examples = re.findall(r"^  mip simulate (\S+) (?:--port \"(.*?)=pty.*--port \"(.*?)=tcp)?", out, re.M)
