@@ -44,6 +44,8 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     so it begins first. What needs random values of all fields of a specification is where they have been drawn."""
     for item in items:
         spec = getattr(item, "callspec", None) and item.callspec.params.get("spec")
+        if item.path.name == "test_c_print.py":
+            spec = spec or "invented"
         if item.path.parent.name == "rust":
             item.add_marker(pytest.mark.xdist_group("cargo"))
         elif spec and (item.path.parent.name == "conformance" or item.path.name == "test_c_print.py"):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import random
 import struct
 import subprocess
@@ -28,7 +29,16 @@ def printer(spec: str) -> Path:
     out = BUILD / f"print-{spec}"
     with locked(out):
         library = archive(spec, "cc", *SANITIZED)  # that of the unit programs
-        return compiled(out, spec, "cc", HERE / "unit/print.c", "-std=c99", *SANITIZE, library=library)
+        made = compiled(
+            out.with_suffix(f".{os.getpid()}"),
+            spec,
+            "cc",
+            HERE / "unit/print.c",
+            "-std=c99",
+            *SANITIZE,
+            library=library,
+        )
+        return made.replace(out)  # another process may be running it
 
 
 def ask(spec: str, requests: list[Request]) -> list[tuple[int, str]]:

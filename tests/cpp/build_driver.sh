@@ -20,7 +20,7 @@ build=$(cd "$2" && pwd)
 warnings="-O1 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror $CFLAGS"
 program=$build/driver
 if [ "${MIP_SANITIZE:-0}" = 1 ]; then
-    warnings="$warnings -g -fsanitize=address,undefined -fno-sanitize-recover=all"
+    warnings="$warnings -g1 -fsanitize=address,undefined -fno-sanitize-recover=all"
     program=$build/driver-sanitized
 fi
 names=

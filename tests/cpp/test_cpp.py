@@ -181,7 +181,7 @@ def test_cmake(how: str, tmp_path: Path) -> None:
         run(need("cmake"), "-S", folder("real"), "-B", tmp_path / "mip", f"-DCMAKE_INSTALL_PREFIX={prefix}", *fast)
         run(need("cmake"), "--build", tmp_path / "mip", "--target", "install")
     found = {
-        "subdirectory": f"add_subdirectory({folder('real')} mip)",
+        "subdirectory": f"add_subdirectory({folder('invented')} mip)",
         "fetched": f"include(FetchContent)\nFetchContent_Declare(mip URL {tmp_path}/mip.tar.gz)\n"
         "FetchContent_MakeAvailable(mip)",
         "installed": "find_package(mip REQUIRED)",
@@ -193,7 +193,7 @@ def test_cmake(how: str, tmp_path: Path) -> None:
         f"{found}\ntarget_link_libraries(main mip::mip_cpp)\n"
     )
     (project / "main.cpp").write_text(
-        '#include "mip/sensor.hpp"\nint main() { return mip::field(mip_field{}).is<mip::sensor::scaled_accel>(); }\n'
+        '#include "mip/mip.hpp"\nint main() { return mip::field(mip_field{}).is<mip::acknowledge>(); }\n'
     )
     run(need("cmake"), "-S", project, "-B", tmp_path / "build", f"-DCMAKE_PREFIX_PATH={prefix}", *fast)
     run(need("cmake"), "--build", tmp_path / "build", "--target", "main")

@@ -38,13 +38,11 @@ Known = tuple[dict[tuple[str, int], m.Support], set[tuple[str, int]]]
 
 def known(manual: Manual) -> dict[str, Known]:
     """Device -> by the name of a field and a set: what it has, and what it refuses."""
-    return {
-        d.id: (
-            {(s.field.full_name, s.set): s for s in d.supports},
-            {(s.field.full_name, s.set) for s in d.refuses},
-        )
-        for d in compared(manual)
-    }
+    return {d.id: known_of(d) for d in compared(manual)}
+
+
+def known_of(d: m.Device) -> Known:
+    return {(s.field.full_name, s.set): s for s in d.supports}, {(s.field.full_name, s.set) for s in d.refuses}
 
 
 def expected(d: m.Device, f: m.Field, number: int, of: Known) -> str:
@@ -97,7 +95,7 @@ def test_what_is_not_known_is_not_denied() -> None:
     gnss, attitude = of.device("3dm-cv7-gnss-ins"), of.device("3dm-cv7-ar")
     poll = of.field("3dm.poll_imu_data")
     assert gnss and attitude and poll
-    assert (expected(gnss, poll, poll.set), expected(attitude, poll, poll.set)) == ("no", "?")
+    assert [expected(d, poll, poll.set, known_of(d)) for d in (gnss, attitude)] == ["no", "?"]
 
 
 def test_units_of_data(manual: Manual) -> None:

@@ -13,6 +13,7 @@ from mip_tools.configuration.written import text
 from mip_tools.simulator import LivePort, VirtualDevice
 from mipgen import model as m
 from mipgen.lower import codec
+from program import PATIENCE
 from support import heavy, model
 from virtual.commands import commands, trials
 
@@ -59,13 +60,13 @@ def told(device: m.Device, virtual: VirtualDevice, only: int) -> set[str]:
 
 
 def pulled(virtual: VirtualDevice) -> str:
-    with Device(LivePort(virtual, speed=50)) as link:
+    with Device(LivePort(virtual, speed=50), timeout=PATIENCE) as link:
         it = talk.Talk(link, "PORT", pytest.fail)
         return text(it.pull(), it.profile, it.model.id, it.told.firmware, "2026-01-31")
 
 
 def pushed(virtual: VirtualDevice, path: Path) -> talk.Pushed:
-    with Device(LivePort(virtual, speed=50)) as link:
+    with Device(LivePort(virtual, speed=50), timeout=PATIENCE) as link:
         it = talk.Talk(link, "PORT", pytest.fail)
         return it.push(parsed.parsed(path, it.profile).held)
 
