@@ -119,20 +119,19 @@ def runs(found: list[Program]) -> list[Run]:
 
 
 @contextmanager
-def device(model: str, connection: str) -> Iterator[str]:
-    """A virtual device, and the port where it is."""
-    with tempfile.TemporaryDirectory() as folder:
+def device(model: str, connection: str, notes: Path) -> Iterator[str]:
+    """A virtual device, and the port where it is; what it says goes to a file."""
+    with tempfile.TemporaryDirectory() as folder, notes.open("w") as said:
         where = ["--pty", f"{folder}/port"] if connection == "pty" else ["--tcp", "0"]
         command = [sys.executable, "-m", "mip_tools", "simulate", model, *where]
         with STARTING:
-            process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+            process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=said, text=True,
                                        env={**os.environ, "PYTHONPATH": PYTHONPATH})  # fmt: skip
-            assert process.stdout is not None and process.stderr is not None
+            assert process.stdout is not None
             port = process.stdout.readline().strip()
         try:
             if not port:
-                raise RuntimeError(process.stderr.read().strip())
-            threading.Thread(target=process.stderr.read, daemon=True).start()  # or it would wait for a reader
+                raise RuntimeError(notes.read_text().strip())
             yield port
         finally:
             process.terminate()
@@ -140,16 +139,18 @@ def device(model: str, connection: str) -> Iterator[str]:
 
 
 def play(run: Run) -> Outcome:
+    """One program on one device. What both say is in the folder of logs."""
+    name = f"{run.program.name}-{run.program.language}-{run.model}-{run.connection}".replace("/", "_")
+    logs = BUILD / "logs"
+    logs.mkdir(exist_ok=True)
     try:
-        with device(run.model, run.connection) as port:
+        with device(run.model, run.connection, logs / f"{name}.device.txt") as port:
             environment = {**os.environ, "LD_PRELOAD": str(BUILD / "port.so"), "INTEROP_PORT": port}
             done = subprocess.run(["timeout", str(LIMIT), run.program.path], capture_output=True, text=True,
                                   stdin=subprocess.DEVNULL, env=environment)  # fmt: skip
     except RuntimeError as error:
         return Outcome(run, False, str(error))
-    BUILD.joinpath("logs").mkdir(exist_ok=True)
-    log = f"{run.program.name}-{run.program.language}-{run.model}-{run.connection}.txt".replace("/", "_")
-    BUILD.joinpath("logs", log).write_text(done.stdout + done.stderr)
+    (logs / f"{name}.txt").write_text(done.stdout + done.stderr)
     return Outcome(run, *judge(run.program, done.returncode, done.stdout, done.stderr))
 
 
