@@ -21,6 +21,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
+HERE = Path(__file__).parent
 BUILD = ROOT / "build/interop"
 PYTHONPATH = os.pathsep.join((str(ROOT / "tools"), str(ROOT / "generated/python")))
 #: Seconds for a run: the programs print for 30 seconds, and capture the gyroscope bias before.
@@ -72,18 +73,7 @@ def build(sdk: Path) -> Path:
     for command in (
         ["cmake", "-S", sdk, "-B", folder, "-DMICROSTRAIN_BUILD_EXAMPLES=ON"],
         ["cmake", "--build", folder, "-j2"],
-        [
-            "cc",
-            "-shared",
-            "-fPIC",
-            "-O1",
-            "-Wall",
-            "-Wextra",
-            ROOT / "tests/interop/port.c",
-            "-o",
-            BUILD / "port.so",
-            "-ldl",
-        ],
+        ["cc", "-shared", "-fPIC", "-O1", "-Wall", "-Wextra", HERE / "port.c", "-o", BUILD / "port.so", "-ldl"],
     ):
         done = subprocess.run([str(word) for word in command], capture_output=True, text=True)
         if done.returncode:

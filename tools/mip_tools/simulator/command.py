@@ -125,7 +125,7 @@ def run(options: argparse.Namespace) -> int:
             _complain(
                 f"the profile of {profile.title} is incomplete ({_known(profile)}): " + " ".join(profile.incomplete)
             )
-        if rates := assumed_rates(profile):
+        if rates := {set: rate for set, rate in assumed_rates(profile).items() if rate}:
             _complain(_assumed(rates))
         server.run()
     return 0
@@ -260,5 +260,5 @@ def start_time(text: str) -> int:
 
 def _assumed(rates: Mapping[int, float]) -> str:
     """The base rates that no source states."""
-    each = ", ".join(f"{SETS[set][0]} {rate:g} Hz" for set, rate in rates.items() if rate)
+    each = ", ".join(f"{SETS[set][0]} {rate:g} Hz" for set, rate in rates.items())
     return f"base rates that no source states are assumed: {each}"
