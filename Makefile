@@ -168,6 +168,10 @@ pictures: $(VENV)/all.stamp ## make the picture of the README anew
 bench: tools $(VENV)/all.stamp ## measure size and speed; README=1 writes the tables of the READMEs, PEER=FOLDER compares with the vendor's SDK
 	@PYTHONPATH=generator $(RUN) tests/bench/bench.py $(if $(README),--readme) $(if $(PEER),--peer $(PEER))
 
+.PHONY: interop
+interop: $(VENV)/development.stamp ## run the vendor's example programs on virtual devices: make interop PEER=FOLDER
+	@$(RUN) tests/interop/interop.py $(addprefix --peer ,$(PEER))
+
 .PHONY: conformance-driver
 conformance-driver: $(VENV)/generator.stamp ## build a driver and print its command: make -s conformance-driver TARGET=c
 	@test -x tests/$(TARGET)/build_driver.sh || { echo "make: TARGET must be one of: $(patsubst tests/%/build_driver.sh,%,$(wildcard tests/*/build_driver.sh))" >&2; exit 1; }

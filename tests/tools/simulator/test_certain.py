@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import pytest
-from mip_protocol import base, devices
+from mip_protocol import Parser, base, devices, mip_3dm, types
 from mip_protocol.devices import Support
 from mip_tools import __main__
 from mip_tools.simulator import VirtualDevice
-from mip_tools.simulator.profiles import certain
+from mip_tools.simulator.profiles import assumed_rates, certain
 from simulator_host import Host
 
 IDS = list(devices.DEVICES)
@@ -59,3 +59,33 @@ def test_the_first_line_says_how_many(option: tuple[str, ...], capsys: pytest.Ca
         title = devices.DEVICES[id].title
         counts = f"{title}: {len(sure)} commands and data fields are certain, {rest} probable{more}"
         assert out.startswith("localhost:") and error.splitlines()[0] == f"mip simulate: {counts}"
+
+
+def test_a_base_rate_that_no_source_states_is_that_of_other_devices() -> None:
+    """Programs that ask for it compute a decimation from it."""
+    profile = devices.DEVICES["3dm-cx5-45"]
+    assert not profile.base_rates
+    assert assumed_rates(profile) == {0x80: 500, 0x81: 4, 0x82: 500}
+    host = Host(VirtualDevice(profile))
+    assert host.ok(mip_3dm.GetImuBaseRate()).rate == 500
+    host.ok(mip_3dm.ImuMessageFormat.write((types.DescriptorRate(0x04, 50),)))
+    host.device.advance(1.0)
+    assert len(Parser().feed(host.link.read())) == 10
+
+
+@pytest.mark.parametrize("id", IDS)
+def test_only_unknown_base_rates_are_assumed(id: str) -> None:
+    profile = devices.DEVICES[id]
+    rates = assumed_rates(profile)
+    assert not rates.keys() & profile.base_rates.keys()
+    assert {set for set, _ in profile.fields if 0x80 <= set < 0xFF} <= rates.keys() | profile.base_rates.keys()
+    assert all(rate <= 10 for rate in rates.values()) or profile.generation in (4, 5, 7)
+
+
+def test_the_first_messages_name_what_is_assumed(capsys: pytest.CaptureFixture[str]) -> None:
+    said = {}
+    for id in ("3dm-cx5-45", "3dm-gx5-15"):
+        assert __main__.main(["simulate", id, "--tcp", "0", "--duration", "0.01"]) == 0
+        said[id] = capsys.readouterr().err
+    assert "assumed: sensor 500 Hz, gnss_data 4 Hz, filter_data 500 Hz" in said["3dm-cx5-45"]
+    assert "assumed" not in said["3dm-gx5-15"]

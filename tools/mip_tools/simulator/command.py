@@ -5,19 +5,20 @@ from __future__ import annotations
 import argparse
 import re
 import sys
+from collections.abc import Mapping
 from contextlib import ExitStack
 from datetime import datetime, timezone
 from pathlib import Path
 from typing import Any
 
-from ..binding import DEVICES, Device
+from ..binding import DEVICES, SETS, Device
 from ..cli import outputs, signals
 from ..errors import Failure, Misuse
 from . import earth
 from .endpoints import Endpoint, pty_at, tcp_at
 from .fault_kinds import parse_faults, table
 from .faults import Faults, json_log
-from .profiles import certain, device_named, port_named
+from .profiles import assumed_rates, certain, device_named, port_named
 from .serve import Server
 
 _KNOWN = sorted(DEVICES.values(), key=lambda d: (bool(d.incomplete), -len(d.ports)))
@@ -124,6 +125,8 @@ def run(options: argparse.Namespace) -> int:
             _complain(
                 f"the profile of {profile.title} is incomplete ({_known(profile)}): " + " ".join(profile.incomplete)
             )
+        if rates := {set: rate for set, rate in assumed_rates(profile).items() if rate}:
+            _complain(_assumed(rates))
         server.run()
     return 0
 
@@ -253,3 +256,9 @@ def start_time(text: str) -> int:
     if when.year > 3000:
         raise argparse.ArgumentTypeError(f"{text} is too late; use a year up to 3000")
     return earth.from_utc(when)
+
+
+def _assumed(rates: Mapping[int, float]) -> str:
+    """The base rates that no source states."""
+    each = ", ".join(f"{SETS[set][0]} {rate:g} Hz" for set, rate in rates.items())
+    return f"base rates that no source states are assumed: {each}"

@@ -5,19 +5,19 @@ from __future__ import annotations
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
-from ..binding import DEVICES, reflection
+from ..binding import reflection
 from .checks import data_sets
 from .codes import WRITE
 from .facts import COMMANDS
+from .profiles import assumed_rates
 from .settings import command_type, home, keys
 from .streams import Stream
 
 if TYPE_CHECKING:
     from .device import VirtualDevice
 
-#: The rate in Hz of sets whose data come as they arise, and the highest one of those whose rate is not known.
+#: The rate in Hz of sets whose data come as they arise.
 RATE_AS_THEY_ARISE = 1.0
-UNKNOWN_RATE = 10.0
 
 #: What factory streaming asks for of each set, at this rate in Hz.
 FACTORY_FIELDS, FACTORY_RATE = 4, 10
@@ -25,16 +25,13 @@ FACTORY_FIELDS, FACTORY_RATE = 4, 10
 
 def rate(device: VirtualDevice, set: int) -> int:
     """The base rate as commands report it; 0 if the set has none."""
-    return round(device.profile.base_rates.get(set) or 0)
+    known = device.profile.base_rates
+    return round(known[set] if set in known else assumed_rates(device.profile).get(set, 0))
 
 
 def ticks(device: VirtualDevice, set: int) -> float:
-    """The rate in Hz at which a set is sent without decimation; if it is not known, a low one of other devices."""
-    known = device.profile.base_rates.get(set)
-    if known is None:
-        rates = (other.base_rates[set] for other in DEVICES.values() if set in other.base_rates)
-        known = min(*rates, UNKNOWN_RATE, UNKNOWN_RATE)
-    return known or RATE_AS_THEY_ARISE
+    """The rate in Hz at which a set is sent without decimation."""
+    return rate(device, set) or RATE_AS_THEY_ARISE
 
 
 def of_set(device: VirtualDevice, set: int) -> list[tuple[int, int]]:

@@ -7,6 +7,10 @@ from dataclasses import replace
 
 from ..binding import DEVICES, Device, Port, Support
 from ..errors import Misuse
+from .checks import data_sets
+
+#: The rate in Hz of a set that no device of the same generation is known to send faster.
+UNKNOWN_RATE = 10.0
 
 
 def device_named(name: str) -> Device:
@@ -26,6 +30,18 @@ def certain(profile: Device) -> Device:
     return replace(profile, evidence=tuple(e for e in profile.evidence if e.answer is not Support.PROBABLE))
 
 
+def assumed_rates(profile: Device) -> dict[int, float]:
+    """Base rates that no source states, of the data sets of a device: the lowest of its generation, else a low one."""
+    unknown = sorted(data_sets(profile) - profile.base_rates.keys())
+    return {set: _lowest(set, profile.generation) for set in unknown}
+
+
+def _lowest(set: int, generation: int | None) -> float:
+    rates = {other.id: other.base_rates[set] for other in DEVICES.values() if set in other.base_rates}
+    near = [rate for id, rate in rates.items() if DEVICES[id].generation == generation]
+    return min(near) if near else min(*rates.values(), UNKNOWN_RATE, UNKNOWN_RATE)
+
+
 def port_named(profile: Device, name: str) -> Port:
     """A port of a device; case, spaces and underscores do not matter. Raises Failure."""
     for port in profile.ports:
@@ -39,4 +55,4 @@ def _plain(name: str) -> str:
     return name.lower().replace("_", "").replace(" ", "")
 
 
-__all__ = ["certain", "device_named", "port_named"]
+__all__ = ["assumed_rates", "certain", "device_named", "port_named"]
