@@ -17,7 +17,7 @@ import threading
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
@@ -144,6 +144,14 @@ def play(run: Run) -> Outcome:
     return Outcome(run, *judge(run.program, done.returncode, done.stdout, done.stderr))
 
 
+def again(outcome: Outcome) -> Outcome:
+    """A command without an answer in two seconds may be the load of the machine: such a run is repeated alone."""
+    if outcome.complete or "Timed out" not in outcome.text:
+        return outcome
+    second = play(outcome.run)
+    return replace(second, text=f"{second.text}; before: {outcome.text}".removeprefix("; "))
+
+
 def judge(program: Program, status: int, out: str, errors: str) -> tuple[bool, str]:
     """Whether a program completed, and what there is to say of it."""
     data = len(DATA.findall(out.partition("will now output data")[2]))
@@ -191,6 +199,7 @@ def main() -> None:
     chosen = [p for p in programs(sdk, build(sdk)) if given.only in f"{p.language}/{p.name}"]
     with ThreadPoolExecutor(TOGETHER) as pool:
         outcomes = list(pool.map(play, runs(chosen)))
+    outcomes = [again(outcome) for outcome in outcomes]
     print(table(outcomes))
     complete = sum(o.complete for o in outcomes)
     print(f"{complete} of {len(outcomes)} runs completed")

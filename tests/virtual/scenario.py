@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from mipgen import model as m
 from support import model
 from virtual.commands import Trial, commands, data_fields, trials, unsupported
-from virtual.session import START, Session, Witness
+from virtual.session import START, Session, Witness, assumed_rates, device_named
 
 #: The message formats of devices without `3dm.message_format`: command and data set.
 OWN_FORMATS = {
@@ -29,7 +29,7 @@ def formats(device: m.Device, rate: float) -> Iterator[Trial]:
     """Asks for all data, so often in Hz; they take several packets each time."""
     known = {s.field.full_name: s for s in commands(device)}
     fields = data_fields(device)
-    rates = {r.set.number: r.hertz for r in device.base_rates}
+    rates = assumed_rates(device_named(device.id)) | {r.set.number: r.hertz for r in device.base_rates}
     for number, descriptors in fields.items():
         decimation = max(1, round((rates.get(number) or 1) / rate))
         entries = [{"descriptor": d, "decimation": decimation} for d in descriptors]

@@ -23,8 +23,9 @@ from mip_protocol.packet import SYNC
 from mip_tools.simulator.device import VirtualDevice
 from mip_tools.simulator.fault_kinds import KINDS
 from mip_tools.simulator.faults import Faults, Injected
+from mip_tools.simulator.profiles import assumed_rates, device_named
 
-__all__ = ["KINDS", "START", "Event", "Session", "Witness"]
+__all__ = ["KINDS", "START", "Event", "Session", "Witness", "assumed_rates", "device_named"]
 
 Event = dict[str, Any]
 
