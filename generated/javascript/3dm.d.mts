@@ -24,7 +24,7 @@ export interface PollEntry {
 
 export type FactoryStreamingAction = Flavor<number, "3dm.factory_streaming_action">;
 /**
- * What happens to the existing message formats.
+ * Treatment of the existing message formats.
  *
  * - 3dm-cv7-gnss-ins: Factory Streaming (0x0C,0x10)
  */
@@ -71,7 +71,7 @@ export declare const ConstellationOptions: Bitfield<ConstellationOptions> & {
 };
 
 /**
- * How a receiver tracks one constellation.
+ * Tracking of one constellation by a receiver.
  *
  * - mip-sdk-4: Constellation Settings (0x0C,0x21)
  */
@@ -90,7 +90,7 @@ export interface ConstellationSettingsEntry {
 
 export type SbasOptions = Flavor<number, "3dm.sbas_options">;
 /**
- * How SBAS is used.
+ * Use of SBAS.
  *
  * - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
  */
@@ -105,7 +105,7 @@ export declare const SbasOptions: Bitfield<SbasOptions> & {
 
 export type AssistedFixOption = Flavor<number, "3dm.assisted_fix_option">;
 /**
- * Whether a receiver keeps its last fix.
+ * Storage of the last fix of a receiver.
  *
  * - mip-sdk-4: Gnss Assisted Fix (0x0C,0x23)
  */
@@ -118,7 +118,7 @@ export declare const AssistedFixOption: Enumeration<AssistedFixOption> & {
 
 export type PpsSource = Flavor<number, "3dm.pps_source">;
 /**
- * Where the pulse per second comes from.
+ * Source of the pulse per second.
  *
  * - 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28)
  * - 3dm-cv7-gnss-ins: RECEIVER Source
@@ -143,14 +143,14 @@ export type EventSupportQuery = Flavor<number, "3dm.event_support_query">;
  * - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
  */
 export declare const EventSupportQuery: Enumeration<EventSupportQuery> & {
-    /** Which types of triggers there are. */
+    /** Supported types of triggers. */
     readonly TRIGGER_TYPES: EventSupportQuery & 1;
-    /** Which types of actions there are. */
+    /** Supported types of actions. */
     readonly ACTION_TYPES: EventSupportQuery & 2;
 };
 
 /**
- * How many instances of one trigger or action type a device can have.
+ * Capacity of a device for one trigger or action type.
  *
  * - 3dm-cv7-gnss-ins: Info
  */
@@ -276,7 +276,7 @@ export declare const ImuTimestampSelector: Enumeration<ImuTimestampSelector> & {
 
 export type OdometerMode = Flavor<number, "3dm.odometer_mode">;
 /**
- * How the odometer input works.
+ * Operation of the odometer input.
  *
  * - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
  */
@@ -508,7 +508,7 @@ export declare class DataStreamControlResponse extends Response {
      * - On the 3DM-GX5-15: values of `LegacyDataStream`; only `LegacyDataStream.IMU` and `LegacyDataStream.FILTER`.
      */
     descriptorSet: number;
-    /** Whether the stream is sent. */
+    /** True if the stream is sent. */
     enabled: boolean;
 }
 
@@ -626,7 +626,7 @@ export declare class ImuLowPassFilterResponse extends Response {
      * pressure 0x17. Refers to fields of Sensor data.
      */
     targetDescriptor: number;
-    /** Whether the quantity is filtered. Default: true. */
+    /** True if the quantity is filtered. Default: true. */
     enable: boolean;
     /** True uses `frequency`; false uses half the rate of the message format. Default: false. */
     manual: boolean;
@@ -796,9 +796,9 @@ export declare class DeviceStatusDiagnosticResponse extends Response {
     systemState: number;
     /** Time since start-up. Unit: ms. */
     systemTimer: number;
-    /** Whether sensor data is streamed. */
+    /** True if sensor data is streamed. */
     imuStreamEnabled: boolean;
-    /** Whether filter data is streamed. */
+    /** True if filter data is streamed. */
     filterStreamEnabled: boolean;
     /** Sensor data packets that were not sent. Unit: 1. */
     imuDroppedPackets: number;
@@ -856,11 +856,11 @@ export declare class DeviceStatusDiagnosticGnssResponse extends Response {
     ppsCount: number;
     /** System timer at the last pulse. Unit: ms. */
     ppsLastTime: number;
-    /** Whether sensor data is streamed. */
+    /** True if sensor data is streamed. */
     imuStreamEnabled: boolean;
-    /** Whether GNSS data is streamed. */
+    /** True if GNSS data is streamed. */
     gnssStreamEnabled: boolean;
-    /** Whether filter data is streamed. */
+    /** True if filter data is streamed. */
     filterStreamEnabled: boolean;
     /** Sensor data packets that were not sent. Unit: 1. */
     imuDroppedPackets: number;
@@ -925,11 +925,11 @@ export declare class DeviceStatusDiagnosticGq4_45Response extends Response {
     ppsCount: number;
     /** System timer at the last pulse. Unit: ms. */
     ppsLastTime: number;
-    /** Whether sensor data is streamed. */
+    /** True if sensor data is streamed. */
     imuStreamEnabled: boolean;
-    /** Whether GNSS data is streamed. */
+    /** True if GNSS data is streamed. */
     gnssStreamEnabled: boolean;
-    /** Whether filter data is streamed. */
+    /** True if filter data is streamed. */
     filterStreamEnabled: boolean;
     /** Sensor data packets that were not sent. Unit: 1. */
     imuDroppedPackets: number;
@@ -957,11 +957,11 @@ export declare class DeviceStatusDiagnosticGq4_45Response extends Response {
     gnssMessageCount: number;
     /** System timer at the last message of the receiver. Unit: ms. */
     gnssLastMessageTime: number;
-    /** Whether the magnetometer could not be started. */
+    /** True if the magnetometer could not be started. */
     magInitFailed: boolean;
-    /** Whether the pressure sensor could not be started. */
+    /** True if the pressure sensor could not be started. */
     pressureInitFailed: boolean;
-    /** Whether the GNSS receiver could not be started. */
+    /** True if the GNSS receiver could not be started. */
     receiverInitFailed: boolean;
 }
 
@@ -996,7 +996,7 @@ export declare class DeviceStatusDiagnosticRq1_45Response extends Response {
     systemTimer: number;
     /** Power state of the GNSS receiver. */
     gnssPowerState: number;
-    /** Whether the receiver starts cold at power-on. */
+    /** True if the receiver starts cold at power-up. */
     coldStartOnPowerOn: number;
     /** Temperature of the board. Unit: degC. Uncertain: The unit is inferred. */
     temperature: number;
@@ -1006,11 +1006,11 @@ export declare class DeviceStatusDiagnosticRq1_45Response extends Response {
     ppsCount: number;
     /** System timer at the last pulse. Unit: ms. */
     ppsLastTime: number;
-    /** Whether sensor data is streamed. */
+    /** True if sensor data is streamed. */
     imuStreamEnabled: boolean;
-    /** Whether GNSS data is streamed. */
+    /** True if GNSS data is streamed. */
     gnssStreamEnabled: boolean;
-    /** Whether filter data is streamed. */
+    /** True if filter data is streamed. */
     filterStreamEnabled: boolean;
     /** Sensor data packets that were not sent. Unit: 1. */
     imuDroppedPackets: number;
@@ -1071,9 +1071,9 @@ export declare class DeviceStatusDiagnosticGx4Response extends Response {
     ppsCount: number;
     /** System timer at the last pulse. Unit: ms. */
     ppsLastTime: number;
-    /** Whether sensor data is streamed. */
+    /** True if sensor data is streamed. */
     imuStreamEnabled: boolean;
-    /** Whether filter data is streamed. */
+    /** True if filter data is streamed. */
     filterStreamEnabled: boolean;
     /** Sensor data packets that were not sent. Unit: 1. */
     imuDroppedPackets: number;
@@ -1131,9 +1131,9 @@ export declare class DeviceStatusDiagnosticImuResponse extends Response {
     statusFlags: number;
     /** Time since start-up. Unit: ms. */
     systemTimer: number;
-    /** Whether it has a magnetometer. */
+    /** True if it has a magnetometer. */
     hasMag: boolean;
-    /** Whether it has a pressure sensor. */
+    /** True if it has a pressure sensor. */
     hasPressure: boolean;
     /** Power state of the sensors. */
     powerState: number;
@@ -1153,7 +1153,7 @@ export declare class DeviceStatusDiagnosticImuResponse extends Response {
     ppsCount: number;
     /** System timer at the last pulse. Unit: ms. */
     ppsLastTime: number;
-    /** Whether sensor data is streamed. */
+    /** True if sensor data is streamed. */
     imuStreamEnabled: boolean;
     /** Sensor data packets that were not sent. Unit: 1. */
     imuDroppedPackets: number;
@@ -1193,9 +1193,9 @@ export declare class DeviceStatusDiagnosticGx4ImuResponse extends Response {
     statusFlags: number;
     /** Time since start-up. Unit: ms. */
     systemTimer: number;
-    /** Whether it has a magnetometer. */
+    /** True if it has a magnetometer. */
     hasMag: boolean;
-    /** Whether it has a pressure sensor. */
+    /** True if it has a pressure sensor. */
     hasPressure: boolean;
     /** Largest angular rate that can be measured. */
     gyroRange: number;
@@ -1215,7 +1215,7 @@ export declare class DeviceStatusDiagnosticGx4ImuResponse extends Response {
     ppsCount: number;
     /** System timer at the last pulse. Unit: ms. */
     ppsLastTime: number;
-    /** Whether sensor data is streamed. */
+    /** True if sensor data is streamed. */
     imuStreamEnabled: boolean;
     /** Sensor data packets that were not sent. Unit: 1. */
     imuDroppedPackets: number;
@@ -1259,17 +1259,17 @@ export declare class DeviceStatusDiagnosticRq1ImuResponse extends Response {
     temperature: number;
     /** System timer at the last temperature. Unit: ms. */
     temperatureLastTime: number;
-    /** Whether a temperature sensor is faulty. */
+    /** True if a temperature sensor is faulty. */
     badTemperatureSensorDetected: boolean;
-    /** Whether the temperature is too low. */
+    /** True if the temperature is too low. */
     coldTemperatureDetected: boolean;
-    /** Whether a supply voltage is out of range. */
+    /** True if a supply voltage is out of range. */
     badVoltageDetected: boolean;
     /** Pulses per second that were counted. Unit: 1. */
     ppsCount: number;
     /** System timer at the last pulse. Unit: ms. */
     ppsLastTime: number;
-    /** Whether sensor data is streamed. */
+    /** True if sensor data is streamed. */
     imuStreamEnabled: boolean;
     /** Sensor data packets that were not sent. Unit: 1. */
     imuDroppedPackets: number;
@@ -1427,7 +1427,7 @@ export declare class GpsDynamicsModeResponse extends Response {
  */
 export declare class ImuTimestampResponse extends Response {
     constructor(values: Values<ImuTimestampResponse>);
-    /** Which counter. */
+    /** Counter to set or read. */
     selector: ImuTimestampSelector;
     /** Value of the counter, in the unit that `selector` states. */
     time: number;
@@ -1547,7 +1547,7 @@ export declare class MagSoftIronMatrixResponse extends Response {
  */
 export declare class ConingScullingEnableResponse extends Response {
     constructor(values: Values<ConingScullingEnableResponse>);
-    /** Whether the compensation is on. Default: true. */
+    /** True if the compensation is on. Default: true. */
     enable: boolean;
 }
 
@@ -1585,7 +1585,7 @@ export declare class GnssSbasSettingsResponse extends Response {
     constructor(values: Values<GnssSbasSettingsResponse>);
     /** 1 switches SBAS on, 0 off. Range: 0 to 1. */
     enableSbas: number;
-    /** What SBAS is used for. */
+    /** Purposes of SBAS. */
     sbasOptions: SbasOptions;
     /**
      * On the wire only: num_included_prns. Number of satellites listed; 0 searches for all. The number of elements of
@@ -1605,7 +1605,7 @@ export declare class GnssSbasSettingsResponse extends Response {
  */
 export declare class GnssAssistedFixResponse extends Response {
     constructor(values: Values<GnssAssistedFixResponse, "flags">);
-    /** Whether the receiver keeps data for a faster first fix. Default: `AssistedFixOption.NONE`. */
+    /** Storage of data for a faster first fix. Default: `AssistedFixOption.NONE`. */
     option: AssistedFixOption;
     /** Reserved. */
     flags: number;
@@ -1811,7 +1811,7 @@ export declare class EventActionConfigResponse extends Response {
     /** Kind of action. Default: `types.EventActionType.NONE`. */
     type: types.EventActionType;
     /**
-     * What the action does. Selected by `type`.
+     * Effect of the action. Selected by `type`.
      *
      * - If `type` is `types.EventActionType.NONE`: `{}`.
      * - If `type` is `types.EventActionType.GPIO`: `gpio: types.EventActionGpio`.
@@ -1875,7 +1875,7 @@ export declare class GpioStateResponse extends Response {
  */
 export declare class OdometerConfigResponse extends Response {
     constructor(values: Values<OdometerConfigResponse>);
-    /** How the input works. */
+    /** Operation of the input. */
     mode: OdometerMode;
     /**
      * Pulses per distance travelled; negative if the encoder turns backwards. Unit: pulse/m. Pulses on line A per turn
@@ -1942,7 +1942,7 @@ export declare class LowPassFilterResponse extends Response {
     descriptorSet: number;
     /** Descriptor of the field that is filtered. Refers to fields of `descriptorSet`. */
     fieldDescriptor: number;
-    /** Whether the field is filtered. */
+    /** True if the field is filtered. */
     enable: boolean;
     /** True uses `frequency`; false uses half the rate of the field in the message format. */
     manual: boolean;
@@ -2082,7 +2082,7 @@ export declare class GetGnssBaseRate extends Command<GetGnssBaseRateResponse> {
 /**
  * IMU Message Format (0x0C,0x08).
  *
- * Fields of the sensor data packets (0x80), in order, with their decimations.
+ * Sets the fields of the sensor data packets (0x80), their order and their decimations.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `ImuMessageFormatResponse`. Supported by
  * 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by
@@ -2097,7 +2097,7 @@ export declare class GetGnssBaseRate extends Command<GetGnssBaseRateResponse> {
  */
 export declare class ImuMessageFormat<R extends Response | undefined = undefined | ImuMessageFormatResponse> extends Command<R> {
     constructor(values: Values<ImuMessageFormat>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /**
      * On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`. Required for
@@ -2120,7 +2120,7 @@ export declare class ImuMessageFormat<R extends Response | undefined = undefined
 /**
  * GNSS Message Format (0x0C,0x09).
  *
- * Fields of the GNSS data packets, in order, with their decimations.
+ * Sets the fields of the GNSS data packets, their order and their decimations.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GnssMessageFormatResponse`. Supported by
  * 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CV5-45, 3DM-CX5-35,
@@ -2133,7 +2133,7 @@ export declare class ImuMessageFormat<R extends Response | undefined = undefined
  */
 export declare class GnssMessageFormat<R extends Response | undefined = undefined | GnssMessageFormatResponse> extends Command<R> {
     constructor(values: Values<GnssMessageFormat>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /**
      * On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`. Range: 0 to 82.
@@ -2156,7 +2156,7 @@ export declare class GnssMessageFormat<R extends Response | undefined = undefine
 /**
  * Estimation Filter Message Format (0x0C,0x0A).
  *
- * Fields of the filter data packets (0x82), in order, with their decimations.
+ * Sets the fields of the filter data packets (0x82), their order and their decimations.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `FilterMessageFormatResponse`. Supported by
  * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-15, 3DM-CL5-25,
@@ -2170,7 +2170,7 @@ export declare class GnssMessageFormat<R extends Response | undefined = undefine
  */
 export declare class FilterMessageFormat<R extends Response | undefined = undefined | FilterMessageFormatResponse> extends Command<R> {
     constructor(values: Values<FilterMessageFormat>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /**
      * On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`. Required for
@@ -2208,7 +2208,7 @@ export declare class GetFilterBaseRate extends Command<GetFilterBaseRateResponse
 /**
  * NMEA Message Format (0x0C,0x0C).
  *
- * NMEA sentences that the device streams.
+ * Sets the NMEA sentences that the device streams.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `NmeaMessageFormatResponse`. Supported by
  * 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS and 3DM-GV7-INS. Refused by
@@ -2222,7 +2222,7 @@ export declare class GetFilterBaseRate extends Command<GetFilterBaseRateResponse
  */
 export declare class NmeaMessageFormat<R extends Response | undefined = undefined | NmeaMessageFormatResponse> extends Command<R> {
     constructor(values: Values<NmeaMessageFormat>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /**
      * On the wire only: count. Number of sentences. The number of elements of `formatEntries`. Required for `write`.
@@ -2286,7 +2286,7 @@ export declare class GetBaseRate extends Command<GetBaseRateResponse> {
 /**
  * Message Format (0x0C,0x0F).
  *
- * Fields of the data packets of a descriptor set, in order, with their decimations.
+ * Sets the fields of the data packets of a descriptor set, their order and their decimations.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `MessageFormatResponse`. Supported by
  * 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
@@ -2299,7 +2299,7 @@ export declare class GetBaseRate extends Command<GetBaseRateResponse> {
  */
 export declare class MessageFormat<R extends Response | undefined = undefined | MessageFormatResponse> extends Command<R> {
     constructor(values: Values<MessageFormat>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /** Data descriptor set; 0 means all of them (save, load, default). */
     descriptorSet?: number;
@@ -2333,7 +2333,7 @@ export declare class MessageFormat<R extends Response | undefined = undefined | 
  */
 export declare class FactoryStreaming extends Command<undefined> {
     constructor(values: Values<FactoryStreaming, "reserved">);
-    /** What happens to the existing formats. */
+    /** Treatment of the existing formats. */
     action: FactoryStreamingAction;
     /** Reserved: send 0. */
     reserved: number;
@@ -2360,7 +2360,7 @@ export declare class FactoryStreaming extends Command<undefined> {
  */
 export declare class DataStreamControl<R extends Response | undefined = undefined | DataStreamControlResponse> extends Command<R> {
     constructor(values: Values<DataStreamControl>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /**
      * Data descriptor set; 0 means all streams (save, load, default).
@@ -2373,7 +2373,7 @@ export declare class DataStreamControl<R extends Response | undefined = undefine
      */
     descriptorSet?: number;
     /**
-     * Whether the stream is sent. Default: true. Required for `write`. The stream starts with current data. What was
+     * True if the stream is sent. Default: true. Required for `write`. The stream starts with current data. What was
      * measured while it was disabled is not sent.
      */
     enable?: boolean;
@@ -2412,7 +2412,7 @@ export declare class RawRtcm2_3Message extends Command<undefined> {
 /**
  * Constellation Settings (0x0C,0x21).
  *
- * Constellations that the GNSS receiver tracks, and how its tracking channels are shared.
+ * Selects the constellations that the GNSS receiver tracks, and their shares of its tracking channels.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `ConstellationSettingsResponse`. Probably
  * changes `gnss_data.FixInfo`, `gnss_data.SvInfo` and `gnss_data.SatelliteStatus`. Supported by 3DM-GQ4-45 and
@@ -2430,7 +2430,7 @@ export declare class RawRtcm2_3Message extends Command<undefined> {
  */
 export declare class ConstellationSettings<R extends Response | undefined = undefined | ConstellationSettingsResponse> extends Command<R> {
     constructor(values: Values<ConstellationSettings>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /**
      * Maximum number of tracking channels in use; at most the number that the response reports as available. Unit: 1.
@@ -2458,7 +2458,7 @@ export declare class ConstellationSettings<R extends Response | undefined = unde
 /**
  * GNSS SBAS Settings (0x0C,0x22).
  *
- * How the GNSS receivers use satellite based augmentation.
+ * Sets how the GNSS receivers use satellite based augmentation.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GnssSbasSettingsResponse`. Probably changes
  * `gnss_data.SbasInfo` and `gnss_data.SbasCorrection`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45 and 3DM-GX5-35.
@@ -2468,7 +2468,7 @@ export declare class ConstellationSettings<R extends Response | undefined = unde
  */
 export declare class GnssSbasSettings<R extends Response | undefined = undefined | GnssSbasSettingsResponse> extends Command<R> {
     constructor(values: Values<GnssSbasSettings>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /**
      * 1 switches SBAS on, 0 off. Range: 0 to 1. Required for `write`.
@@ -2477,7 +2477,7 @@ export declare class GnssSbasSettings<R extends Response | undefined = undefined
      */
     enableSbas?: number;
     /**
-     * What SBAS is used for. Required for `write`.
+     * Purposes of SBAS. Required for `write`.
      *
      * - On the 3DM-GX5-35: default `SbasOptions.ENABLE_RANGING` and `SbasOptions.ENABLE_CORRECTIONS`.
      */
@@ -2503,7 +2503,7 @@ export declare class GnssSbasSettings<R extends Response | undefined = undefined
 /**
  * GNSS Assisted Fix (0x0C,0x23).
  *
- * Whether the GNSS receiver keeps the data of its last fix and starts from it at the next power-up.
+ * Sets whether the GNSS receiver keeps the data of its last fix and starts from it at the next power-up.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GnssAssistedFixResponse`. Supported by
  * 3DM-GX5-35. Probably supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45 and 3DM-GX5-45. Known only from the MicroStrain
@@ -2517,10 +2517,10 @@ export declare class GnssSbasSettings<R extends Response | undefined = undefined
  */
 export declare class GnssAssistedFix<R extends Response | undefined = undefined | GnssAssistedFixResponse> extends Command<R> {
     constructor(values: Values<GnssAssistedFix, "flags">);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /**
-     * Whether the receiver keeps data for a faster first fix. Default: `AssistedFixOption.NONE`. Required for `write`.
+     * Storage of data for a faster first fix. Default: `AssistedFixOption.NONE`. Required for `write`.
      *
      * - On the 3DM-GX5-35: default `AssistedFixOption.NONE`.
      */
@@ -2546,7 +2546,7 @@ export declare class GnssAssistedFix<R extends Response | undefined = undefined 
 /**
  * GNSS Time Assistance (0x0C,0x24).
  *
- * Gives the GNSS receiver the current GPS time.
+ * Sends the current GPS time to the GNSS receiver.
  *
  * Functions: `write` and `read`. Answered by `GnssTimeAssistanceResponse`. Supported by 3DM-GX5-35. Probably supported
  * by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45 and 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
@@ -2557,7 +2557,7 @@ export declare class GnssAssistedFix<R extends Response | undefined = undefined 
  */
 export declare class GnssTimeAssistance<R extends Response | undefined = undefined | GnssTimeAssistanceResponse> extends Command<R> {
     constructor(values: Values<GnssTimeAssistance>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /** GPS time of week. Unit: s. Range: at least 0, less than 604800. Required for `write`. */
     tow?: number;
@@ -2574,7 +2574,7 @@ export declare class GnssTimeAssistance<R extends Response | undefined = undefin
 /**
  * PPS Source Control (0x0C,0x28).
  *
- * Where the device takes its pulse per second from.
+ * Selects the source of the pulse per second (PPS).
  *
  * Also called `pps_source`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
  * `PpsSourceControlResponse`. Changes `system_data.TimeSyncStatus`. Probably changes `shared.GpsTimestamp`,
@@ -2589,7 +2589,7 @@ export declare class GnssTimeAssistance<R extends Response | undefined = undefin
  */
 export declare class PpsSourceControl<R extends Response | undefined = undefined | PpsSourceControlResponse> extends Command<R> {
     constructor(values: Values<PpsSourceControl>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /**
      * Source of the pulse. Required for `write`.
@@ -2644,7 +2644,7 @@ export declare class GetEventSupport extends Command<GetEventSupportResponse> {
  */
 export declare class EventControl<R extends Response | undefined = undefined | EventControlResponse> extends Command<R> {
     constructor(values: Values<EventControl>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /** Trigger instance; 0 means all configured triggers, except for read. */
     instance?: number;
@@ -2707,7 +2707,7 @@ export declare class GetEventActionStatus extends Command<GetEventActionStatusRe
 /**
  * Event Trigger Configuration (0x0C,0x2E).
  *
- * Kind and condition of an event trigger.
+ * Configures the kind and the condition of an event trigger.
  *
  * Also called `event_trigger`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
  * `EventTriggerConfigResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by
@@ -2720,7 +2720,7 @@ export declare class GetEventActionStatus extends Command<GetEventActionStatusRe
  */
 export declare class EventTriggerConfig<R extends Response | undefined = undefined | EventTriggerConfigResponse> extends Command<R> {
     constructor(values: Values<EventTriggerConfig>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /** Trigger instance; 0 means all (save, load, default). */
     instance?: number;
@@ -2750,7 +2750,7 @@ export declare class EventTriggerConfig<R extends Response | undefined = undefin
 /**
  * Event Action Configuration (0x0C,0x2F).
  *
- * Trigger and effect of an event action.
+ * Configures the trigger and the effect of an event action.
  *
  * Also called `event_action`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
  * `EventActionConfigResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by
@@ -2765,7 +2765,7 @@ export declare class EventTriggerConfig<R extends Response | undefined = undefin
  */
 export declare class EventActionConfig<R extends Response | undefined = undefined | EventActionConfigResponse> extends Command<R> {
     constructor(values: Values<EventActionConfig>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /** Action instance; 0 means all (save, load, default). */
     instance?: number;
@@ -2774,7 +2774,7 @@ export declare class EventActionConfig<R extends Response | undefined = undefine
     /** Kind of action. Default: `types.EventActionType.NONE`. Required for `write`. */
     type?: types.EventActionType;
     /**
-     * What the action does. Selected by `type`. Required for `write`.
+     * Effect of the action. Selected by `type`. Required for `write`.
      *
      * - If `type` is `types.EventActionType.NONE`: `{}`.
      * - If `type` is `types.EventActionType.GPIO`: `gpio: types.EventActionGpio`.
@@ -2804,15 +2804,14 @@ export declare class EventActionConfig<R extends Response | undefined = undefine
  * 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
  * 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25 and 3DM-RTK.
  *
- * A save may disturb the data output for a short time. A save may take up to 1 s. A host should wait longer, because
- * the answer must come through, too.
+ * A save may disturb the data output for a short time. A save may take up to 1 s. Use a reply time-out of at least 2 s.
  *
  * - 3dm-gx5-15: 4.2.8 Device Startup Settings (0x0C, 0x30)
  * - 3dm-cv7-gnss-ins: Device Start Up Settings (0x0C,0x30)
  */
 export declare class DeviceSettings extends Command<undefined> {
     constructor(values: Values<DeviceSettings>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /** Save the current setting to non-volatile memory. */
     static save(): DeviceSettings;
@@ -2825,7 +2824,7 @@ export declare class DeviceSettings extends Command<undefined> {
 /**
  * Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31).
  *
- * Mounting of the sensor in the vehicle as Euler angles.
+ * Sets the mounting of the sensor in the vehicle as Euler angles.
  *
  * Also called `sensor_2_vehicle_transform_euler`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
  * `SensorToVehicleTransformEulerResponse`. Changes `sensor.ScaledAccel`, `sensor.ScaledGyro`, `sensor.ScaledMag`,
@@ -2847,7 +2846,7 @@ export declare class DeviceSettings extends Command<undefined> {
  */
 export declare class SensorToVehicleTransformEuler<R extends Response | undefined = undefined | SensorToVehicleTransformEulerResponse> extends Command<R> {
     constructor(values: Values<SensorToVehicleTransformEuler>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /** Rotation about the x axis. Unit: rad. Required for `write`. */
     roll?: number;
@@ -2870,7 +2869,7 @@ export declare class SensorToVehicleTransformEuler<R extends Response | undefine
 /**
  * Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32).
  *
- * Mounting of the sensor in the vehicle as a quaternion.
+ * Sets the mounting of the sensor in the vehicle as a quaternion.
  *
  * Also called `sensor_2_vehicle_transform_quaternion`. Functions: `write`, `read`, `save`, `load` and `default`.
  * Answered by `SensorToVehicleTransformQuaternionResponse`. Changes `sensor.ScaledAccel`, `sensor.ScaledGyro`,
@@ -2890,7 +2889,7 @@ export declare class SensorToVehicleTransformEuler<R extends Response | undefine
  */
 export declare class SensorToVehicleTransformQuaternion<R extends Response | undefined = undefined | SensorToVehicleTransformQuaternionResponse> extends Command<R> {
     constructor(values: Values<SensorToVehicleTransformQuaternion>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /**
      * Unit quaternion that transforms vectors from the sensor frame to the vehicle frame. Elements: w, x, y, z. Unit:
@@ -2912,7 +2911,7 @@ export declare class SensorToVehicleTransformQuaternion<R extends Response | und
 /**
  * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33).
  *
- * Mounting of the sensor in the vehicle as a direction cosine matrix.
+ * Sets the mounting of the sensor in the vehicle as a direction cosine matrix.
  *
  * Also called `sensor_2_vehicle_transform_dcm`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
  * `SensorToVehicleTransformDcmResponse`. Changes `sensor.ScaledAccel`, `sensor.ScaledGyro`, `sensor.ScaledMag`,
@@ -2933,7 +2932,7 @@ export declare class SensorToVehicleTransformQuaternion<R extends Response | und
  */
 export declare class SensorToVehicleTransformDcm<R extends Response | undefined = undefined | SensorToVehicleTransformDcmResponse> extends Command<R> {
     constructor(values: Values<SensorToVehicleTransformDcm>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /**
      * The matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1. Required for
@@ -2967,7 +2966,7 @@ export declare class SensorToVehicleTransformDcm<R extends Response | undefined 
  */
 export declare class GpsDynamicsMode<R extends Response | undefined = undefined | GpsDynamicsModeResponse> extends Command<R> {
     constructor(values: Values<GpsDynamicsMode>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /** Assumed dynamics. Required for `write`. */
     mode?: ReceiverDynamics;
@@ -3004,7 +3003,7 @@ export declare class GpsDynamicsMode<R extends Response | undefined = undefined 
  */
 export declare class ImuSignalConditioning<R extends Response | undefined = undefined | ImuSignalConditioningResponse> extends Command<R> {
     constructor(values: Values<ImuSignalConditioning, "reserved">);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /**
      * Divides 1000 Hz to the rate at which the orientation is computed. Unit: 1. Range: 1 to 1000. Required for
@@ -3058,9 +3057,9 @@ export declare class ImuSignalConditioning<R extends Response | undefined = unde
  */
 export declare class ImuTimestamp<R extends Response | undefined = undefined | ImuTimestampResponse> extends Command<R> {
     constructor(values: Values<ImuTimestamp>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
-    /** Which counter. */
+    /** Counter to set or read. */
     selector?: ImuTimestampSelector;
     /** Value of the counter, in the unit that `selector` states. Required for `write`. */
     time?: number;
@@ -3073,7 +3072,7 @@ export declare class ImuTimestamp<R extends Response | undefined = undefined | I
 /**
  * Accelerometer Bias Configuration (0x0C,0x37).
  *
- * Bias that is subtracted from the scaled acceleration.
+ * Sets the bias that is subtracted from the scaled acceleration.
  *
  * For advanced use. Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Answered by `AccelBiasResponse`.
  * Changes `sensor.ScaledAccel`. Probably changes `sensor.DeltaVelocity` and `filter_data.AccelBias`. Supported by
@@ -3088,7 +3087,7 @@ export declare class ImuTimestamp<R extends Response | undefined = undefined | I
  */
 export declare class AccelBias<R extends Response | undefined = undefined | AccelBiasResponse> extends Command<R> {
     constructor(values: Values<AccelBias>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /**
      * Bias that the device subtracts from the measured acceleration. Elements: x, y, z. Unit: g. Frame: sensor.
@@ -3112,7 +3111,7 @@ export declare class AccelBias<R extends Response | undefined = undefined | Acce
 /**
  * Gyroscope Bias Configuration (0x0C,0x38).
  *
- * Bias that is subtracted from the scaled angular rate.
+ * Sets the bias that is subtracted from the scaled angular rate.
  *
  * For advanced use. Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Answered by `GyroBiasResponse`.
  * Changes `sensor.ScaledGyro`. Probably changes `sensor.DeltaTheta` and `filter_data.GyroBias`. Supported by
@@ -3129,7 +3128,7 @@ export declare class AccelBias<R extends Response | undefined = undefined | Acce
  */
 export declare class GyroBias<R extends Response | undefined = undefined | GyroBiasResponse> extends Command<R> {
     constructor(values: Values<GyroBias>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /**
      * Bias that the device subtracts from the measured angular rate. Elements: x, y, z. Unit: rad/s. Frame: sensor.
@@ -3179,7 +3178,7 @@ export declare class CaptureGyroBias extends Command<GyroBiasResponse> {
 /**
  * Magnetometer Hard Iron Offset (0x0C,0x3A).
  *
- * Offset that corrects the scaled magnetic field for hard iron.
+ * Sets the offset that corrects the scaled magnetic field for hard iron.
  *
  * Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Answered by `MagHardIronOffsetResponse`. Changes
  * `sensor.ScaledMag`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT
@@ -3198,7 +3197,7 @@ export declare class CaptureGyroBias extends Command<GyroBiasResponse> {
  */
 export declare class MagHardIronOffset<R extends Response | undefined = undefined | MagHardIronOffsetResponse> extends Command<R> {
     constructor(values: Values<MagHardIronOffset>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /**
      * Offset that the device subtracts from the measured magnetic field. Elements: x, y, z. Unit: gauss. Frame: sensor.
@@ -3224,7 +3223,7 @@ export declare class MagHardIronOffset<R extends Response | undefined = undefine
 /**
  * Magnetometer Soft Iron Matrix (0x0C,0x3B).
  *
- * Matrix that corrects the scaled magnetic field for soft iron.
+ * Sets the matrix that corrects the scaled magnetic field for soft iron.
  *
  * Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Answered by `MagSoftIronMatrixResponse`. Changes
  * `sensor.ScaledMag`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-35, 3DM-RQ1-45-LT
@@ -3243,7 +3242,7 @@ export declare class MagHardIronOffset<R extends Response | undefined = undefine
  */
 export declare class MagSoftIronMatrix<R extends Response | undefined = undefined | MagSoftIronMatrixResponse> extends Command<R> {
     constructor(values: Values<MagSoftIronMatrix>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /**
      * Soft iron matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1. Frame:
@@ -3279,9 +3278,9 @@ export declare class MagSoftIronMatrix<R extends Response | undefined = undefine
  */
 export declare class ConingScullingEnable<R extends Response | undefined = undefined | ConingScullingEnableResponse> extends Command<R> {
     constructor(values: Values<ConingScullingEnable>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
-    /** Whether the compensation is on. Default: true. Required for `write`. */
+    /** True if the compensation is on. Default: true. Required for `write`. */
     enable?: boolean;
     /** Apply the new setting. */
     static write(values: { enable: boolean }): ConingScullingEnable<undefined>;
@@ -3298,7 +3297,7 @@ export declare class ConingScullingEnable<R extends Response | undefined = undef
 /**
  * UART Baud Rate (0x0C,0x40).
  *
- * Baud rate of the main port.
+ * Sets the baud rate of the main port.
  *
  * Also called `uart_baudrate`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
  * `UartBaudRateResponse`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and
@@ -3315,7 +3314,7 @@ export declare class ConingScullingEnable<R extends Response | undefined = undef
  */
 export declare class UartBaudRate<R extends Response | undefined = undefined | UartBaudRateResponse> extends Command<R> {
     constructor(values: Values<UartBaudRate>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /**
      * Baud rate, one of those that the port supports. Unit: Bd. Required for `write`.
@@ -3338,7 +3337,7 @@ export declare class UartBaudRate<R extends Response | undefined = undefined | U
 /**
  * GPIO Configuration (0x0C,0x41).
  *
- * What a GPIO pin is used for.
+ * Sets the use of a GPIO pin.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GpioConfigResponse`. Probably changes
  * `system_data.GpioState` and `system_data.GpioAnalogValue`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and
@@ -3354,7 +3353,7 @@ export declare class UartBaudRate<R extends Response | undefined = undefined | U
  */
 export declare class GpioConfig<R extends Response | undefined = undefined | GpioConfigResponse> extends Command<R> {
     constructor(values: Values<GpioConfig>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /** GPIO pin, counted from 1; 0 means all pins (save, load, default). */
     pin?: number;
@@ -3402,7 +3401,7 @@ export declare class GpioConfig<R extends Response | undefined = undefined | Gpi
  */
 export declare class GpioState<R extends Response | undefined = undefined | GpioStateResponse> extends Command<R> {
     constructor(values: Values<GpioState>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /** GPIO pin, counted from 1. Range: at least 1. */
     pin?: number;
@@ -3417,7 +3416,7 @@ export declare class GpioState<R extends Response | undefined = undefined | Gpio
 /**
  * Odometer Configuration (0x0C,0x43).
  *
- * Input from a wheel encoder.
+ * Configures the input from a wheel encoder.
  *
  * Also called `odometer`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
  * `OdometerConfigResponse`. Changes `sensor.Odometer`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
@@ -3427,9 +3426,9 @@ export declare class GpioState<R extends Response | undefined = undefined | Gpio
  */
 export declare class OdometerConfig<R extends Response | undefined = undefined | OdometerConfigResponse> extends Command<R> {
     constructor(values: Values<OdometerConfig>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
-    /** How the input works. Required for `write`. */
+    /** Operation of the input. Required for `write`. */
     mode?: OdometerMode;
     /**
      * Pulses per distance travelled; negative if the encoder turns backwards. Unit: pulse/m. Required for `write`.
@@ -3453,7 +3452,7 @@ export declare class OdometerConfig<R extends Response | undefined = undefined |
 /**
  * Advanced Low-Pass Filter Settings (0x0C,0x50).
  *
- * Low-pass filter of one quantity of the sensor data.
+ * Configures the low-pass filter of one quantity of the sensor data.
  *
  * For advanced use. Also called `imu_lowpass_filter`. Functions: `write`, `read`, `save`, `load` and `default`.
  * Answered by `ImuLowPassFilterResponse`. Changes `sensor.ScaledAccel`, `sensor.ScaledGyro`, `sensor.ScaledMag` and
@@ -3473,7 +3472,7 @@ export declare class OdometerConfig<R extends Response | undefined = undefined |
  */
 export declare class ImuLowPassFilter<R extends Response | undefined = undefined | ImuLowPassFilterResponse> extends Command<R> {
     constructor(values: Values<ImuLowPassFilter, "reserved">);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /**
      * Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05, magnetic field 0x06 or
@@ -3483,7 +3482,7 @@ export declare class ImuLowPassFilter<R extends Response | undefined = undefined
      *   magnetic field 0x06 or pressure 0x17; 0 means all of them, except for read.
      */
     targetDescriptor?: number;
-    /** Whether the quantity is filtered. Default: true. Required for `write`. */
+    /** True if the quantity is filtered. Default: true. Required for `write`. */
     enable?: boolean;
     /** True uses `frequency`; false uses half the rate of the message format. Default: false. Required for `write`. */
     manual?: boolean;
@@ -3510,7 +3509,7 @@ export declare class ImuLowPassFilter<R extends Response | undefined = undefined
 /**
  * Complementary Filter Configuration (0x0C,0x51).
  *
- * Corrections of the complementary filter, which computes the attitude independently of the estimation filter.
+ * Configures the complementary filter, which computes the attitude independently of the estimation filter.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `ComplementaryFilterResponse`. Changes
  * `sensor.CompOrientationMatrix`, `sensor.CompQuaternion` and `sensor.CompEulerAngles`. Probably changes
@@ -3529,7 +3528,7 @@ export declare class ImuLowPassFilter<R extends Response | undefined = undefined
  */
 export declare class ComplementaryFilter<R extends Response | undefined = undefined | ComplementaryFilterResponse> extends Command<R> {
     constructor(values: Values<ComplementaryFilter>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /**
      * Corrects pitch and roll (up, in terms of the 5-series). Required for `write`.
@@ -3566,7 +3565,7 @@ export declare class ComplementaryFilter<R extends Response | undefined = undefi
 /**
  * Sensor Range (0x0C,0x52).
  *
- * Measuring range of a sensor.
+ * Sets the measuring range of a sensor.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `SensorRangeResponse`. Probably changes
  * `sensor.ScaledAccel`, `sensor.ScaledGyro` and `sensor.OverrangeStatus`. Supported by 3DM-CV7-GNSS/INS. Probably
@@ -3580,7 +3579,7 @@ export declare class ComplementaryFilter<R extends Response | undefined = undefi
  */
 export declare class SensorRange<R extends Response | undefined = undefined | SensorRangeResponse> extends Command<R> {
     constructor(values: Values<SensorRange>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /** Sensor whose range is set or read. */
     sensor?: SensorRangeType;
@@ -3618,7 +3617,7 @@ export declare class GetCalibratedSensorRanges extends Command<GetCalibratedSens
 /**
  * Low-Pass Anti-Aliasing Filter (0x0C,0x54).
  *
- * Low-pass filter of a data field.
+ * Configures the low-pass filter of a data field.
  *
  * Also called `lowpass_filter`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
  * `LowPassFilterResponse`. Changes `sensor.ScaledAccel`, `sensor.ScaledGyro`, `sensor.ScaledMag`,
@@ -3633,13 +3632,13 @@ export declare class GetCalibratedSensorRanges extends Command<GetCalibratedSens
  */
 export declare class LowPassFilter<R extends Response | undefined = undefined | LowPassFilterResponse> extends Command<R> {
     constructor(values: Values<LowPassFilter>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /** Descriptor set of the field. */
     descriptorSet?: number;
     /** Field descriptor; 0 if the set is 0. Refers to fields of `descriptorSet`. */
     fieldDescriptor?: number;
-    /** Whether the field is filtered. Required for `write`. */
+    /** True if the field is filtered. Required for `write`. */
     enable?: boolean;
     /** True uses `frequency`; false uses half the rate of the field in the message format. Required for `write`. */
     manual?: boolean;
@@ -3678,7 +3677,7 @@ export declare class LowPassFilter<R extends Response | undefined = undefined | 
  */
 export declare class DataStreamFormat<R extends Response | undefined = undefined | DataStreamFormatResponse> extends Command<R> {
     constructor(values: Values<DataStreamFormat>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /** Stream whose format is set or read. */
     stream?: InternalSensor;
@@ -3713,7 +3712,7 @@ export declare class DataStreamFormat<R extends Response | undefined = undefined
  */
 export declare class DevicePowerState<R extends Response | undefined = undefined | DevicePowerStateResponse> extends Command<R> {
     constructor(values: Values<DevicePowerState>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /** The sensor. */
     device?: InternalSensor;
@@ -3747,7 +3746,7 @@ export declare class DevicePowerState<R extends Response | undefined = undefined
  */
 export declare class GpsAdvancedSettings extends Command<undefined> {
     constructor(values: Values<GpsAdvancedSettings>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /** Save the current setting to non-volatile memory. */
     static save(): GpsAdvancedSettings;

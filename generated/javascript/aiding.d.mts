@@ -12,7 +12,7 @@ import type * as types from "./types.mjs";
 
 export type AidingFrameFormat = Flavor<number, "aiding.aiding_frame_format">;
 /**
- * How the rotation of an aiding frame is given.
+ * Format of the rotation of an aiding frame.
  *
  * - 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01)
  */
@@ -25,7 +25,7 @@ export declare const AidingFrameFormat: Enumeration<AidingFrameFormat> & {
 
 export type AidingEchoMode = Flavor<number, "aiding.aiding_echo_mode">;
 /**
- * How the device answers aiding measurements.
+ * Answers of the device to aiding measurements.
  *
  * - 3dm-cv7-gnss-ins: Echo Control (0x13,0x1F)
  */
@@ -49,7 +49,7 @@ export declare const Timebase: Enumeration<Timebase> & {
     readonly TIME_OF_ARRIVAL: Timebase & 3;
 };
 
-/** When a measurement was taken. */
+/** Time at which a measurement was taken. */
 export interface MeasurementTime {
     /** Clock of the time. */
     timebase: Timebase;
@@ -60,7 +60,7 @@ export interface MeasurementTime {
 }
 
 export type AxisFlags = Flavor<number, "aiding.axis_flags">;
-/** Which axes of a measurement are valid; the others are ignored. */
+/** Valid axes of a measurement; the others are ignored. */
 export declare const AxisFlags: Bitfield<AxisFlags> & {
     /** First axis. Bit 0. */
     readonly X: AxisFlags;
@@ -71,7 +71,7 @@ export declare const AxisFlags: Bitfield<AxisFlags> & {
 };
 
 export type LlhAxisFlags = Flavor<number, "aiding.llh_axis_flags">;
-/** Which coordinates of a position are valid; the others are ignored. */
+/** Valid coordinates of a position; the others are ignored. */
 export declare const LlhAxisFlags: Bitfield<LlhAxisFlags> & {
     /** Latitude and its uncertainty are valid. Bit 0. */
     readonly LATITUDE: LlhAxisFlags;
@@ -94,9 +94,9 @@ export declare class FrameConfigResponse extends Response {
     constructor(values: Values<FrameConfigResponse>);
     /** Number of the frame. Range: 1 to 4. */
     frameId: number;
-    /** How the rotation is given. */
+    /** Format of the rotation. */
     format: AidingFrameFormat;
-    /** Whether the filter estimates the errors of the frame. */
+    /** True if the filter estimates the errors of the frame. */
     trackingEnabled: boolean;
     /** Origin of the frame in the vehicle. Elements: x, y, z. Unit: m. Frame: vehicle. */
     translation: types.Vector3f;
@@ -122,14 +122,14 @@ export declare class FrameConfigResponse extends Response {
  */
 export declare class EchoControlResponse extends Response {
     constructor(values: Values<EchoControlResponse>);
-    /** How the measurements are answered. */
+    /** Answers to the measurements. */
     mode: AidingEchoMode;
 }
 
 /**
  * Frame configuration (0x13,0x01).
  *
- * Where and how an external sensor is mounted on the vehicle.
+ * Sets the position and the orientation of an external sensor on the vehicle.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `FrameConfigResponse`. Changes
  * `filter_data.AidingFrameConfigError`. Probably changes `filter_data.AidingFrameConfigErrorUncertainty`. Supported by
@@ -145,13 +145,13 @@ export declare class EchoControlResponse extends Response {
  */
 export declare class FrameConfig<R extends Response | undefined = undefined | FrameConfigResponse> extends Command<R> {
     constructor(values: Values<FrameConfig>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /** Number of the frame. Range: 1 to 4. */
     frameId?: number;
-    /** How the rotation is given. Required for `write` and `read`. */
+    /** Format of the rotation. Required for `write` and `read`. */
     format?: AidingFrameFormat;
-    /** Whether the filter estimates the errors of the frame. Required for `write`. */
+    /** True if the filter estimates the errors of the frame. Required for `write`. */
     trackingEnabled?: boolean;
     /** Origin of the frame in the vehicle. Elements: x, y, z. Unit: m. Frame: vehicle. Required for `write`. */
     translation?: types.Vector3f;
@@ -179,7 +179,7 @@ export declare class FrameConfig<R extends Response | undefined = undefined | Fr
 /**
  * Echo control (0x13,0x1F).
  *
- * How the device answers aiding measurements.
+ * Sets how the device answers aiding measurements.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `EchoControlResponse`. Supported by
  * 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR,
@@ -192,9 +192,9 @@ export declare class FrameConfig<R extends Response | undefined = undefined | Fr
  */
 export declare class EchoControl<R extends Response | undefined = undefined | EchoControlResponse> extends Command<R> {
     constructor(values: Values<EchoControl>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
-    /** How the measurements are answered. Required for `write`. */
+    /** Answers to the measurements. Required for `write`. */
     mode?: AidingEchoMode;
     /** Apply the new setting. */
     static write(values: { mode: AidingEchoMode }): EchoControl<undefined>;
@@ -211,7 +211,7 @@ export declare class EchoControl<R extends Response | undefined = undefined | Ec
 /**
  * ECEF position (0x13,0x21).
  *
- * A measured position in Earth-fixed coordinates.
+ * Sends a measured position in Earth-fixed coordinates.
  *
  * Also called `pos_ecef`. Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by
  * 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS.
@@ -224,7 +224,7 @@ export declare class EchoControl<R extends Response | undefined = undefined | Ec
  */
 export declare class EcefPosition extends Command<undefined> {
     constructor(values: Values<EcefPosition>);
-    /** When the measurement was taken. */
+    /** Time of the measurement. */
     time: MeasurementTime;
     /** Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4. */
     frameId: number;
@@ -239,14 +239,14 @@ export declare class EcefPosition extends Command<undefined> {
      * `validFlags`.
      */
     uncertainty: types.Vector3f;
-    /** Which axes are valid. */
+    /** Valid axes. */
     validFlags: AxisFlags;
 }
 
 /**
  * LLH position (0x13,0x22).
  *
- * A measured position as latitude, longitude and height.
+ * Sends a measured position as latitude, longitude and height.
  *
  * Also called `pos_llh`. Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by
  * 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS.
@@ -260,7 +260,7 @@ export declare class EcefPosition extends Command<undefined> {
  */
 export declare class LlhPosition extends Command<undefined> {
     constructor(values: Values<LlhPosition>);
-    /** When the measurement was taken. */
+    /** Time of the measurement. */
     time: MeasurementTime;
     /** Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4. */
     frameId: number;
@@ -282,14 +282,14 @@ export declare class LlhPosition extends Command<undefined> {
      * `validFlags`, down: `LlhAxisFlags.HEIGHT` of `validFlags`.
      */
     uncertainty: types.Ned3f;
-    /** Which coordinates are valid. */
+    /** Valid coordinates. */
     validFlags: LlhAxisFlags;
 }
 
 /**
  * Height above ellipsoid (0x13,0x23).
  *
- * A measured height.
+ * Sends a measured height above the ellipsoid.
  *
  * Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS. Probably
  * supported by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS.
@@ -300,7 +300,7 @@ export declare class LlhPosition extends Command<undefined> {
  */
 export declare class HeightAboveEllipsoid extends Command<undefined> {
     constructor(values: Values<HeightAboveEllipsoid>);
-    /** When the measurement was taken. */
+    /** Time of the measurement. */
     time: MeasurementTime;
     /** Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4. */
     frameId: number;
@@ -315,7 +315,7 @@ export declare class HeightAboveEllipsoid extends Command<undefined> {
 /**
  * ECEF velocity (0x13,0x28).
  *
- * A measured velocity in Earth-fixed coordinates.
+ * Sends a measured velocity in Earth-fixed coordinates.
  *
  * Also called `vel_ecef`. Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by
  * 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS.
@@ -329,7 +329,7 @@ export declare class HeightAboveEllipsoid extends Command<undefined> {
  */
 export declare class EcefVelocity extends Command<undefined> {
     constructor(values: Values<EcefVelocity>);
-    /** When the measurement was taken. */
+    /** Time of the measurement. */
     time: MeasurementTime;
     /** Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4. */
     frameId: number;
@@ -344,14 +344,14 @@ export declare class EcefVelocity extends Command<undefined> {
      * `validFlags`.
      */
     uncertainty: types.Vector3f;
-    /** Which axes are valid. */
+    /** Valid axes. */
     validFlags: AxisFlags;
 }
 
 /**
  * NED velocity (0x13,0x29).
  *
- * A measured velocity in the local level frame.
+ * Sends a measured velocity in the local level frame.
  *
  * Also called `vel_ned`. Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by
  * 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS.
@@ -365,7 +365,7 @@ export declare class EcefVelocity extends Command<undefined> {
  */
 export declare class NedVelocity extends Command<undefined> {
     constructor(values: Values<NedVelocity>);
-    /** When the measurement was taken. */
+    /** Time of the measurement. */
     time: MeasurementTime;
     /** Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4. */
     frameId: number;
@@ -381,14 +381,14 @@ export declare class NedVelocity extends Command<undefined> {
      * `AxisFlags.Z` of `validFlags`.
      */
     uncertainty: types.Ned3f;
-    /** Which axes are valid. */
+    /** Valid axes. */
     validFlags: AxisFlags;
 }
 
 /**
  * Body frame velocity (0x13,0x2A).
  *
- * A measured velocity of the vehicle in the frame of the sensor.
+ * Sends a measured velocity of the vehicle in the frame of the sensor.
  *
  * Also called `vel_body_frame`. Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported
  * by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS.
@@ -404,7 +404,7 @@ export declare class NedVelocity extends Command<undefined> {
  */
 export declare class BodyFrameVelocity extends Command<undefined> {
     constructor(values: Values<BodyFrameVelocity>);
-    /** When the measurement was taken. */
+    /** Time of the measurement. */
     time: MeasurementTime;
     /** Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4. */
     frameId: number;
@@ -419,14 +419,14 @@ export declare class BodyFrameVelocity extends Command<undefined> {
      * `AxisFlags.Z` of `validFlags`.
      */
     uncertainty: types.Vector3f;
-    /** Which axes are valid. */
+    /** Valid axes. */
     validFlags: AxisFlags;
 }
 
 /**
  * True heading (0x13,0x31).
  *
- * A measured heading relative to true north.
+ * Sends a measured heading relative to true north.
  *
  * Also called `heading_true`. Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported
  * by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR,
@@ -439,7 +439,7 @@ export declare class BodyFrameVelocity extends Command<undefined> {
  */
 export declare class TrueHeading extends Command<undefined> {
     constructor(values: Values<TrueHeading>);
-    /** When the measurement was taken. */
+    /** Time of the measurement. */
     time: MeasurementTime;
     /** Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4. */
     frameId: number;
@@ -457,7 +457,7 @@ export declare class TrueHeading extends Command<undefined> {
 /**
  * Magnetic field (0x13,0x32).
  *
- * A magnetic field measured by an external magnetometer.
+ * Sends a magnetic field measured by an external magnetometer.
  *
  * Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR
  * and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS,
@@ -471,7 +471,7 @@ export declare class TrueHeading extends Command<undefined> {
  */
 export declare class MagneticField extends Command<undefined> {
     constructor(values: Values<MagneticField>);
-    /** When the measurement was taken. */
+    /** Time of the measurement. */
     time: MeasurementTime;
     /** Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4. */
     frameId: number;
@@ -486,14 +486,14 @@ export declare class MagneticField extends Command<undefined> {
      * `AxisFlags.Z` of `validFlags`.
      */
     uncertainty: types.Vector3f;
-    /** Which axes are valid. */
+    /** Valid axes. */
     validFlags: AxisFlags;
 }
 
 /**
  * Pressure (0x13,0x33).
  *
- * A static air pressure measured by an external sensor.
+ * Sends a static air pressure measured by an external sensor.
  *
  * Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS. Probably
  * supported by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS.
@@ -505,7 +505,7 @@ export declare class MagneticField extends Command<undefined> {
  */
 export declare class Pressure extends Command<undefined> {
     constructor(values: Values<Pressure>);
-    /** When the measurement was taken. */
+    /** Time of the measurement. */
     time: MeasurementTime;
     /** Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4. */
     frameId: number;

@@ -19,7 +19,7 @@ import type * as types from "./types.mjs";
 export interface BaseDeviceInfo {
     /** Firmware version as one decimal number: 1202 means 1.2.02. */
     firmwareVersion: number;
-    /** What the model is called, such as 3DM-GQ7. */
+    /** Product name, such as 3DM-GQ7. */
     modelName: string;
     /** Part number of the model. */
     modelNumber: string;
@@ -386,7 +386,7 @@ export declare class ContinuousBuiltInTest extends Command<ContinuousBuiltInTest
 /**
  * Comm port speed (0x01,0x09).
  *
- * Baud rate of one communication port.
+ * Sets the baud rate of one communication port.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `CommSpeedResponse`. Supported by 3DM-CV7-AHRS,
  * 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR,
@@ -400,7 +400,7 @@ export declare class ContinuousBuiltInTest extends Command<ContinuousBuiltInTest
  */
 export declare class CommSpeed<R extends Response | undefined = undefined | CommSpeedResponse> extends Command<R> {
     constructor(values: Values<CommSpeed>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /**
      * Port id of the device; 0 means all ports, and is for save, load and default only.
@@ -457,7 +457,7 @@ export declare class CommSpeed<R extends Response | undefined = undefined | Comm
  */
 export declare class GpsTimeUpdate<R extends Response | undefined = undefined | GpsTimeUpdateWeekNumberResponse | GpsTimeUpdateTowResponse> extends Command<R> {
     constructor(values: Values<GpsTimeUpdate>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /** Meaning of the value. */
     fieldId?: GpsTimeField;

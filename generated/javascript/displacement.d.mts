@@ -66,7 +66,7 @@ export declare class GetCalibration extends Command<GetCalibrationResponse> {
  */
 export declare class OutputRate extends Command<OutputRateResponse> {
     constructor(values: Values<OutputRate>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /** Return the current setting in a response. */
     static read(): OutputRate;
@@ -85,7 +85,7 @@ export declare class OutputRate extends Command<OutputRateResponse> {
  */
 export declare class DeviceTime extends Command<undefined> {
     constructor(values: Values<DeviceTime>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /** UTC since 1970-01-01, without leap seconds. Unit: ns. */
     time?: bigint;

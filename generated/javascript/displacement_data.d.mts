@@ -11,8 +11,8 @@ import type * as types from "./types.mjs";
 
 export type TimestampFlags = Flavor<number, "displacement_data.timestamp_flags">;
 /**
- * Whether the time of displacement data is valid. Uncertain: That it is a bitfield. MSCL takes the time for valid if
- * the number is 1.
+ * Validity of the time of displacement data. Uncertain: That it is a bitfield. MSCL takes the time for valid if the
+ * number is 1.
  */
 export declare const TimestampFlags: Bitfield<TimestampFlags> & {
     /** The clock has been set; `time` is valid. Bit 0. */
@@ -61,7 +61,7 @@ export declare class Displacement extends Data {
  */
 export declare class Timestamp extends Data {
     constructor(values: Values<Timestamp>);
-    /** Whether the time of displacement data is valid. */
+    /** Validity of the time of displacement data. */
     flags: TimestampFlags;
     /**
      * UTC since 1970-01-01, without leap seconds, if the clock was set so. Unit: ns. Valid if `TimestampFlags.TIME` of

@@ -54,7 +54,7 @@ export declare const EstimatedStates: Bitfield<EstimatedStates> & {
 };
 
 export type GnssAidingSource = Flavor<number, "filter.gnss_aiding_source">;
-/** Where the filter takes GNSS data from. */
+/** Source of the GNSS data that aids the filter. */
 export declare const GnssAidingSource: Enumeration<GnssAidingSource> & {
     /** All internal receivers. */
     readonly ALL_INTERNAL: GnssAidingSource & 1;
@@ -77,7 +77,7 @@ export declare const HeadingType: Enumeration<HeadingType> & {
 
 export type HeadingUpdateSource = Flavor<number, "filter.heading_update_source">;
 /**
- * Where the filter takes heading updates from.
+ * Source of the heading updates that aid the filter.
  *
  * - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
  * - 3dm-gx5-45: (0x0D, 0x18)
@@ -123,7 +123,7 @@ export declare const MeasurementFlags: Bitfield<MeasurementFlags> & {
 };
 
 export type MagParameterSource = Flavor<number, "filter.mag_parameter_source">;
-/** Where the declination, the inclination or the magnitude of the magnetic field comes from. */
+/** Source of the declination, the inclination or the magnitude of the magnetic field. */
 export declare const MagParameterSource: Enumeration<MagParameterSource> & {
     /** No source. Uncertain: What the device does without a source. */
     readonly NONE: MagParameterSource & 1;
@@ -134,7 +134,7 @@ export declare const MagParameterSource: Enumeration<MagParameterSource> & {
 };
 
 export type AdaptiveMeasurementSelector = Flavor<number, "filter.adaptive_measurement_selector">;
-/** How measurements are weighted whose magnitude is not as expected. */
+/** Weighting of measurements whose magnitude is not as expected. */
 export declare const AdaptiveMeasurementSelector: Enumeration<AdaptiveMeasurementSelector> & {
     /** No adaptation. */
     readonly DISABLED: AdaptiveMeasurementSelector & 0;
@@ -146,7 +146,7 @@ export declare const AdaptiveMeasurementSelector: Enumeration<AdaptiveMeasuremen
 
 export type AltitudeAidingSource = Flavor<number, "filter.altitude_aiding_source">;
 /**
- * What aids the altitude.
+ * Source that aids the altitude.
  *
  * - mip-sdk-4: Altitude Aiding (0x0D,0x47)
  */
@@ -158,7 +158,7 @@ export declare const AltitudeAidingSource: Enumeration<AltitudeAidingSource> & {
 };
 
 export type PitchRollAidingSource = Flavor<number, "filter.pitch_roll_aiding_source">;
-/** What aids pitch and roll. */
+/** Source that aids pitch and roll. */
 export declare const PitchRollAidingSource: Enumeration<PitchRollAidingSource> & {
     /** No aiding. */
     readonly NONE: PitchRollAidingSource & 0;
@@ -193,7 +193,7 @@ export declare const AidingSource: Enumeration<AidingSource> & {
 
 export type AccelConstraint = Flavor<number, "filter.accel_constraint">;
 /**
- * What the filter assumes about the acceleration.
+ * Assumption of the filter about the acceleration.
  *
  * - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
  */
@@ -206,7 +206,7 @@ export declare const AccelConstraint: Enumeration<AccelConstraint> & {
 
 export type VelocityConstraint = Flavor<number, "filter.velocity_constraint">;
 /**
- * What the filter assumes about the velocity.
+ * Assumption of the filter about the velocity.
  *
  * - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
  */
@@ -221,7 +221,7 @@ export declare const VelocityConstraint: Enumeration<VelocityConstraint> & {
 
 export type AngularConstraint = Flavor<number, "filter.angular_constraint">;
 /**
- * What the filter assumes about the angular rate.
+ * Assumption of the filter about the angular rate.
  *
  * - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
  */
@@ -233,7 +233,7 @@ export declare const AngularConstraint: Enumeration<AngularConstraint> & {
 };
 
 export type InitialConditionSource = Flavor<number, "filter.initial_condition_source">;
-/** Which initial conditions the device determines automatically and which the user provides. */
+/** Initial conditions that the user provides instead of the device. */
 export declare const InitialConditionSource: Enumeration<InitialConditionSource> & {
     /** Position, velocity and attitude are automatic. */
     readonly AUTO_POSITION_VELOCITY_ATTITUDE: InitialConditionSource & 0;
@@ -268,7 +268,7 @@ export declare const ReferenceFrame: Enumeration<ReferenceFrame> & {
 };
 
 export type AdaptiveLevel = Flavor<number, "filter.adaptive_level">;
-/** How strongly the filter adapts to inconsistent measurements. */
+/** Strength of the adaptation to inconsistent measurements. */
 export declare const AdaptiveLevel: Enumeration<AdaptiveLevel> & {
     /** No adaptation. */
     readonly OFF: AdaptiveLevel & 0;
@@ -281,7 +281,7 @@ export declare const AdaptiveLevel: Enumeration<AdaptiveLevel> & {
 };
 
 export type RelativePositionSource = Flavor<number, "filter.relative_position_source">;
-/** Where the reference of relative positions comes from. */
+/** Source of the reference of relative positions. */
 export declare const RelativePositionSource: Enumeration<RelativePositionSource> & {
     /** The base station of the RTK corrections. */
     readonly AUTO: RelativePositionSource & 0;
@@ -580,7 +580,7 @@ export declare class GravityNoiseResponse extends Response {
  */
 export declare class PressureAltitudeNoiseResponse extends Response {
     constructor(values: Values<PressureAltitudeNoiseResponse>);
-    /** Standard deviation. Unit: m. Range: greater than 0. */
+    /** Standard deviation of the pressure altitude noise. Unit: m. Range: greater than 0. */
     noise: number;
 }
 
@@ -764,7 +764,7 @@ export declare class MagMagnitudeErrorAdaptiveMeasurementResponse extends Respon
  */
 export declare class MagDipAngleErrorAdaptiveMeasurementResponse extends Response {
     constructor(values: Values<MagDipAngleErrorAdaptiveMeasurementResponse>);
-    /** Whether the adaptation is on. */
+    /** True if the adaptation is on. */
     enable: boolean;
     /** Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0. */
     frequency: number;
@@ -889,7 +889,7 @@ export declare class AidingMeasurementEnableResponse extends Response {
     constructor(values: Values<AidingMeasurementEnableResponse>);
     /** Aiding source that the setting is for. */
     aidingSource: AidingSource;
-    /** Whether the filter uses the source. */
+    /** True if the filter uses the source. */
     enable: boolean;
 }
 
@@ -922,7 +922,7 @@ export declare class InitializationConfigResponse extends Response {
     constructor(values: Values<InitializationConfigResponse>);
     /** 1: the filter starts only after `Run`; 0: it starts as soon as it can. Range: 0 to 1. */
     waitForRunCommand: number;
-    /** Which initial conditions are automatic and which the user provides. */
+    /** Initial conditions that the user provides instead of the device. */
     initialConditionSource: InitialConditionSource;
     /** Methods by which the initial heading may be determined. */
     autoHeadingAlignmentSelector: HeadingAlignment;
@@ -1088,6 +1088,7 @@ export declare class GnssAntennaCalibrationControlResponse extends Response {
  *
  * Changes filter_data (0x82). Flagged by `types.Gx5BuiltInTest.SOLUTION_FAULT` of `types.Gx5BuiltInTest`,
  * `types.Cv7BuiltInTest.FILTER_SOLUTION_FAULT` of `types.Cv7BuiltInTest`,
+ * `filter_data.Gx5StatusFlags.RUN_MATRIX_SINGULARITY` of `filter_data.Gx5StatusFlags`,
  * `filter_data.Gx5StatusFlags.RUN_NAN_IN_SOLUTION_WARNING` of `filter_data.Gx5StatusFlags` and
  * `filter_data.Cv7StatusFlags.SOLUTION_ERROR` of `filter_data.Cv7StatusFlags`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
  * 3DM-CV7-GNSS/INS, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-15, 3DM-CL5-25,
@@ -1108,7 +1109,7 @@ export declare class Reset extends Command<undefined> {
 /**
  * Set initial attitude (0x0D,0x02).
  *
- * Gives the filter its initial attitude, the orientation of the sensor frame in the NED frame.
+ * Sets the initial attitude of the filter, the orientation of the sensor frame in the NED frame.
  *
  * Changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Supported by
  * 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25,
@@ -1135,7 +1136,7 @@ export declare class SetInitialAttitude extends Command<undefined> {
 /**
  * Set initial heading (0x0D,0x03).
  *
- * Gives the filter its initial heading; pitch and roll come from the accelerometers.
+ * Sets the initial heading of the filter; pitch and roll come from the accelerometers.
  *
  * Changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Supported by
  * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably
@@ -1208,7 +1209,7 @@ export declare class Run extends Command<undefined> {
  */
 export declare class VehicleDynamicsMode<R extends Response | undefined = undefined | VehicleDynamicsModeResponse> extends Command<R> {
     constructor(values: Values<VehicleDynamicsMode>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /**
      * Kind of vehicle. Required for `write`.
@@ -1231,7 +1232,7 @@ export declare class VehicleDynamicsMode<R extends Response | undefined = undefi
 /**
  * Sensor to vehicle frame transformation (0x0D,0x11).
  *
- * Euler angles of the rotation from the sensor frame to the vehicle frame (5-series).
+ * Sets the rotation from the sensor frame to the vehicle frame as Euler angles (5-series).
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `SensorToVehicleRotationEulerResponse`. Changes
  * `sensor.ScaledAccel`, `sensor.ScaledGyro`, `sensor.ScaledMag`, `sensor.DeltaTheta`, `sensor.DeltaVelocity`,
@@ -1249,7 +1250,7 @@ export declare class VehicleDynamicsMode<R extends Response | undefined = undefi
  */
 export declare class SensorToVehicleRotationEuler<R extends Response | undefined = undefined | SensorToVehicleRotationEulerResponse> extends Command<R> {
     constructor(values: Values<SensorToVehicleRotationEuler>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /** Roll angle. Unit: rad. Required for `write`. */
     roll?: number;
@@ -1272,7 +1273,7 @@ export declare class SensorToVehicleRotationEuler<R extends Response | undefined
 /**
  * Sensor to vehicle offset (0x0D,0x12).
  *
- * Origin of the vehicle frame, as seen from the sensor.
+ * Sets the origin of the vehicle frame, as seen from the sensor.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `SensorToVehicleOffsetResponse`. Changes
  * `filter_data.LlhPosition`. Supported by 3DM-GX5-45. Probably supported by 3DM-CV5-45, 3DM-CX5-45, 3DM-GQ4-45,
@@ -1285,7 +1286,7 @@ export declare class SensorToVehicleRotationEuler<R extends Response | undefined
  */
 export declare class SensorToVehicleOffset<R extends Response | undefined = undefined | SensorToVehicleOffsetResponse> extends Command<R> {
     constructor(values: Values<SensorToVehicleOffset>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /**
      * From the sensor to the origin of the vehicle frame. Elements: x, y, z. Unit: m. Frame: sensor. Range: magnitude
@@ -1307,7 +1308,7 @@ export declare class SensorToVehicleOffset<R extends Response | undefined = unde
 /**
  * GNSS antenna offset (0x0D,0x13).
  *
- * Position of the GNSS antenna relative to the origin of the sensor.
+ * Sets the position of the GNSS antenna relative to the origin of the sensor.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AntennaOffsetResponse`. Probably changes
  * `filter_data.LlhPosition`, `filter_data.EcefPosition`, `filter_data.NedVelocity`, `filter_data.EcefVelocity` and
@@ -1323,7 +1324,7 @@ export declare class SensorToVehicleOffset<R extends Response | undefined = unde
  */
 export declare class AntennaOffset<R extends Response | undefined = undefined | AntennaOffsetResponse> extends Command<R> {
     constructor(values: Values<AntennaOffset>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /**
      * From the sensor origin to the phase centre of the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range:
@@ -1347,7 +1348,7 @@ export declare class AntennaOffset<R extends Response | undefined = undefined | 
 /**
  * Estimation control flags (0x0D,0x14).
  *
- * Which states the filter estimates.
+ * Selects the states that the filter estimates.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `EstimationControlResponse`. Changes
  * `filter_data.GyroBias`, `filter_data.AccelBias`, `filter_data.GyroScaleFactor`, `filter_data.AccelScaleFactor`,
@@ -1362,7 +1363,7 @@ export declare class AntennaOffset<R extends Response | undefined = undefined | 
  */
 export declare class EstimationControl<R extends Response | undefined = undefined | EstimationControlResponse> extends Command<R> {
     constructor(values: Values<EstimationControl>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /**
      * States to estimate. Required for `write`.
@@ -1394,7 +1395,7 @@ export declare class EstimationControl<R extends Response | undefined = undefine
 /**
  * GNSS aiding source (0x0D,0x15).
  *
- * Which GNSS receiver aids the filter.
+ * Selects the GNSS receiver that aids the filter.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GnssSourceResponse`. Probably changes
  * `filter_data.LlhPosition`, `filter_data.EcefPosition`, `filter_data.NedVelocity`, `filter_data.EcefVelocity` and
@@ -1408,7 +1409,7 @@ export declare class EstimationControl<R extends Response | undefined = undefine
  */
 export declare class GnssSource<R extends Response | undefined = undefined | GnssSourceResponse> extends Command<R> {
     constructor(values: Values<GnssSource>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /**
      * Source of the GNSS data. Required for `write`.
@@ -1431,7 +1432,7 @@ export declare class GnssSource<R extends Response | undefined = undefined | Gns
 /**
  * External GNSS update (0x0D,0x16).
  *
- * One measurement of position and velocity by a GNSS receiver of the user.
+ * Sends one measurement of position and velocity by a GNSS receiver of the user to the filter.
  *
  * Supported by 3DM-GX5-45. Probably supported by 3DM-CV5-45, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX4-45, 3DM-RQ1-45-LT and
  * 3DM-RQ1-45-ST. Known only from the MicroStrain MIP SDK.
@@ -1463,7 +1464,7 @@ export declare class ExternalGnssUpdate extends Command<undefined> {
 /**
  * External heading update (0x0D,0x17).
  *
- * Gives the filter one measurement of the heading of the sensor frame in the NED frame.
+ * Sends one measurement of the heading of the sensor frame in the NED frame to the filter.
  *
  * Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15,
  * 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS,
@@ -1492,7 +1493,7 @@ export declare class ExternalHeadingUpdate extends Command<undefined> {
 /**
  * Heading update control (0x0D,0x18).
  *
- * Source of the heading that aids the filter.
+ * Selects the source of the heading that aids the filter.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `HeadingSourceResponse`. Changes
  * `filter_data.HeadingUpdateState`. Probably changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and
@@ -1504,7 +1505,7 @@ export declare class ExternalHeadingUpdate extends Command<undefined> {
  */
 export declare class HeadingSource<R extends Response | undefined = undefined | HeadingSourceResponse> extends Command<R> {
     constructor(values: Values<HeadingSource>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /**
      * Source of the heading. Required for `write`.
@@ -1538,7 +1539,7 @@ export declare class HeadingSource<R extends Response | undefined = undefined | 
 /**
  * Automatic initialization (0x0D,0x19).
  *
- * Whether the filter initializes by itself when the device starts.
+ * Sets whether the filter initializes automatically at power-up.
  *
  * Also called `auto_init_control`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
  * `AutoInitializationControlResponse`. Supported by 3DM-GX5-15 and 3DM-GX5-45. Probably supported by 3DM-CL5-15,
@@ -1551,7 +1552,7 @@ export declare class HeadingSource<R extends Response | undefined = undefined | 
  */
 export declare class AutoInitializationControl<R extends Response | undefined = undefined | AutoInitializationControlResponse> extends Command<R> {
     constructor(values: Values<AutoInitializationControl>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /** 0 disables, 1 enables. Range: 0 to 1. Required for `write`. */
     enable?: number;
@@ -1570,7 +1571,7 @@ export declare class AutoInitializationControl<R extends Response | undefined = 
 /**
  * Accelerometer noise (0x0D,0x1A).
  *
- * Standard deviation of the accelerometer noise that the filter assumes (process noise).
+ * Sets the standard deviation of the accelerometer noise that the filter assumes (process noise).
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AccelNoiseResponse`. Probably changes
  * `filter_data.LlhPositionUncertainty`, `filter_data.EcefPositionUncertainty`, `filter_data.NedVelocityUncertainty`,
@@ -1587,7 +1588,7 @@ export declare class AutoInitializationControl<R extends Response | undefined = 
  */
 export declare class AccelNoise<R extends Response | undefined = undefined | AccelNoiseResponse> extends Command<R> {
     constructor(values: Values<AccelNoise>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /** Standard deviation per axis. Elements: x, y, z. Unit: m/s^2. Range: greater than 0. Required for `write`. */
     noise?: types.Vector3f;
@@ -1606,7 +1607,7 @@ export declare class AccelNoise<R extends Response | undefined = undefined | Acc
 /**
  * Gyroscope noise (0x0D,0x1B).
  *
- * Standard deviation of the gyroscope noise that the filter assumes (process noise).
+ * Sets the standard deviation of the gyroscope noise that the filter assumes (process noise).
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GyroNoiseResponse`. Probably changes
  * `filter_data.EulerAnglesUncertainty`, `filter_data.QuaternionAttitudeUncertainty` and
@@ -1622,7 +1623,7 @@ export declare class AccelNoise<R extends Response | undefined = undefined | Acc
  */
 export declare class GyroNoise<R extends Response | undefined = undefined | GyroNoiseResponse> extends Command<R> {
     constructor(values: Values<GyroNoise>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /** Standard deviation per axis. Elements: x, y, z. Unit: rad/s. Range: greater than 0. Required for `write`. */
     noise?: types.Vector3f;
@@ -1641,7 +1642,7 @@ export declare class GyroNoise<R extends Response | undefined = undefined | Gyro
 /**
  * Accelerometer bias model (0x0D,0x1C).
  *
- * Parameters of the model by which the accelerometer bias drifts.
+ * Sets the parameters of the model by which the accelerometer bias drifts.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AccelBiasModelResponse`. Probably changes
  * `filter_data.AccelBias` and `filter_data.AccelBiasUncertainty`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-45.
@@ -1652,7 +1653,7 @@ export declare class GyroNoise<R extends Response | undefined = undefined | Gyro
  */
 export declare class AccelBiasModel<R extends Response | undefined = undefined | AccelBiasModelResponse> extends Command<R> {
     constructor(values: Values<AccelBiasModel>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /** Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s. Required for `write`. */
     beta?: types.Vector3f;
@@ -1676,7 +1677,7 @@ export declare class AccelBiasModel<R extends Response | undefined = undefined |
 /**
  * Gyroscope bias model (0x0D,0x1D).
  *
- * Parameters of the model by which the gyroscope bias drifts.
+ * Sets the parameters of the model by which the gyroscope bias drifts.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GyroBiasModelResponse`. Probably changes
  * `filter_data.GyroBias` and `filter_data.GyroBiasUncertainty`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and
@@ -1690,7 +1691,7 @@ export declare class AccelBiasModel<R extends Response | undefined = undefined |
  */
 export declare class GyroBiasModel<R extends Response | undefined = undefined | GyroBiasModelResponse> extends Command<R> {
     constructor(values: Values<GyroBiasModel>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /** Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s. Required for `write`. */
     beta?: types.Vector3f;
@@ -1728,7 +1729,7 @@ export declare class GyroBiasModel<R extends Response | undefined = undefined | 
  */
 export declare class AutoZupt<R extends Response | undefined = undefined | AutoZuptResponse> extends Command<R> {
     constructor(values: Values<AutoZupt>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /** 0 disables, 1 enables. Range: 0 to 1. Required for `write`. */
     enable?: number;
@@ -1749,7 +1750,7 @@ export declare class AutoZupt<R extends Response | undefined = undefined | AutoZ
 /**
  * External heading update with time (0x0D,0x1F).
  *
- * Gives the filter one measurement of the heading of the sensor frame with its GPS time.
+ * Sends one measurement of the heading of the sensor frame with its GPS time to the filter.
  *
  * Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15,
  * 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS,
@@ -1799,7 +1800,7 @@ export declare class ExternalHeadingUpdateWithTime extends Command<undefined> {
  */
 export declare class AutoAngularZupt<R extends Response | undefined = undefined | AutoAngularZuptResponse> extends Command<R> {
     constructor(values: Values<AutoAngularZupt>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /** 0 disables, 1 enables. Range: 0 to 1. Required for `write`. */
     enable?: number;
@@ -1838,7 +1839,7 @@ export declare class AutoAngularZupt<R extends Response | undefined = undefined 
  */
 export declare class TareOrientation<R extends Response | undefined = undefined | TareOrientationResponse> extends Command<R> {
     constructor(values: Values<TareOrientation>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /** Axes to tare; 0 resets all axes. Required for `write`. */
     axes?: TareAxes;
@@ -1892,7 +1893,7 @@ export declare class CommandedAngularZupt extends Command<undefined> {
 /**
  * Set reference position (0x0D,0x26).
  *
- * Position for which the device computes gravity (WGS84) and the magnetic field (WMM2015).
+ * Sets the position for which the device computes gravity (WGS84) and the magnetic field (WMM2015).
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `ReferencePositionResponse`. Changes
  * `filter_data.Wgs84GravityMagnitude` and `filter_data.MagneticModel`. Supported by 3DM-GX5-15. Probably supported by
@@ -1903,7 +1904,7 @@ export declare class CommandedAngularZupt extends Command<undefined> {
  */
 export declare class ReferencePosition<R extends Response | undefined = undefined | ReferencePositionResponse> extends Command<R> {
     constructor(values: Values<ReferencePosition>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /** 0 disables, 1 enables. Range: 0 to 1. Required for `write`. */
     enable?: number;
@@ -1931,7 +1932,7 @@ export declare class ReferencePosition<R extends Response | undefined = undefine
 /**
  * Capture automatic magnetometer calibration (0x0D,0x27).
  *
- * Moves what the automatic magnetometer calibration has found into the fixed calibration.
+ * Moves the result of the automatic magnetometer calibration into the fixed calibration.
  *
  * Also called `mag_capture_auto_cal`. Functions: `write` and `save`. Changes `sensor.ScaledMag`,
  * `filter_data.MagOffset` and `filter_data.MagMatrix`. Supported by 3DM-GX5-45. Probably supported by 3DM-CL5-25,
@@ -1944,7 +1945,7 @@ export declare class ReferencePosition<R extends Response | undefined = undefine
  */
 export declare class MagCaptureAutoCalibration extends Command<undefined> {
     constructor(values: Values<MagCaptureAutoCalibration>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /** Apply the new setting. */
     static write(): MagCaptureAutoCalibration;
@@ -1955,7 +1956,7 @@ export declare class MagCaptureAutoCalibration extends Command<undefined> {
 /**
  * Gravity noise (0x0D,0x28).
  *
- * Standard deviation of the gravity noise that the filter assumes (process noise).
+ * Sets the standard deviation of the gravity noise that the filter assumes (process noise).
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GravityNoiseResponse`. Probably changes
  * `filter_data.EulerAnglesUncertainty` and `filter_data.QuaternionAttitudeUncertainty`. Supported by 3DM-CV7-GNSS/INS,
@@ -1970,7 +1971,7 @@ export declare class MagCaptureAutoCalibration extends Command<undefined> {
  */
 export declare class GravityNoise<R extends Response | undefined = undefined | GravityNoiseResponse> extends Command<R> {
     constructor(values: Values<GravityNoise>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /** Standard deviation per axis. Elements: x, y, z. Unit: g. Range: greater than 0. Required for `write`. */
     noise?: types.Vector3f;
@@ -1989,7 +1990,7 @@ export declare class GravityNoise<R extends Response | undefined = undefined | G
 /**
  * Pressure altitude noise (0x0D,0x29).
  *
- * Standard deviation of the noise of the pressure altitude model that the filter assumes.
+ * Sets the standard deviation of the noise of the pressure altitude model that the filter assumes.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `PressureAltitudeNoiseResponse`. Probably
  * changes `filter_data.LlhPosition` and `filter_data.LlhPositionUncertainty`. Supported by 3DM-GX5-45. Probably
@@ -2002,9 +2003,9 @@ export declare class GravityNoise<R extends Response | undefined = undefined | G
  */
 export declare class PressureAltitudeNoise<R extends Response | undefined = undefined | PressureAltitudeNoiseResponse> extends Command<R> {
     constructor(values: Values<PressureAltitudeNoise>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
-    /** Standard deviation. Unit: m. Range: greater than 0. Required for `write`. */
+    /** Standard deviation of the pressure altitude noise. Unit: m. Range: greater than 0. Required for `write`. */
     noise?: number;
     /** Apply the new setting. */
     static write(values: { noise: number }): PressureAltitudeNoise<undefined>;
@@ -2021,7 +2022,7 @@ export declare class PressureAltitudeNoise<R extends Response | undefined = unde
 /**
  * Hard iron offset noise (0x0D,0x2B).
  *
- * Standard deviation of the noise of the estimated hard iron offset (process noise).
+ * Sets the standard deviation of the noise of the estimated hard iron offset (process noise).
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `HardIronOffsetNoiseResponse`. Probably changes
  * `filter_data.MagOffset` and `filter_data.MagOffsetUncertainty`. Supported by 3DM-GX5-45. Probably supported by
@@ -2031,7 +2032,7 @@ export declare class PressureAltitudeNoise<R extends Response | undefined = unde
  */
 export declare class HardIronOffsetNoise<R extends Response | undefined = undefined | HardIronOffsetNoiseResponse> extends Command<R> {
     constructor(values: Values<HardIronOffsetNoise>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /** Standard deviation per axis. Elements: x, y, z. Unit: gauss. Range: greater than 0. Required for `write`. */
     noise?: types.Vector3f;
@@ -2050,7 +2051,7 @@ export declare class HardIronOffsetNoise<R extends Response | undefined = undefi
 /**
  * Soft iron matrix noise (0x0D,0x2C).
  *
- * Standard deviation of the noise of the estimated soft iron matrix (process noise).
+ * Sets the standard deviation of the noise of the estimated soft iron matrix (process noise).
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `SoftIronMatrixNoiseResponse`. Probably changes
  * `filter_data.MagMatrix` and `filter_data.MagMatrixUncertainty`. Supported by 3DM-GX5-45. Probably supported by
@@ -2060,7 +2061,7 @@ export declare class HardIronOffsetNoise<R extends Response | undefined = undefi
  */
 export declare class SoftIronMatrixNoise<R extends Response | undefined = undefined | SoftIronMatrixNoiseResponse> extends Command<R> {
     constructor(values: Values<SoftIronMatrixNoise>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /**
      * Standard deviation per element. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1. Range: greater
@@ -2082,7 +2083,7 @@ export declare class SoftIronMatrixNoise<R extends Response | undefined = undefi
 /**
  * Enable or disable measurements (0x0D,0x41).
  *
- * Which inertial measurements the filter uses.
+ * Selects the inertial measurements that the filter uses.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `EnableMeasurementsResponse`. Probably changes
  * `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
@@ -2094,7 +2095,7 @@ export declare class SoftIronMatrixNoise<R extends Response | undefined = undefi
  */
 export declare class EnableMeasurements<R extends Response | undefined = undefined | EnableMeasurementsResponse> extends Command<R> {
     constructor(values: Values<EnableMeasurements>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /**
      * Measurements to use. Required for `write`.
@@ -2117,7 +2118,7 @@ export declare class EnableMeasurements<R extends Response | undefined = undefin
 /**
  * Magnetometer noise (0x0D,0x42).
  *
- * Standard deviation of the magnetometer noise that the filter assumes.
+ * Sets the standard deviation of the magnetometer noise that the filter assumes.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `MagNoiseResponse`. Probably changes
  * `filter_data.EulerAnglesUncertainty` and `filter_data.QuaternionAttitudeUncertainty`. Supported by 3DM-GX5-45.
@@ -2129,7 +2130,7 @@ export declare class EnableMeasurements<R extends Response | undefined = undefin
  */
 export declare class MagNoise<R extends Response | undefined = undefined | MagNoiseResponse> extends Command<R> {
     constructor(values: Values<MagNoise>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /** Standard deviation per axis. Elements: x, y, z. Unit: gauss. Range: greater than 0. Required for `write`. */
     noise?: types.Vector3f;
@@ -2148,7 +2149,7 @@ export declare class MagNoise<R extends Response | undefined = undefined | MagNo
 /**
  * Magnetic declination source (0x0D,0x43).
  *
- * Source of the local declination of the magnetic field.
+ * Selects the source of the local declination of the magnetic field.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `MagneticDeclinationSourceResponse`. Probably
  * changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Supported by
@@ -2164,7 +2165,7 @@ export declare class MagNoise<R extends Response | undefined = undefined | MagNo
  */
 export declare class MagneticDeclinationSource<R extends Response | undefined = undefined | MagneticDeclinationSourceResponse> extends Command<R> {
     constructor(values: Values<MagneticDeclinationSource>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /**
      * Source of the declination. Required for `write`.
@@ -2195,7 +2196,7 @@ export declare class MagneticDeclinationSource<R extends Response | undefined = 
 /**
  * Gravity magnitude error adaptive measurement (0x0D,0x44).
  *
- * How far the filter trusts gravity measurements whose magnitude is not that of gravity.
+ * Sets how far the filter trusts gravity measurements whose magnitude is not that of gravity.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by
  * `AccelMagnitudeErrorAdaptiveMeasurementResponse`. Probably changes `filter_data.AttitudeQuaternion`,
@@ -2213,7 +2214,7 @@ export declare class MagneticDeclinationSource<R extends Response | undefined = 
  */
 export declare class AccelMagnitudeErrorAdaptiveMeasurement<R extends Response | undefined = undefined | AccelMagnitudeErrorAdaptiveMeasurementResponse> extends Command<R> {
     constructor(values: Values<AccelMagnitudeErrorAdaptiveMeasurement>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /**
      * Kind of adaptation. Required for `write`.
@@ -2249,7 +2250,7 @@ export declare class AccelMagnitudeErrorAdaptiveMeasurement<R extends Response |
 /**
  * Magnetometer magnitude error adaptive measurement (0x0D,0x45).
  *
- * How far the filter trusts a magnetic field whose magnitude is not as expected.
+ * Sets how far the filter trusts a magnetic field whose magnitude is not as expected.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `MagMagnitudeErrorAdaptiveMeasurementResponse`.
  * Probably changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
@@ -2266,7 +2267,7 @@ export declare class AccelMagnitudeErrorAdaptiveMeasurement<R extends Response |
  */
 export declare class MagMagnitudeErrorAdaptiveMeasurement<R extends Response | undefined = undefined | MagMagnitudeErrorAdaptiveMeasurementResponse> extends Command<R> {
     constructor(values: Values<MagMagnitudeErrorAdaptiveMeasurement>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /**
      * Kind of adaptation. Required for `write`.
@@ -2317,7 +2318,7 @@ export declare class MagMagnitudeErrorAdaptiveMeasurement<R extends Response | u
 /**
  * Magnetometer dip angle error adaptive measurement (0x0D,0x46).
  *
- * How far the filter trusts a magnetic field whose dip angle is not as expected.
+ * Sets how far the filter trusts a magnetic field whose dip angle is not as expected.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `MagDipAngleErrorAdaptiveMeasurementResponse`.
  * Probably changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
@@ -2333,9 +2334,9 @@ export declare class MagMagnitudeErrorAdaptiveMeasurement<R extends Response | u
  */
 export declare class MagDipAngleErrorAdaptiveMeasurement<R extends Response | undefined = undefined | MagDipAngleErrorAdaptiveMeasurementResponse> extends Command<R> {
     constructor(values: Values<MagDipAngleErrorAdaptiveMeasurement>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
-    /** Whether the adaptation is on. Required for `write`. */
+    /** True if the adaptation is on. Required for `write`. */
     enable?: boolean;
     /** Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required for `write`. */
     frequency?: number;
@@ -2369,7 +2370,7 @@ export declare class MagDipAngleErrorAdaptiveMeasurement<R extends Response | un
 /**
  * Altitude aiding (0x0D,0x47).
  *
- * What aids the altitude in addition to GNSS.
+ * Selects the source that aids the altitude in addition to GNSS.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AltitudeAidingResponse`. Probably changes
  * `filter_data.LlhPosition` and `filter_data.LlhPositionUncertainty`. Supported by 3DM-GX5-45. Probably supported by
@@ -2382,7 +2383,7 @@ export declare class MagDipAngleErrorAdaptiveMeasurement<R extends Response | un
  */
 export declare class AltitudeAiding<R extends Response | undefined = undefined | AltitudeAidingResponse> extends Command<R> {
     constructor(values: Values<AltitudeAiding>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /** Source of the aiding. Required for `write`. */
     selector?: AltitudeAidingSource;
@@ -2401,7 +2402,7 @@ export declare class AltitudeAiding<R extends Response | undefined = undefined |
 /**
  * Pitch and roll aiding (0x0D,0x4B).
  *
- * What aids pitch and roll while the motion is gentle.
+ * Selects the source that aids pitch and roll while the motion is gentle.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `PitchRollAidingResponse`. Probably changes
  * `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
@@ -2413,7 +2414,7 @@ export declare class AltitudeAiding<R extends Response | undefined = undefined |
  */
 export declare class PitchRollAiding<R extends Response | undefined = undefined | PitchRollAidingResponse> extends Command<R> {
     constructor(values: Values<PitchRollAiding>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /** Source of the aiding. Required for `write`. */
     aiding?: PitchRollAidingSource;
@@ -2432,7 +2433,7 @@ export declare class PitchRollAiding<R extends Response | undefined = undefined 
 /**
  * Magnetic inclination source (0x0D,0x4C).
  *
- * Source of the local inclination (dip angle) of the magnetic field.
+ * Selects the source of the local inclination (dip angle) of the magnetic field.
  *
  * Also called `inclination_source`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
  * `MagneticInclinationSourceResponse`. Probably changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and
@@ -2444,7 +2445,7 @@ export declare class PitchRollAiding<R extends Response | undefined = undefined 
  */
 export declare class MagneticInclinationSource<R extends Response | undefined = undefined | MagneticInclinationSourceResponse> extends Command<R> {
     constructor(values: Values<MagneticInclinationSource>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /** Source of the inclination. Required for `write`. */
     source?: MagParameterSource;
@@ -2469,7 +2470,7 @@ export declare class MagneticInclinationSource<R extends Response | undefined = 
 /**
  * Magnetic field magnitude source (0x0D,0x4D).
  *
- * Source of the local magnitude of the magnetic field.
+ * Selects the source of the local magnitude of the magnetic field.
  *
  * Also called `mag_field_magnitude_source`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
  * `MagneticMagnitudeSourceResponse`. Probably changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and
@@ -2482,7 +2483,7 @@ export declare class MagneticInclinationSource<R extends Response | undefined = 
  */
 export declare class MagneticMagnitudeSource<R extends Response | undefined = undefined | MagneticMagnitudeSourceResponse> extends Command<R> {
     constructor(values: Values<MagneticMagnitudeSource>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /** Source of the magnitude. Required for `write`. */
     source?: MagParameterSource;
@@ -2507,7 +2508,7 @@ export declare class MagneticMagnitudeSource<R extends Response | undefined = un
 /**
  * Sensor to vehicle rotation, matrix (0x0D,0x4E).
  *
- * Rotation from the sensor frame to the vehicle frame as a direction cosine matrix.
+ * Sets the rotation from the sensor frame to the vehicle frame as a direction cosine matrix.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `SensorToVehicleRotationDcmResponse`. Changes
  * `sensor.ScaledAccel`, `sensor.ScaledGyro`, `sensor.ScaledMag`, `sensor.DeltaTheta`, `sensor.DeltaVelocity`,
@@ -2523,7 +2524,7 @@ export declare class MagneticMagnitudeSource<R extends Response | undefined = un
  */
 export declare class SensorToVehicleRotationDcm<R extends Response | undefined = undefined | SensorToVehicleRotationDcmResponse> extends Command<R> {
     constructor(values: Values<SensorToVehicleRotationDcm>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /**
      * Rotation matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1. Required for
@@ -2545,7 +2546,7 @@ export declare class SensorToVehicleRotationDcm<R extends Response | undefined =
 /**
  * Sensor to vehicle rotation, quaternion (0x0D,0x4F).
  *
- * Rotation from the sensor frame to the vehicle frame as a quaternion.
+ * Sets the rotation from the sensor frame to the vehicle frame as a quaternion.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `SensorToVehicleRotationQuaternionResponse`.
  * Changes `sensor.ScaledAccel`, `sensor.ScaledGyro`, `sensor.ScaledMag`, `sensor.DeltaTheta`, `sensor.DeltaVelocity`,
@@ -2560,7 +2561,7 @@ export declare class SensorToVehicleRotationDcm<R extends Response | undefined =
  */
 export declare class SensorToVehicleRotationQuaternion<R extends Response | undefined = undefined | SensorToVehicleRotationQuaternionResponse> extends Command<R> {
     constructor(values: Values<SensorToVehicleRotationQuaternion>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /**
      * Unit quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. Range: magnitude 0.999 to 1.001. Required for
@@ -2593,7 +2594,7 @@ export declare class SensorToVehicleRotationQuaternion<R extends Response | unde
  */
 export declare class AidingMeasurementEnable<R extends Response | undefined = undefined | AidingMeasurementEnableResponse> extends Command<R> {
     constructor(values: Values<AidingMeasurementEnable>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /**
      * The source; `all` is for save, load and default.
@@ -2610,7 +2611,7 @@ export declare class AidingMeasurementEnable<R extends Response | undefined = un
      *   `AidingSource.ALL`.
      */
     aidingSource?: AidingSource;
-    /** Whether the filter uses the source. Required for `write`. */
+    /** True if the filter uses the source. Required for `write`. */
     enable?: boolean;
     /** Apply the new setting. */
     static write(values: { aidingSource: AidingSource; enable: boolean }): AidingMeasurementEnable<undefined>;
@@ -2627,7 +2628,7 @@ export declare class AidingMeasurementEnable<R extends Response | undefined = un
 /**
  * Kinematic constraint (0x0D,0x51).
  *
- * What the filter may take for granted about the motion, in place of measurements.
+ * Sets the assumptions about the motion that the filter uses in place of measurements.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `KinematicConstraintResponse`. Probably changes
  * `filter_data.NedVelocity`, `filter_data.EcefVelocity`, `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`
@@ -2638,7 +2639,7 @@ export declare class AidingMeasurementEnable<R extends Response | undefined = un
  */
 export declare class KinematicConstraint<R extends Response | undefined = undefined | KinematicConstraintResponse> extends Command<R> {
     constructor(values: Values<KinematicConstraint>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /** Assumption about the acceleration. Default: `AccelConstraint.NONE`. Required for `write`. */
     accelConstraint?: AccelConstraint;
@@ -2661,7 +2662,7 @@ export declare class KinematicConstraint<R extends Response | undefined = undefi
 /**
  * Navigation filter initialization (0x0D,0x52).
  *
- * Sources and values of the initial attitude, position and velocity of the filter.
+ * Sets the sources and values of the initial attitude, position and velocity of the filter.
  *
  * Also called `initialization_configuration`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
  * `InitializationConfigResponse`. Probably changes `filter_data.Status`, `filter_data.LlhPosition`,
@@ -2676,11 +2677,11 @@ export declare class KinematicConstraint<R extends Response | undefined = undefi
  */
 export declare class InitializationConfig<R extends Response | undefined = undefined | InitializationConfigResponse> extends Command<R> {
     constructor(values: Values<InitializationConfig>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /** 1: the filter starts only after `Run`; 0: it starts as soon as it can. Range: 0 to 1. Required for `write`. */
     waitForRunCommand?: number;
-    /** Which initial conditions are automatic and which the user provides. Required for `write`. */
+    /** Initial conditions that the user provides instead of the device. Required for `write`. */
     initialConditionSource?: InitialConditionSource;
     /**
      * Methods by which the initial heading may be determined. Required for `write`.
@@ -2729,7 +2730,7 @@ export declare class InitializationConfig<R extends Response | undefined = undef
 /**
  * Adaptive filter control (0x0D,0x53).
  *
- * How the filter adapts to measurements that do not fit its model.
+ * Sets how the filter adapts to measurements that do not fit its model.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AdaptiveFilterOptionsResponse`. Probably
  * changes filter_data (0x82). Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV5-45, 3DM-CV7-AHRS,
@@ -2740,7 +2741,7 @@ export declare class InitializationConfig<R extends Response | undefined = undef
  */
 export declare class AdaptiveFilterOptions<R extends Response | undefined = undefined | AdaptiveFilterOptionsResponse> extends Command<R> {
     constructor(values: Values<AdaptiveFilterOptions>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /**
      * Strength of the adaptation. Default: 2. Required for `write`.
@@ -2765,7 +2766,7 @@ export declare class AdaptiveFilterOptions<R extends Response | undefined = unde
 /**
  * GNSS multi-antenna offset (0x0D,0x54).
  *
- * Position of the antenna of one receiver on devices with several antennas.
+ * Sets the position of the antenna of one receiver on devices with several antennas.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `MultiAntennaOffsetResponse`. Probably changes
  * `filter_data.LlhPosition`, `filter_data.EcefPosition`, `filter_data.NedVelocity`, `filter_data.EcefVelocity`,
@@ -2778,7 +2779,7 @@ export declare class AdaptiveFilterOptions<R extends Response | undefined = unde
  */
 export declare class MultiAntennaOffset<R extends Response | undefined = undefined | MultiAntennaOffsetResponse> extends Command<R> {
     constructor(values: Values<MultiAntennaOffset>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /** Number of the receiver, from 1. Range: at least 1. */
     receiverId?: number;
@@ -2802,7 +2803,7 @@ export declare class MultiAntennaOffset<R extends Response | undefined = undefin
 /**
  * Relative position configuration (0x0D,0x55).
  *
- * Reference point of the relative position that the filter reports.
+ * Sets the reference point of the relative position that the filter reports.
  *
  * Also called `rel_pos_configuration`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
  * `RelativePositionConfigResponse`. Changes `filter_data.NedRelativePosition`. Supported by 3DM-CV7-GNSS/INS. Probably
@@ -2812,7 +2813,7 @@ export declare class MultiAntennaOffset<R extends Response | undefined = undefin
  */
 export declare class RelativePositionConfig<R extends Response | undefined = undefined | RelativePositionConfigResponse> extends Command<R> {
     constructor(values: Values<RelativePositionConfig>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /** Source of the reference point. Required for `write`. */
     source?: RelativePositionSource;
@@ -2854,7 +2855,7 @@ export declare class RelativePositionConfig<R extends Response | undefined = und
  */
 export declare class ReferencePointLeverArm<R extends Response | undefined = undefined | ReferencePointLeverArmResponse> extends Command<R> {
     constructor(values: Values<ReferencePointLeverArm>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /** Point to move; it must be 1. Required for `write`. */
     referencePoint?: ReferencePoint;
@@ -2878,7 +2879,7 @@ export declare class ReferencePointLeverArm<R extends Response | undefined = und
 /**
  * Speed measurement (0x0D,0x60).
  *
- * Gives the filter one measurement of the forward speed of the vehicle (along its x axis).
+ * Sends one measurement of the forward speed of the vehicle (along its x axis) to the filter.
  *
  * Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: The SDK names a response,
  * `filter.speed_measurement_response`, but has no layout of it.
@@ -2903,7 +2904,7 @@ export declare class SpeedMeasurement extends Command<undefined> {
 /**
  * Speed measurement lever arm (0x0D,0x61).
  *
- * Position of the point whose speed is measured, such as the wheel that an odometer is on.
+ * Sets the position of the point whose speed is measured, such as the wheel that an odometer is on.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `SpeedLeverArmResponse`. Probably changes
  * `filter_data.NedVelocity`, `filter_data.EcefVelocity` and `filter_data.OdometerScaleFactorError`. Supported by
@@ -2915,7 +2916,7 @@ export declare class SpeedMeasurement extends Command<undefined> {
  */
 export declare class SpeedLeverArm<R extends Response | undefined = undefined | SpeedLeverArmResponse> extends Command<R> {
     constructor(values: Values<SpeedLeverArm, "source">);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /** Reserved: send 1. */
     source?: number;
@@ -2950,7 +2951,7 @@ export declare class SpeedLeverArm<R extends Response | undefined = undefined | 
  */
 export declare class VerticalGyroConstraintControl<R extends Response | undefined = undefined | VerticalGyroConstraintControlResponse> extends Command<R> {
     constructor(values: Values<VerticalGyroConstraintControl>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /** 0 disables, 1 enables. Range: 0 to 1. Required for `write`. */
     enable?: number;
@@ -2983,7 +2984,7 @@ export declare class VerticalGyroConstraintControl<R extends Response | undefine
  */
 export declare class WheeledVehicleConstraintControl<R extends Response | undefined = undefined | WheeledVehicleConstraintControlResponse> extends Command<R> {
     constructor(values: Values<WheeledVehicleConstraintControl>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /** 0 disables, 1 enables. Range: 0 to 1. Required for `write`. */
     enable?: number;
@@ -3002,7 +3003,7 @@ export declare class WheeledVehicleConstraintControl<R extends Response | undefi
 /**
  * GNSS antenna offset calibration (0x0D,0x64).
  *
- * Lets the filter track the error of the antenna offset.
+ * Enables antenna offset calibration.
  *
  * Also called `gnss_antenna_cal_control`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
  * `GnssAntennaCalibrationControlResponse`. Changes `filter_data.MultiAntennaOffsetCorrection`. Probably changes
@@ -3013,7 +3014,7 @@ export declare class WheeledVehicleConstraintControl<R extends Response | undefi
  */
 export declare class GnssAntennaCalibrationControl<R extends Response | undefined = undefined | GnssAntennaCalibrationControlResponse> extends Command<R> {
     constructor(values: Values<GnssAntennaCalibrationControl>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /** 0 disables, 1 enables. Range: 0 to 1. Required for `write`. */
     enable?: number;

@@ -11,7 +11,7 @@ import type { FunctionSelector } from "./protocol.mjs";
 import type * as types from "./types.mjs";
 
 export type ValidFlags = Flavor<number, "filter_data.valid_flags">;
-/** Whether the values of a field may be used. */
+/** Validity of the values of a field. */
 export declare const ValidFlags: Bitfield<ValidFlags> & {
     /** All values of the field are valid. Bit 0. */
     readonly VALID: ValidFlags;
@@ -34,7 +34,7 @@ export declare const HeadingSourceFlags: Bitfield<HeadingSourceFlags> & {
 };
 
 export type GnssAidingStatus = Flavor<number, "filter_data.gnss_aiding_status">;
-/** How the filter uses one GNSS receiver. */
+/** Use of one GNSS receiver by the filter. */
 export declare const GnssAidingStatus: Bitfield<GnssAidingStatus> & {
     /** Raw ranges of the receiver are used. Bit 0. */
     readonly TIGHT_COUPLING: GnssAidingStatus;
@@ -72,7 +72,7 @@ export declare const GnssAidingStatus: Bitfield<GnssAidingStatus> & {
 
 export type HeadingAidingType = Flavor<number, "filter_data.heading_aiding_type">;
 /**
- * Where a heading measurement comes from.
+ * Source of a heading measurement.
  *
  * - mip-sdk-4: Head Aid Status (0x82,0x45)
  */
@@ -120,7 +120,7 @@ export declare const AidingMeasurementType: Enumeration<AidingMeasurementType> &
 };
 
 export type AidingMeasurementIndicator = Flavor<number, "filter_data.aiding_measurement_indicator">;
-/** What the filter did with an aiding measurement. */
+/** Use of an aiding measurement by the filter. */
 export declare const AidingMeasurementIndicator: Bitfield<AidingMeasurementIndicator> & {
     /** The measurement is enabled. Bit 0. */
     readonly ENABLED: AidingMeasurementIndicator;
@@ -221,11 +221,11 @@ export type Gx5StatusFlags = Flavor<number, "filter_data.gx5_status_flags">;
  * - 3dm-cv7-gnss-ins: Status (0x82,0x10)
  */
 export declare const Gx5StatusFlags: Bitfield<Gx5StatusFlags> & {
-    /** No inertial data. Bit 0. */
+    /** No inertial data. Bit 0. Concerns `sensor.ScaledAccel` and `sensor.ScaledGyro`. */
     readonly RUN_IMU_UNAVAILABLE: Gx5StatusFlags;
-    /** No GNSS data, on models with GNSS. Bit 1. */
+    /** No GNSS data, on models with GNSS. Bit 1. Concerns `LlhPosition` and `NedVelocity`. */
     readonly RUN_GPS_UNAVAILABLE: Gx5StatusFlags;
-    /** A matrix of the computation is singular. Bit 3. */
+    /** A matrix of the computation is singular. Bit 3. Concerns `filter.Reset`. */
     readonly RUN_MATRIX_SINGULARITY: Gx5StatusFlags;
     /** A position covariance is above its normal limit. Bit 4. Concerns `LlhPosition` and `LlhPositionUncertainty`. */
     readonly RUN_POSITION_COVARIANCE_WARNING: Gx5StatusFlags;
@@ -267,7 +267,7 @@ export declare const Gx5StatusFlags: Bitfield<Gx5StatusFlags> & {
 
 export type FilterCondition = Flavor<number, "filter_data.filter_condition">;
 /**
- * How settled the estimates of the filter are.
+ * Convergence of the estimates of the filter.
  *
  * - 3dm-cv7-gnss-ins: Filter condition (bits 0-1)
  * - 3dm-cv7-gnss-ins: How do I interpret the Status (0x82,0x10) message?
@@ -290,7 +290,7 @@ export type Cv7StatusFlags = Flavor<number, "filter_data.cv7_status_flags">;
  * - 3dm-cv7-gnss-ins: Status (0x82,0x10)
  */
 export declare const Cv7StatusFlags: Bitfield<Cv7StatusFlags> & {
-    /** How settled the estimates are. Bits 0 to 1. A value of `FilterCondition`. */
+    /** Convergence of the estimates. Bits 0 to 1. A value of `FilterCondition`. */
     readonly FILTER_CONDITION: Cv7StatusFlags;
     /**
      * Roll and pitch are doubtful; check the mounting transformation. Bit 2. Concerns `AttitudeQuaternion`,
@@ -348,11 +348,12 @@ export declare const Cv7StatusFlags: Bitfield<Cv7StatusFlags> & {
  *
  * Also called `position_llh`. Changed by `filter.SensorToVehicleOffset` and `filter.ReferencePointLeverArm`. Probably
  * changed by `filter.AntennaOffset`, `filter.GnssSource`, `filter.PressureAltitudeNoise`, `filter.AltitudeAiding`,
- * `filter.InitializationConfig` and `filter.MultiAntennaOffset`. Flagged by
- * `Gx5StatusFlags.RUN_POSITION_COVARIANCE_WARNING` of `Gx5StatusFlags`, `Gx5StatusFlags.INIT_NO_POSITION_VELOCITY` of
- * `Gx5StatusFlags` and `Cv7StatusFlags.POSITION_WARNING` of `Cv7StatusFlags`. Supported by 3DM-CV7-GNSS/INS and
- * 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-45, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GV7-INS,
- * 3DM-GX3-45, 3DM-GX4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Refused by 3DM-GX3-25 and 3DM-GX5-25.
+ * `filter.InitializationConfig` and `filter.MultiAntennaOffset`. Flagged by `Gx5StatusFlags.RUN_GPS_UNAVAILABLE` of
+ * `Gx5StatusFlags`, `Gx5StatusFlags.RUN_POSITION_COVARIANCE_WARNING` of `Gx5StatusFlags`,
+ * `Gx5StatusFlags.INIT_NO_POSITION_VELOCITY` of `Gx5StatusFlags` and `Cv7StatusFlags.POSITION_WARNING` of
+ * `Cv7StatusFlags`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV5-45, 3DM-CV7-INS,
+ * 3DM-CX5-45, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GV7-INS, 3DM-GX3-45, 3DM-GX4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and
+ * 3DM-RQ1-45-ST. Refused by 3DM-GX3-25 and 3DM-GX5-25.
  *
  * - 3dm-cv7-gnss-ins: LLH Position (0x82,0x01)
  */
@@ -370,7 +371,7 @@ export declare class LlhPosition extends Data {
     longitude: number;
     /** Height above the ellipsoid. Unit: m. Frame: llh. Valid if `ValidFlags.VALID` of `validFlags` is set. */
     ellipsoidHeight: number;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     validFlags: ValidFlags;
 }
 
@@ -382,11 +383,11 @@ export declare class LlhPosition extends Data {
  * Also called `velocity_ned`. Changed by `filter.ReferencePointLeverArm`. Probably changed by `filter.AntennaOffset`,
  * `filter.GnssSource`, `filter.AutoZupt`, `filter.CommandedZupt`, `filter.KinematicConstraint`,
  * `filter.InitializationConfig`, `filter.MultiAntennaOffset`, `filter.SpeedLeverArm` and
- * `filter.WheeledVehicleConstraintControl`. Flagged by `Gx5StatusFlags.RUN_VELOCITY_COVARIANCE_WARNING` of
- * `Gx5StatusFlags`, `Gx5StatusFlags.INIT_NO_POSITION_VELOCITY` of `Gx5StatusFlags` and
- * `Cv7StatusFlags.VELOCITY_WARNING` of `Cv7StatusFlags`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably
- * supported by 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-45, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GV7-INS, 3DM-GX3-45, 3DM-GX4-45,
- * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Refused by 3DM-GX3-25 and 3DM-GX5-25.
+ * `filter.WheeledVehicleConstraintControl`. Flagged by `Gx5StatusFlags.RUN_GPS_UNAVAILABLE` of `Gx5StatusFlags`,
+ * `Gx5StatusFlags.RUN_VELOCITY_COVARIANCE_WARNING` of `Gx5StatusFlags`, `Gx5StatusFlags.INIT_NO_POSITION_VELOCITY` of
+ * `Gx5StatusFlags` and `Cv7StatusFlags.VELOCITY_WARNING` of `Cv7StatusFlags`. Supported by 3DM-CV7-GNSS/INS and
+ * 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-45, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GV7-INS,
+ * 3DM-GX3-45, 3DM-GX4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Refused by 3DM-GX3-25 and 3DM-GX5-25.
  *
  * - 3dm-cv7-gnss-ins: Velocity NED (0x82,0x02)
  */
@@ -404,7 +405,7 @@ export declare class NedVelocity extends Data {
      * Velocity down. Unit: m/s. Frame: ned. At rest and level: 0. Valid if `ValidFlags.VALID` of `validFlags` is set.
      */
     down: number;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     validFlags: ValidFlags;
 }
 
@@ -441,7 +442,7 @@ export declare class AttitudeQuaternion extends Data {
      * `ValidFlags.VALID` of `validFlags` is set.
      */
     q: types.Quatf;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     validFlags: ValidFlags;
 }
 
@@ -478,7 +479,7 @@ export declare class AttitudeDcm extends Data {
      * At rest and level: m13 0, m23 0, m31 0, m32 0, m33 1. Valid if `ValidFlags.VALID` of `validFlags` is set.
      */
     dcm: types.Matrix3f;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     validFlags: ValidFlags;
 }
 
@@ -527,7 +528,7 @@ export declare class EulerAngles extends Data {
      * Positive: clockwise seen from above. Valid if `ValidFlags.VALID` of `validFlags` is set.
      */
     yaw: number;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     validFlags: ValidFlags;
 }
 
@@ -554,7 +555,7 @@ export declare class GyroBias extends Data {
      * `validFlags` is set.
      */
     bias: types.Vector3f;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     validFlags: ValidFlags;
 }
 
@@ -577,7 +578,7 @@ export declare class AccelBias extends Data {
      * `validFlags` is set.
      */
     bias: types.Vector3f;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     validFlags: ValidFlags;
 }
 
@@ -610,7 +611,7 @@ export declare class LlhPositionUncertainty extends Data {
      * set.
      */
     down: number;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     validFlags: ValidFlags;
 }
 
@@ -643,7 +644,7 @@ export declare class NedVelocityUncertainty extends Data {
      * set.
      */
     down: number;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     validFlags: ValidFlags;
 }
 
@@ -676,7 +677,7 @@ export declare class EulerAnglesUncertainty extends Data {
     pitch: number;
     /** Standard deviation of yaw. Unit: rad. Range: at least 0. Valid if `ValidFlags.VALID` of `validFlags` is set. */
     yaw: number;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     validFlags: ValidFlags;
 }
 
@@ -701,7 +702,7 @@ export declare class GyroBiasUncertainty extends Data {
      * `ValidFlags.VALID` of `validFlags` is set.
      */
     biasUncertainty: types.Vector3f;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     validFlags: ValidFlags;
 }
 
@@ -723,7 +724,7 @@ export declare class AccelBiasUncertainty extends Data {
      * `ValidFlags.VALID` of `validFlags` is set.
      */
     biasUncertainty: types.Vector3f;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     validFlags: ValidFlags;
 }
 
@@ -750,7 +751,7 @@ export declare class LinearAccel extends Data {
      * z 0. Valid if `ValidFlags.VALID` of `validFlags` is set.
      */
     accel: types.Vector3f;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     validFlags: ValidFlags;
 }
 
@@ -777,7 +778,7 @@ export declare class CompAngularRate extends Data {
      * side down, nose up, clockwise seen from above. Valid if `ValidFlags.VALID` of `validFlags` is set.
      */
     gyro: types.Vector3f;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     validFlags: ValidFlags;
 }
 
@@ -801,7 +802,7 @@ export declare class Wgs84GravityMagnitude extends Data {
      * `ValidFlags.VALID` of `validFlags` is set.
      */
     gravityMagnitude: number;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     validFlags: ValidFlags;
 }
 
@@ -825,7 +826,7 @@ export declare class Wgs84GravityMagnitude extends Data {
 export declare class Status extends Data {
     constructor(values: Values<Status>);
     /**
-     * How far the filter has come, from start-up to its full solution.
+     * Progress of the filter from start-up to its full solution.
      *
      * - On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
      *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45: values of `Gx5FilterState`. Inferred: The
@@ -890,7 +891,7 @@ export declare class Timestamp extends Data {
     tow: number;
     /** GPS week, counted from 1980. Unit: week. Valid if `ValidFlags.VALID` of `validFlags` is set. */
     weekNumber: number;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     validFlags: ValidFlags;
 }
 
@@ -916,7 +917,7 @@ export declare class QuaternionAttitudeUncertainty extends Data {
      * `validFlags` is set.
      */
     q: types.Quatf;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     validFlags: ValidFlags;
 }
 
@@ -942,7 +943,7 @@ export declare class GravityVector extends Data {
      * Valid if `ValidFlags.VALID` of `validFlags` is set. Uncertain: The sign, which no source states.
      */
     gravity: types.Vector3f;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     validFlags: ValidFlags;
 }
 
@@ -977,7 +978,7 @@ export declare class HeadingUpdateState extends Data {
      * - On the 3DM-GX5-15: only `HeadingSourceFlags.EXTERNAL`.
      */
     source: HeadingSourceFlags;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     validFlags: ValidFlags;
 }
 
@@ -1012,7 +1013,7 @@ export declare class MagneticModel extends Data {
      * `ValidFlags.VALID` of `validFlags` is set.
      */
     declination: number;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     validFlags: ValidFlags;
 }
 
@@ -1033,7 +1034,7 @@ export declare class GyroScaleFactor extends Data {
      * set.
      */
     scaleFactor: types.Vector3f;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     validFlags: ValidFlags;
 }
 
@@ -1054,7 +1055,7 @@ export declare class AccelScaleFactor extends Data {
      * set.
      */
     scaleFactor: types.Vector3f;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     validFlags: ValidFlags;
 }
 
@@ -1075,7 +1076,7 @@ export declare class GyroScaleFactorUncertainty extends Data {
      * `ValidFlags.VALID` of `validFlags` is set.
      */
     scaleFactorUncertainty: types.Vector3f;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     validFlags: ValidFlags;
 }
 
@@ -1096,7 +1097,7 @@ export declare class AccelScaleFactorUncertainty extends Data {
      * `ValidFlags.VALID` of `validFlags` is set.
      */
     scaleFactorUncertainty: types.Vector3f;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     validFlags: ValidFlags;
 }
 
@@ -1117,7 +1118,7 @@ export declare class MagBias extends Data {
      * `validFlags` is set.
      */
     bias: types.Vector3f;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     validFlags: ValidFlags;
 }
 
@@ -1137,7 +1138,7 @@ export declare class MagBiasUncertainty extends Data {
      * `ValidFlags.VALID` of `validFlags` is set.
      */
     biasUncertainty: types.Vector3f;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     validFlags: ValidFlags;
 }
 
@@ -1163,7 +1164,7 @@ export declare class CompAccel extends Data {
      * vehicle. At rest and level: x 0, y 0, z -9.8. Valid if `ValidFlags.VALID` of `validFlags` is set.
      */
     accel: types.Vector3f;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     validFlags: ValidFlags;
 }
 
@@ -1201,7 +1202,7 @@ export declare class StandardAtmosphere extends Data {
      * `validFlags` is set.
      */
     standardDensity: number;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     validFlags: ValidFlags;
 }
 
@@ -1226,7 +1227,7 @@ export declare class PressureAltitude extends Data {
      * `ValidFlags.VALID` of `validFlags` is set.
      */
     pressureAltitude: number;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     validFlags: ValidFlags;
 }
 
@@ -1247,7 +1248,7 @@ export declare class DensityAltitude extends Data {
      * `validFlags` is set.
      */
     densityAltitude: number;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     validFlags: ValidFlags;
 }
 
@@ -1272,7 +1273,7 @@ export declare class MagOffset extends Data {
      * sensor. Valid if `ValidFlags.VALID` of `validFlags` is set.
      */
     hardIron: types.Vector3f;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     validFlags: ValidFlags;
 }
 
@@ -1297,7 +1298,7 @@ export declare class MagMatrix extends Data {
      * sensor. Valid if `ValidFlags.VALID` of `validFlags` is set.
      */
     softIron: types.Matrix3f;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     validFlags: ValidFlags;
 }
 
@@ -1319,7 +1320,7 @@ export declare class MagOffsetUncertainty extends Data {
      * `ValidFlags.VALID` of `validFlags` is set.
      */
     hardIronUncertainty: types.Vector3f;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     validFlags: ValidFlags;
 }
 
@@ -1341,7 +1342,7 @@ export declare class MagMatrixUncertainty extends Data {
      * Range: at least 0. Valid if `ValidFlags.VALID` of `validFlags` is set.
      */
     softIronUncertainty: types.Matrix3f;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     validFlags: ValidFlags;
 }
 
@@ -1362,7 +1363,7 @@ export declare class MagCovarianceMatrix extends Data {
      * `ValidFlags.VALID` of `validFlags` is set. Uncertain: The unit, which is likely gauss^2, and the frame.
      */
     covariance: types.Matrix3f;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     validFlags: ValidFlags;
 }
 
@@ -1383,7 +1384,7 @@ export declare class MagResidualVector extends Data {
      * gauss. Frame: vehicle. Valid if `ValidFlags.VALID` of `validFlags` is set.
      */
     residual: types.Vector3f;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     validFlags: ValidFlags;
 }
 
@@ -1407,7 +1408,7 @@ export declare class AntennaOffsetCorrection extends Data {
      * `ValidFlags.VALID` of `validFlags` is set.
      */
     offset: types.Vector3f;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     validFlags: ValidFlags;
 }
 
@@ -1428,7 +1429,7 @@ export declare class AntennaOffsetCorrectionUncertainty extends Data {
      * `ValidFlags.VALID` of `validFlags` is set.
      */
     offsetUncertainty: types.Vector3f;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     validFlags: ValidFlags;
 }
 
@@ -1450,7 +1451,7 @@ export declare class ClockCorrection extends Data {
     bias: number;
     /** Drift of the clock. Unit: s/s. Valid if `ValidFlags.VALID` of `validFlags` is set. */
     biasDrift: number;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     validFlags: ValidFlags;
 }
 
@@ -1476,7 +1477,7 @@ export declare class ClockCorrectionUncertainty extends Data {
      * set.
      */
     biasDriftUncertainty: number;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     validFlags: ValidFlags;
 }
 
@@ -1502,7 +1503,7 @@ export declare class MultiAntennaOffsetCorrection extends Data {
      * `ValidFlags.VALID` of `validFlags` is set.
      */
     offset: types.Vector3f;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     validFlags: ValidFlags;
 }
 
@@ -1525,7 +1526,7 @@ export declare class MultiAntennaOffsetCorrectionUncertainty extends Data {
      * `ValidFlags.VALID` of `validFlags` is set.
      */
     offsetUncertainty: types.Vector3f;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     validFlags: ValidFlags;
 }
 
@@ -1546,7 +1547,7 @@ export declare class EcefPositionUncertainty extends Data {
      * `ValidFlags.VALID` of `validFlags` is set.
      */
     positionUncertainty: types.Vector3f;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     validFlags: ValidFlags;
 }
 
@@ -1568,7 +1569,7 @@ export declare class EcefVelocityUncertainty extends Data {
      * `ValidFlags.VALID` of `validFlags` is set.
      */
     velocityUncertainty: types.Vector3f;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     validFlags: ValidFlags;
 }
 
@@ -1591,7 +1592,7 @@ export declare class EcefPosition extends Data {
      * `validFlags` is set.
      */
     position: types.Vector3d;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     validFlags: ValidFlags;
 }
 
@@ -1616,7 +1617,7 @@ export declare class EcefVelocity extends Data {
      * Valid if `ValidFlags.VALID` of `validFlags` is set.
      */
     velocity: types.Vector3f;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     validFlags: ValidFlags;
 }
 
@@ -1638,14 +1639,14 @@ export declare class NedRelativePosition extends Data {
      * `ValidFlags.VALID` of `validFlags` is set.
      */
     relativePosition: types.Ned3d;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     validFlags: ValidFlags;
 }
 
 /**
  * GNSS position aiding status (0x82,0x43).
  *
- * How the filter uses the position measurements of one GNSS receiver.
+ * Use of the position measurements of one GNSS receiver by the filter.
  *
  * Also called `gnss_pos_aid_status`. Probably changed by `filter.GnssSource`. Supported by 3DM-CV7-GNSS/INS and
  * 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS. Refused by 3DM-CV7-AHRS, 3DM-GX3-25
@@ -1661,7 +1662,7 @@ export declare class GnssPositionAidingStatus extends Data {
     receiverId: number;
     /** GPS time of week of the last measurement. Unit: s. Range: 0 to 604800. */
     tow: number;
-    /** How the measurements are used. */
+    /** Use of the measurements. */
     status: GnssAidingStatus;
     /** Reserved. */
     reserved: number[];
@@ -1685,7 +1686,7 @@ export declare class GnssAttitudeAidingStatus extends Data {
      * the measurement or that of its processing.
      */
     tow: number;
-    /** How the measurements are used. */
+    /** Use of the measurements. */
     status: GnssAidingStatus;
     /** Reserved. Reserved. */
     reserved: number[];
@@ -1718,7 +1719,7 @@ export declare class HeadingAidingStatus extends Data {
 /**
  * Aiding measurement summary (0x82,0x46).
  *
- * What the filter did with one kind of aiding measurement in the last measurement interval.
+ * Use of one kind of aiding measurement in the last measurement interval.
  *
  * Changed by `filter.AidingMeasurementEnable`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported
  * by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS.
@@ -1735,7 +1736,7 @@ export declare class AidingMeasurementSummary extends Data {
     source: number;
     /** Kind of measurement. */
     type: AidingMeasurementType;
-    /** What the filter did with it. */
+    /** Use of the measurement by the filter. */
     indicator: AidingMeasurementIndicator;
 }
 
@@ -1754,7 +1755,7 @@ export declare class OdometerScaleFactorError extends Data {
     constructor(values: Values<OdometerScaleFactorError>);
     /** Relative error. Unit: 1. Valid if `ValidFlags.VALID` of `validFlags` is set. */
     scaleFactorError: number;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     validFlags: ValidFlags;
 }
 
@@ -1774,7 +1775,7 @@ export declare class OdometerScaleFactorErrorUncertainty extends Data {
      * set.
      */
     scaleFactorErrorUncertainty: number;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     validFlags: ValidFlags;
 }
 
@@ -1811,7 +1812,7 @@ export declare class GnssDualAntennaStatus extends Data {
     fixType: DualAntennaFixType;
     /** Inputs available to the solution. */
     statusFlags: DualAntennaStatusFlags;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     validFlags: ValidFlags;
 }
 

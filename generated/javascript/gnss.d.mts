@@ -87,7 +87,7 @@ export declare const ReceiverId: Enumeration<ReceiverId> & {
 
 export type ReceiverResetType = Flavor<number, "gnss.receiver_reset_type">;
 /**
- * How much a receiver restarts.
+ * Extent of the restart of a receiver.
  *
  * - mip-sdk-4: Receiver Reset (0x0E,0x03)
  */
@@ -111,7 +111,7 @@ export declare const ReceiverResetType: Enumeration<ReceiverResetType> & {
 
 export type AmbiguityFixMode = Flavor<number, "gnss.ambiguity_fix_mode">;
 /**
- * How readily RTK fixes the carrier phase ambiguities to whole numbers. Uncertain: The descriptions of `conservative`
+ * Readiness of RTK to fix the carrier phase ambiguities to whole numbers. Uncertain: The descriptions of `conservative`
  * and `moderate`, which follow from the names.
  *
  * - mip-sdk-4: Rtk Configuration (0x0E,0x04)
@@ -128,7 +128,7 @@ export declare const AmbiguityFixMode: Enumeration<AmbiguityFixMode> & {
 };
 
 export type SpartnConnection = Flavor<number, "gnss.spartn_connection">;
-/** How SPARTN corrections are received. */
+/** Channel of SPARTN corrections. */
 export declare const SpartnConnection: Enumeration<SpartnConnection> & {
     /** No connection. */
     readonly NONE: SpartnConnection & 0;
@@ -184,7 +184,7 @@ export declare class SignalConfigResponse extends Response {
  */
 export declare class RtkConfigResponse extends Response {
     constructor(values: Values<RtkConfigResponse, "reserved">);
-    /** How readily ambiguities are fixed. */
+    /** Readiness to fix ambiguities. */
     ambiguityFixMode: AmbiguityFixMode;
     /** Reserved. */
     reserved: [number, number, number, number];
@@ -219,7 +219,7 @@ export declare class SpartnConfigResponse extends Response {
     constructor(values: Values<SpartnConfigResponse>);
     /** 1 enables SPARTN corrections, 0 disables them. Range: 0 to 1. */
     enable: number;
-    /** How the corrections are received. */
+    /** Channel of the corrections. */
     type: SpartnConnection;
     /** GPS time of week until which the current key is valid. Unit: s. */
     currentKeyTow: number;
@@ -251,7 +251,7 @@ export declare class ReceiverInfo extends Command<ReceiverInfoResponse> {
 /**
  * Signal configuration (0x0E,0x02).
  *
- * GNSS signals that the device uses.
+ * Selects the GNSS signals that the device uses.
  *
  * Also called `signal_configuration`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
  * `SignalConfigResponse`. Probably changes `gnss_data.FixInfo`, `gnss_data.SatelliteStatus` and `gnss_data.Raw`.
@@ -267,7 +267,7 @@ export declare class ReceiverInfo extends Command<ReceiverInfoResponse> {
  */
 export declare class SignalConfig<R extends Response | undefined = undefined | SignalConfigResponse> extends Command<R> {
     constructor(values: Values<SignalConfig, "reserved">);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /** GPS signals. Required for `write`. */
     gpsEnable?: GpsSignals;
@@ -307,7 +307,7 @@ export declare class ReceiverReset extends Command<undefined> {
     constructor(values: Values<ReceiverReset>);
     /** Receiver to reset. */
     receiverId: ReceiverId;
-    /** How much restarts. */
+    /** Extent of the restart. */
     resetType: ReceiverResetType;
 }
 
@@ -327,9 +327,9 @@ export declare class ReceiverReset extends Command<undefined> {
  */
 export declare class RtkConfig<R extends Response | undefined = undefined | RtkConfigResponse> extends Command<R> {
     constructor(values: Values<RtkConfig, "reserved">);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
-    /** How readily ambiguities are fixed. Required for `write`. */
+    /** Readiness to fix ambiguities. Required for `write`. */
     ambiguityFixMode?: AmbiguityFixMode;
     /** Reserved: send 0. Required for `write`. */
     reserved?: [number, number, number, number];
@@ -358,7 +358,7 @@ export declare class RtkConfig<R extends Response | undefined = undefined | RtkC
  */
 export declare class RtkDongleConfig<R extends Response | undefined = undefined | RtkDongleConfigResponse> extends Command<R> {
     constructor(values: Values<RtkDongleConfig, "reserved">);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /** 1 enables the dongle, 0 disables it. Range: 0 to 1. Required for `write`. */
     enable?: number;
@@ -379,7 +379,7 @@ export declare class RtkDongleConfig<R extends Response | undefined = undefined 
 /**
  * SPARTN configuration (0x0E,0x20).
  *
- * Source and keys of SPARTN corrections.
+ * Sets the source and the keys of SPARTN corrections.
  *
  * Also called `spartn_configuration`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
  * `SpartnConfigResponse`. Probably changes `gnss_data.RtkCorrectionsStatus`. Supported by 3DM-CV7-GNSS/INS. Uncertain:
@@ -396,11 +396,11 @@ export declare class RtkDongleConfig<R extends Response | undefined = undefined 
  */
 export declare class SpartnConfig<R extends Response | undefined = undefined | SpartnConfigResponse> extends Command<R> {
     constructor(values: Values<SpartnConfig>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /** 1 enables SPARTN corrections, 0 disables them. Range: 0 to 1. Required for `write`. */
     enable?: number;
-    /** How the corrections are received. Required for `write`. */
+    /** Channel of the corrections. Required for `write`. */
     type?: SpartnConnection;
     /** GPS time of week until which the current key is valid. Unit: s. Required for `write`. */
     currentKeyTow?: number;

@@ -20,7 +20,7 @@ import type { FunctionSelector } from "./protocol.mjs";
 import type * as types from "./types.mjs";
 
 export type LlhPositionFlags = Flavor<number, "gnss_data.llh_position_flags">;
-/** Which parts of the position are valid. */
+/** Valid parts of the position. */
 export declare const LlhPositionFlags: Bitfield<LlhPositionFlags> & {
     /** `latitude` and `longitude` are valid. Bit 0. */
     readonly LAT_LON: LlhPositionFlags;
@@ -37,7 +37,7 @@ export declare const LlhPositionFlags: Bitfield<LlhPositionFlags> & {
 };
 
 export type EcefPositionFlags = Flavor<number, "gnss_data.ecef_position_flags">;
-/** Which parts of the position are valid. */
+/** Valid parts of the position. */
 export declare const EcefPositionFlags: Bitfield<EcefPositionFlags> & {
     /** `position` is valid. Bit 0. */
     readonly POSITION: EcefPositionFlags;
@@ -48,7 +48,7 @@ export declare const EcefPositionFlags: Bitfield<EcefPositionFlags> & {
 };
 
 export type NedVelocityFlags = Flavor<number, "gnss_data.ned_velocity_flags">;
-/** Which parts of the velocity are valid. */
+/** Valid parts of the velocity. */
 export declare const NedVelocityFlags: Bitfield<NedVelocityFlags> & {
     /** `velocity` is valid. Bit 0. */
     readonly VELOCITY: NedVelocityFlags;
@@ -67,7 +67,7 @@ export declare const NedVelocityFlags: Bitfield<NedVelocityFlags> & {
 };
 
 export type EcefVelocityFlags = Flavor<number, "gnss_data.ecef_velocity_flags">;
-/** Which parts of the velocity are valid. */
+/** Valid parts of the velocity. */
 export declare const EcefVelocityFlags: Bitfield<EcefVelocityFlags> & {
     /** `velocity` is valid. Bit 0. */
     readonly VELOCITY: EcefVelocityFlags;
@@ -78,7 +78,7 @@ export declare const EcefVelocityFlags: Bitfield<EcefVelocityFlags> & {
 };
 
 export type DopFlags = Flavor<number, "gnss_data.dop_flags">;
-/** Which dilutions of precision are valid. */
+/** Valid dilutions of precision. */
 export declare const DopFlags: Bitfield<DopFlags> & {
     /** `gdop` is valid. Bit 0. */
     readonly GDOP: DopFlags;
@@ -99,7 +99,7 @@ export declare const DopFlags: Bitfield<DopFlags> & {
 };
 
 export type UtcTimeFlags = Flavor<number, "gnss_data.utc_time_flags">;
-/** Which parts of the UTC time are valid. */
+/** Valid parts of the UTC time. */
 export declare const UtcTimeFlags: Bitfield<UtcTimeFlags> & {
     /** Date and time come from GNSS. Bit 0. */
     readonly GNSS_DATE_TIME: UtcTimeFlags;
@@ -110,7 +110,7 @@ export declare const UtcTimeFlags: Bitfield<UtcTimeFlags> & {
 };
 
 export type GpsTimeFlags = Flavor<number, "gnss_data.gps_time_flags">;
-/** Which parts of the time are valid. */
+/** Valid parts of the time. */
 export declare const GpsTimeFlags: Bitfield<GpsTimeFlags> & {
     /** `tow` is valid. Bit 0. */
     readonly TOW: GpsTimeFlags;
@@ -121,7 +121,7 @@ export declare const GpsTimeFlags: Bitfield<GpsTimeFlags> & {
 };
 
 export type ClockInfoFlags = Flavor<number, "gnss_data.clock_info_flags">;
-/** Which clock parameters are valid. */
+/** Valid clock parameters. */
 export declare const ClockInfoFlags: Bitfield<ClockInfoFlags> & {
     /** `bias` is valid. Bit 0. */
     readonly BIAS: ClockInfoFlags;
@@ -134,16 +134,16 @@ export declare const ClockInfoFlags: Bitfield<ClockInfoFlags> & {
 };
 
 export type FixFlags = Flavor<number, "gnss_data.fix_flags">;
-/** What the fix uses. */
+/** Corrections and satellite systems of the fix. */
 export declare const FixFlags: Bitfield<FixFlags> & {
-    /** Satellite based augmentation. Bit 0. */
+    /** SBAS corrections were used in the fix. Bit 0. */
     readonly SBAS_USED: FixFlags;
     /** Differential corrections. Bit 1. */
     readonly DGNSS_USED: FixFlags;
 };
 
 export type FixInfoFlags = Flavor<number, "gnss_data.fix_info_flags">;
-/** Which parts of the fix information are valid. */
+/** Valid parts of the fix information. */
 export declare const FixInfoFlags: Bitfield<FixInfoFlags> & {
     /** `fix_type` is valid. Bit 0. */
     readonly FIX_TYPE: FixInfoFlags;
@@ -165,7 +165,7 @@ export declare const SvFlags: Bitfield<SvFlags> & {
 };
 
 export type SvInfoFlags = Flavor<number, "gnss_data.sv_info_flags">;
-/** Which parts of the satellite info are valid. */
+/** Valid parts of the satellite info. */
 export declare const SvInfoFlags: Bitfield<SvInfoFlags> & {
     /** `channel` is valid. Bit 0. */
     readonly CHANNEL: SvInfoFlags;
@@ -184,7 +184,7 @@ export declare const SvInfoFlags: Bitfield<SvInfoFlags> & {
 };
 
 export type ReceiverState = Flavor<number, "gnss_data.receiver_state">;
-/** Whether a GNSS receiver is powered and works. */
+/** Power and operation of a GNSS receiver. */
 export declare const ReceiverState: Enumeration<ReceiverState> & {
     readonly OFF: ReceiverState & 0;
     readonly ON: ReceiverState & 1;
@@ -216,7 +216,7 @@ export declare const AntennaPower: Enumeration<AntennaPower> & {
 };
 
 export type HardwareStatusFlags = Flavor<number, "gnss_data.hardware_status_flags">;
-/** Which parts of the hardware status are valid. */
+/** Valid parts of the hardware status. */
 export declare const HardwareStatusFlags: Bitfield<HardwareStatusFlags> & {
     /** `receiver_state` is valid. Bit 0. */
     readonly SENSOR_STATE: HardwareStatusFlags;
@@ -229,7 +229,7 @@ export declare const HardwareStatusFlags: Bitfield<HardwareStatusFlags> & {
 };
 
 export type DgpsInfoFlags = Flavor<number, "gnss_data.dgps_info_flags">;
-/** Which parts of the state of the corrections are valid. */
+/** Valid parts of the state of the corrections. */
 export declare const DgpsInfoFlags: Bitfield<DgpsInfoFlags> & {
     /** `age` is valid. Bit 0. */
     readonly AGE: DgpsInfoFlags;
@@ -244,7 +244,7 @@ export declare const DgpsInfoFlags: Bitfield<DgpsInfoFlags> & {
 };
 
 export type DgpsChannelFlags = Flavor<number, "gnss_data.dgps_channel_flags">;
-/** Which parts of a differential correction are valid. */
+/** Valid parts of a differential correction. */
 export declare const DgpsChannelFlags: Bitfield<DgpsChannelFlags> & {
     /** `satellite_id` is valid. Bit 0. */
     readonly SATELLITE_ID: DgpsChannelFlags;
@@ -259,7 +259,7 @@ export declare const DgpsChannelFlags: Bitfield<DgpsChannelFlags> & {
 };
 
 export type ClockInfo2Flags = Flavor<number, "gnss_data.clock_info_2_flags">;
-/** Which clock parameters are valid. */
+/** Valid clock parameters. */
 export declare const ClockInfo2Flags: Bitfield<ClockInfo2Flags> & {
     /** `bias` is valid. Bit 0. */
     readonly BIAS: ClockInfo2Flags;
@@ -274,7 +274,7 @@ export declare const ClockInfo2Flags: Bitfield<ClockInfo2Flags> & {
 };
 
 export type GpsLeapSecondsFlags = Flavor<number, "gnss_data.gps_leap_seconds_flags">;
-/** Whether the leap seconds are valid. Bit 0 is not used. */
+/** Validity of the leap seconds. Bit 0 is not used. */
 export declare const GpsLeapSecondsFlags: Bitfield<GpsLeapSecondsFlags> & {
     /** `leap_seconds` is valid. Bit 1. */
     readonly LEAP_SECONDS: GpsLeapSecondsFlags;
@@ -287,16 +287,16 @@ export declare const SbasSystem: Enumeration<SbasSystem> & {
     readonly UNKNOWN: SbasSystem & 0;
     /** North America. */
     readonly WAAS: SbasSystem & 1;
-    /** Europe. */
+    /** EGNOS, the European system. */
     readonly EGNOS: SbasSystem & 2;
-    /** Japan. */
+    /** MSAS, the Japanese system. */
     readonly MSAS: SbasSystem & 3;
-    /** India. */
+    /** GAGAN, the Indian system. */
     readonly GAGAN: SbasSystem & 4;
 };
 
 export type SbasStatus = Flavor<number, "gnss_data.sbas_status">;
-/** What the SBAS service offers. */
+/** Services of an SBAS system. */
 export declare const SbasStatus: Bitfield<SbasStatus> & {
     /** Ranging is available. Bit 0. */
     readonly RANGE_AVAILABLE: SbasStatus;
@@ -309,7 +309,7 @@ export declare const SbasStatus: Bitfield<SbasStatus> & {
 };
 
 export type SbasInfoFlags = Flavor<number, "gnss_data.sbas_info_flags">;
-/** Which parts of the SBAS status are valid. */
+/** Valid parts of the SBAS status. */
 export declare const SbasInfoFlags: Bitfield<SbasInfoFlags> & {
     /** `tow` is valid. Bit 0. */
     readonly TOW: SbasInfoFlags;
@@ -328,7 +328,7 @@ export declare const SbasInfoFlags: Bitfield<SbasInfoFlags> & {
 };
 
 export type SbasCorrectionFlags = Flavor<number, "gnss_data.sbas_correction_flags">;
-/** Which parts of an SBAS correction are valid. */
+/** Valid parts of an SBAS correction. */
 export declare const SbasCorrectionFlags: Bitfield<SbasCorrectionFlags> & {
     /** `udrei` is valid. Bit 0. */
     readonly UDREI: SbasCorrectionFlags;
@@ -351,7 +351,7 @@ export declare const RfBand: Enumeration<RfBand> & {
 };
 
 export type JammingState = Flavor<number, "gnss_data.jamming_state">;
-/** How much the reception is jammed. */
+/** Severity of jamming. */
 export declare const JammingState: Enumeration<JammingState> & {
     /** Not known. */
     readonly UNKNOWN: JammingState & 0;
@@ -364,7 +364,7 @@ export declare const JammingState: Enumeration<JammingState> & {
 };
 
 export type SpoofingState = Flavor<number, "gnss_data.spoofing_state">;
-/** How much the signals are spoofed. */
+/** Severity of spoofing. */
 export declare const SpoofingState: Enumeration<SpoofingState> & {
     /** Not known. */
     readonly UNKNOWN: SpoofingState & 0;
@@ -377,7 +377,7 @@ export declare const SpoofingState: Enumeration<SpoofingState> & {
 };
 
 export type RfErrorDetectionFlags = Flavor<number, "gnss_data.rf_error_detection_flags">;
-/** Which parts of the detection are valid. */
+/** Valid parts of the detection. */
 export declare const RfErrorDetectionFlags: Bitfield<RfErrorDetectionFlags> & {
     /** `rf_band` is valid. Bit 0. */
     readonly RF_BAND: RfErrorDetectionFlags;
@@ -392,7 +392,7 @@ export declare const RfErrorDetectionFlags: Bitfield<RfErrorDetectionFlags> & {
 };
 
 export type HeadingFixType = Flavor<number, "gnss_data.heading_fix_type">;
-/** How the ambiguities of the carrier phase were solved for a heading. */
+/** Solution of the carrier phase ambiguities for a heading. */
 export declare const HeadingFixType: Enumeration<HeadingFixType> & {
     /** Not known. */
     readonly UNKNOWN: HeadingFixType & 0;
@@ -403,7 +403,7 @@ export declare const HeadingFixType: Enumeration<HeadingFixType> & {
 };
 
 export type HeadingFlags = Flavor<number, "gnss_data.heading_flags">;
-/** Which parts of the heading are valid. */
+/** Valid parts of the heading. */
 export declare const HeadingFlags: Bitfield<HeadingFlags> & {
     /** `heading` is valid. Bit 0. */
     readonly HEADING: HeadingFlags;
@@ -416,7 +416,7 @@ export declare const HeadingFlags: Bitfield<HeadingFlags> & {
 };
 
 export type SatelliteStatusFlags = Flavor<number, "gnss_data.satellite_status_flags">;
-/** Which parts of the satellite status are valid. */
+/** Valid parts of the satellite status. */
 export declare const SatelliteStatusFlags: Bitfield<SatelliteStatusFlags> & {
     /** `tow` is valid. Bit 0. */
     readonly TOW: SatelliteStatusFlags;
@@ -437,7 +437,7 @@ export declare const SatelliteStatusFlags: Bitfield<SatelliteStatusFlags> & {
 };
 
 export type SignalQuality = Flavor<number, "gnss_data.signal_quality">;
-/** How well a signal is tracked. */
+/** Quality of the tracking of a signal. */
 export declare const SignalQuality: Enumeration<SignalQuality> & {
     /** No signal. */
     readonly NONE: SignalQuality & 0;
@@ -453,7 +453,7 @@ export declare const SignalQuality: Enumeration<SignalQuality> & {
 };
 
 export type RawFlags = Flavor<number, "gnss_data.raw_flags">;
-/** Which parts of the observation are valid. */
+/** Valid parts of the observation. */
 export declare const RawFlags: Bitfield<RawFlags> & {
     /** `tow` is valid. Bit 0. */
     readonly TOW: RawFlags;
@@ -515,7 +515,7 @@ export declare const BaseStationIndicators: Bitfield<BaseStationIndicators> & {
 };
 
 export type BaseStationInfoFlags = Flavor<number, "gnss_data.base_station_info_flags">;
-/** Which values are valid. */
+/** Valid values. */
 export declare const BaseStationInfoFlags: Bitfield<BaseStationInfoFlags> & {
     /** `tow` is valid. Bit 0. */
     readonly TOW: BaseStationInfoFlags;
@@ -557,7 +557,7 @@ export declare const RtkEpochStatus: Bitfield<RtkEpochStatus> & {
 };
 
 export type RtkCorrectionsStatusFlags = Flavor<number, "gnss_data.rtk_corrections_status_flags">;
-/** Which values are valid. */
+/** Valid values. */
 export declare const RtkCorrectionsStatusFlags: Bitfield<RtkCorrectionsStatusFlags> & {
     /** `tow` is valid. Bit 0. */
     readonly TOW: RtkCorrectionsStatusFlags;
@@ -580,7 +580,7 @@ export declare const RtkCorrectionsStatusFlags: Bitfield<RtkCorrectionsStatusFla
 };
 
 export type EphemerisFlags = Flavor<number, "gnss_data.ephemeris_flags">;
-/** What an ephemeris of GPS, Galileo or BeiDou holds. */
+/** Contents of an ephemeris of GPS, Galileo or BeiDou. */
 export declare const EphemerisFlags: Bitfield<EphemerisFlags> & {
     /** The ephemeris is valid. Bit 0. */
     readonly EPHEMERIS: EphemerisFlags;
@@ -600,7 +600,7 @@ export declare const GlonassSatelliteType: Enumeration<GlonassSatelliteType> & {
 };
 
 export type GlonassEphemerisFlags = Flavor<number, "gnss_data.glonass_ephemeris_flags">;
-/** Whether the ephemeris is valid. */
+/** Validity of the ephemeris. */
 export declare const GlonassEphemerisFlags: Bitfield<GlonassEphemerisFlags> & {
     /** The ephemeris is valid. Bit 0. */
     readonly EPHEMERIS: GlonassEphemerisFlags;
@@ -609,7 +609,7 @@ export declare const GlonassEphemerisFlags: Bitfield<GlonassEphemerisFlags> & {
 };
 
 export type GpsIonoCorrectionFlags = Flavor<number, "gnss_data.gps_iono_correction_flags">;
-/** Which parts of the model are valid. */
+/** Valid parts of the model. */
 export declare const GpsIonoCorrectionFlags: Bitfield<GpsIonoCorrectionFlags> & {
     /** `tow` is valid. Bit 0. */
     readonly TOW: GpsIonoCorrectionFlags;
@@ -624,7 +624,7 @@ export declare const GpsIonoCorrectionFlags: Bitfield<GpsIonoCorrectionFlags> & 
 };
 
 export type GalileoIonoCorrectionFlags = Flavor<number, "gnss_data.galileo_iono_correction_flags">;
-/** Which parts of the model are valid. */
+/** Valid parts of the model. */
 export declare const GalileoIonoCorrectionFlags: Bitfield<GalileoIonoCorrectionFlags> & {
     /** `tow` is valid. Bit 0. */
     readonly TOW: GalileoIonoCorrectionFlags;
@@ -639,7 +639,7 @@ export declare const GalileoIonoCorrectionFlags: Bitfield<GalileoIonoCorrectionF
 };
 
 export type BeidouIonoCorrectionFlags = Flavor<number, "gnss_data.beidou_iono_correction_flags">;
-/** Which parts of the model are valid. */
+/** Valid parts of the model. */
 export declare const BeidouIonoCorrectionFlags: Bitfield<BeidouIonoCorrectionFlags> & {
     /** `tow` is valid. Bit 0. */
     readonly TOW: BeidouIonoCorrectionFlags;
@@ -699,7 +699,7 @@ export declare class LlhPosition extends Data {
      * `validFlags` is set.
      */
     verticalAccuracy: number;
-    /** Which parts of the position are valid. */
+    /** Valid parts of the position. */
     validFlags: LlhPositionFlags;
 }
 
@@ -727,7 +727,7 @@ export declare class EcefPosition extends Data {
      * `validFlags` is set.
      */
     positionAccuracy: number;
-    /** Which parts of the position are valid. */
+    /** Valid parts of the position. */
     validFlags: EcefPositionFlags;
 }
 
@@ -774,7 +774,7 @@ export declare class NedVelocity extends Data {
      * `validFlags` is set.
      */
     headingAccuracy: number;
-    /** Which parts of the velocity are valid. */
+    /** Valid parts of the velocity. */
     validFlags: NedVelocityFlags;
 }
 
@@ -803,7 +803,7 @@ export declare class EcefVelocity extends Data {
      * `validFlags` is set.
      */
     velocityAccuracy: number;
-    /** Which parts of the velocity are valid. */
+    /** Valid parts of the velocity. */
     validFlags: EcefVelocityFlags;
 }
 
@@ -835,7 +835,7 @@ export declare class Dop extends Data {
     ndop: number;
     /** Easting dilution. Unit: 1. Range: at least 0. Valid if `DopFlags.EDOP` of `validFlags` is set. */
     edop: number;
-    /** Which dilutions of precision are valid. */
+    /** Valid dilutions of precision. */
     validFlags: DopFlags;
 }
 
@@ -870,7 +870,7 @@ export declare class UtcTime extends Data {
      * Fraction of the second. Unit: ms. Range: 0 to 999. Valid if `UtcTimeFlags.GNSS_DATE_TIME` of `validFlags` is set.
      */
     msec: number;
-    /** Which parts of the time are valid. */
+    /** Valid parts of the time. */
     validFlags: UtcTimeFlags;
 }
 
@@ -897,7 +897,7 @@ export declare class GpsTime extends Data {
     tow: number;
     /** GPS week number. Unit: week. Valid if `GpsTimeFlags.WEEK_NUMBER` of `validFlags` is set. */
     weekNumber: number;
-    /** Which parts of the time are valid. */
+    /** Valid parts of the time. */
     validFlags: GpsTimeFlags;
 }
 
@@ -925,7 +925,7 @@ export declare class ClockInfo extends Data {
      * `validFlags` is set.
      */
     accuracyEstimate: number;
-    /** Which clock parameters are valid. */
+    /** Valid clock parameters. */
     validFlags: ClockInfoFlags;
 }
 
@@ -957,13 +957,15 @@ export declare class ClockInfo extends Data {
  */
 export declare class FixInfo extends Data {
     constructor(values: Values<FixInfo>);
-    /** What the receiver can determine at present. Valid if `FixInfoFlags.FIX_TYPE` of `validFlags` is set. */
+    /**
+     * Quantities that the receiver can determine at present. Valid if `FixInfoFlags.FIX_TYPE` of `validFlags` is set.
+     */
     fixType: types.GnssFixType;
     /** Number of satellites used in the fix. Unit: 1. Valid if `FixInfoFlags.NUM_SV` of `validFlags` is set. */
     numSv: number;
-    /** What the fix uses. Valid if `FixInfoFlags.FIX_FLAGS` of `validFlags` is set. */
+    /** Corrections and satellite systems of the fix. Valid if `FixInfoFlags.FIX_FLAGS` of `validFlags` is set. */
     fixFlags: FixFlags;
-    /** Which parts of the fix information are valid. */
+    /** Valid parts of the fix information. */
     validFlags: FixInfoFlags;
 }
 
@@ -1000,7 +1002,7 @@ export declare class SvInfo extends Data {
     elevation: number;
     /** State of the satellite. Valid if `SvInfoFlags.SV_FLAGS` of `validFlags` is set. */
     svFlags: SvFlags;
-    /** Which parts of the satellite info are valid. */
+    /** Valid parts of the satellite info. */
     validFlags: SvInfoFlags;
 }
 
@@ -1022,15 +1024,13 @@ export declare class SvInfo extends Data {
  */
 export declare class HardwareStatus extends Data {
     constructor(values: Values<HardwareStatus>);
-    /**
-     * Whether the receiver is powered and works. Valid if `HardwareStatusFlags.SENSOR_STATE` of `validFlags` is set.
-     */
+    /** Power and operation of the receiver. Valid if `HardwareStatusFlags.SENSOR_STATE` of `validFlags` is set. */
     receiverState: ReceiverState;
     /** Electrical condition of the antenna. Valid if `HardwareStatusFlags.ANTENNA_STATE` of `validFlags` is set. */
     antennaState: AntennaState;
     /** Supply of the antenna. Valid if `HardwareStatusFlags.ANTENNA_POWER` of `validFlags` is set. */
     antennaPower: AntennaPower;
-    /** Which parts of the hardware status are valid. */
+    /** Valid parts of the hardware status. */
     validFlags: HardwareStatusFlags;
 }
 
@@ -1070,7 +1070,7 @@ export declare class DgpsInfo extends Data {
      * Number of channels that have corrections. Unit: 1. Valid if `DgpsInfoFlags.NUM_CHANNELS` of `validFlags` is set.
      */
     numChannels: number;
-    /** Which parts of the state of the corrections are valid. */
+    /** Valid parts of the state of the corrections. */
     validFlags: DgpsInfoFlags;
 }
 
@@ -1100,9 +1100,9 @@ export declare class DgpsInfoSatellite extends Data {
     age: number;
     /** Differential correction of the pseudorange. Unit: m. Uncertain: The unit, which follows from `DgpsChannel`. */
     rangeCorrection: number;
-    /** How fast the correction changes. Unit: m/s. Uncertain: The unit, which follows from `DgpsChannel`. */
+    /** Rate of change of the correction. Unit: m/s. Uncertain: The unit, which follows from `DgpsChannel`. */
     rangeRateCorrection: number;
-    /** Which parts of the state of the corrections are valid. */
+    /** Valid parts of the state of the corrections. */
     validFlags: DgpsInfoFlags;
 }
 
@@ -1133,11 +1133,11 @@ export declare class DgpsChannel extends Data {
      */
     rangeCorrection: number;
     /**
-     * How fast the correction changes. Unit: m/s. Valid if `DgpsChannelFlags.RANGE_RATE_CORRECTION` of `validFlags` is
+     * Rate of change of the correction. Unit: m/s. Valid if `DgpsChannelFlags.RANGE_RATE_CORRECTION` of `validFlags` is
      * set.
      */
     rangeRateCorrection: number;
-    /** Which parts of a differential correction are valid. */
+    /** Valid parts of a differential correction. */
     validFlags: DgpsChannelFlags;
 }
 
@@ -1170,7 +1170,7 @@ export declare class ClockInfo2 extends Data {
      * `validFlags` is set.
      */
     driftAccuracyEstimate: number;
-    /** Which clock parameters are valid. */
+    /** Valid clock parameters. */
     validFlags: ClockInfo2Flags;
 }
 
@@ -1189,7 +1189,7 @@ export declare class GpsLeapSeconds extends Data {
     constructor(values: Values<GpsLeapSeconds>);
     /** GPS time minus UTC. Unit: s. Valid if `GpsLeapSecondsFlags.LEAP_SECONDS` of `validFlags` is set. */
     leapSeconds: number;
-    /** Whether the value is valid. */
+    /** Validity of the leap seconds. */
     validFlags: GpsLeapSecondsFlags;
 }
 
@@ -1222,7 +1222,7 @@ export declare class SbasInfo extends Data {
     count: number;
     /** Status of the service. Valid if `SbasInfoFlags.SBAS_STATUS` of `validFlags` is set. */
     sbasStatus: SbasStatus;
-    /** Which parts of the SBAS status are valid. */
+    /** Valid parts of the SBAS status. */
     validFlags: SbasInfoFlags;
 }
 
@@ -1245,7 +1245,7 @@ export declare class SbasCorrection extends Data {
     constructor(values: Values<SbasCorrection>);
     /** Number of this field within the epoch. */
     index: number;
-    /** How many of these fields the epoch has. */
+    /** Number of these fields in the epoch. */
     count: number;
     /** GPS time of week of the reception. Unit: s. Range: at least 0, less than 604800. */
     tow: number;
@@ -1270,7 +1270,7 @@ export declare class SbasCorrection extends Data {
      * set.
      */
     ionoCorrection: number;
-    /** Which parts of an SBAS correction are valid. */
+    /** Valid parts of an SBAS correction. */
     validFlags: SbasCorrectionFlags;
 }
 
@@ -1292,20 +1292,15 @@ export declare class RfErrorDetection extends Data {
     constructor(values: Values<RfErrorDetection, "reserved">);
     /** Band that the states are about. Valid if `RfErrorDetectionFlags.RF_BAND` of `validFlags` is set. */
     rfBand: RfBand;
-    /**
-     * Whether signals are jammed in this band. Valid if `RfErrorDetectionFlags.JAMMING_STATE` of `validFlags` is set.
-     */
+    /** State of jamming in this band. Valid if `RfErrorDetectionFlags.JAMMING_STATE` of `validFlags` is set. */
     jammingState: JammingState;
-    /**
-     * Whether false signals are detected in this band. Valid if `RfErrorDetectionFlags.SPOOFING_STATE` of `validFlags`
-     * is set.
-     */
+    /** State of spoofing in this band. Valid if `RfErrorDetectionFlags.SPOOFING_STATE` of `validFlags` is set. */
     spoofingState: SpoofingState;
     /** Centre frequency of the band. Unit: MHz. Valid if `RfErrorDetectionFlags.FREQUENCY` of `validFlags` is set. */
     frequency: number;
     /** Reserved. */
     reserved: [number, number];
-    /** Which parts of the detection are valid. */
+    /** Valid parts of the detection. */
     validFlags: RfErrorDetectionFlags;
 }
 
@@ -1334,7 +1329,7 @@ export declare class Heading extends Data {
     uncertainty: number;
     /** Kind of the fix. Valid if `HeadingFlags.FIX_TYPE` of `validFlags` is set. */
     fixType: HeadingFixType;
-    /** Which parts of the heading are valid. */
+    /** Valid parts of the heading. */
     validFlags: HeadingFlags;
 }
 
@@ -1357,7 +1352,7 @@ export declare class SatelliteStatus extends Data {
     constructor(values: Values<SatelliteStatus>);
     /** Number of this field within the epoch. */
     index: number;
-    /** How many of these fields the epoch has. */
+    /** Number of these fields in the epoch. */
     count: number;
     /**
      * GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if `SatelliteStatusFlags.TOW` of
@@ -1377,9 +1372,9 @@ export declare class SatelliteStatus extends Data {
     elevation: number;
     /** Azimuth, as seen from the rover. Unit: deg. Valid if `SatelliteStatusFlags.AZIMUTH` of `validFlags` is set. */
     azimuth: number;
-    /** Whether the satellite is healthy. Valid if `SatelliteStatusFlags.HEALTH` of `validFlags` is set. */
+    /** True if the satellite is healthy. Valid if `SatelliteStatusFlags.HEALTH` of `validFlags` is set. */
     health: boolean;
-    /** Which parts of the satellite status are valid. */
+    /** Valid parts of the satellite status. */
     validFlags: SatelliteStatusFlags;
 }
 
@@ -1402,7 +1397,7 @@ export declare class Raw extends Data {
     constructor(values: Values<Raw>);
     /** Number of this field within the epoch. */
     index: number;
-    /** How many of these fields the epoch has. */
+    /** Number of these fields in the epoch. */
     count: number;
     /**
      * GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if `RawFlags.TOW` of `validFlags` is set.
@@ -1425,7 +1420,7 @@ export declare class Raw extends Data {
     signalId: types.GnssSignal;
     /** Carrier to noise density ratio. Unit: dB-Hz. Valid if `RawFlags.SIGNAL_STRENGTH` of `validFlags` is set. */
     signalStrength: number;
-    /** How well the signal is tracked. Valid if `RawFlags.QUALITY` of `validFlags` is set. */
+    /** Quality of the tracking of the signal. Valid if `RawFlags.QUALITY` of `validFlags` is set. */
     quality: SignalQuality;
     /**
      * Measured distance, with the clock errors of receiver and satellite. Unit: m. Range: at least 0. Valid if
@@ -1459,7 +1454,7 @@ export declare class Raw extends Data {
      * `RawFlags.LOCK_TIME` of `validFlags` is set.
      */
     lockTime: number;
-    /** Which parts of the observation are valid. */
+    /** Valid parts of the observation. */
     validFlags: RawFlags;
 }
 
@@ -1497,14 +1492,14 @@ export declare class BaseStationInfo extends Data {
     stationId: number;
     /** Properties of the station. Valid if `BaseStationInfoFlags.INDICATORS` of `validFlags` is set. */
     indicators: BaseStationIndicators;
-    /** Which values are valid. */
+    /** Valid values. */
     validFlags: BaseStationInfoFlags;
 }
 
 /**
  * RTK corrections status (0x31).
  *
- * Which corrections are received, and how old they are.
+ * Received corrections and their age.
  *
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
  * gnss_external_2 (0x95). Probably changed by `gnss.RtkDongleConfig` and `gnss.SpartnConfig`. Flagged by
@@ -1554,7 +1549,7 @@ export declare class RtkCorrectionsStatus extends Data {
     beidouCorrectionLatency: number;
     /** Reserved. */
     reserved: [number, number, number, number];
-    /** Which values are valid. */
+    /** Valid values. */
     validFlags: RtkCorrectionsStatusFlags;
 }
 
@@ -1575,7 +1570,7 @@ export declare class GpsEphemeris extends Data {
     constructor(values: Values<GpsEphemeris>);
     /** Number of this field within the epoch. */
     index: number;
-    /** How many of these fields the epoch has. */
+    /** Number of these fields in the epoch. */
     count: number;
     /** GPS time of week. Unit: s. Range: at least 0, less than 604800. */
     tow: number;
@@ -1678,7 +1673,7 @@ export declare class GpsEphemeris extends Data {
      * set.
      */
     cRs: number;
-    /** What the ephemeris holds. */
+    /** Contents of the ephemeris. */
     validFlags: EphemerisFlags;
 }
 
@@ -1701,7 +1696,7 @@ export declare class GlonassEphemeris extends Data {
     constructor(values: Values<GlonassEphemeris>);
     /** Number of this field within the epoch. */
     index: number;
-    /** How many of these fields the epoch has. */
+    /** Number of these fields in the epoch. */
     count: number;
     /** GPS time of week. Unit: s. Range: at least 0, less than 604800. */
     tow: number;
@@ -1774,9 +1769,9 @@ export declare class GlonassEphemeris extends Data {
      * `validFlags` is set.
      */
     p3: number;
-    /** Whether ephemeris parameters are present. Valid if `GlonassEphemerisFlags.EPHEMERIS` of `validFlags` is set. */
+    /** Presence of ephemeris parameters. Valid if `GlonassEphemerisFlags.EPHEMERIS` of `validFlags` is set. */
     p4: number;
-    /** Whether the ephemeris is valid. */
+    /** Validity of the ephemeris. */
     validFlags: GlonassEphemerisFlags;
 }
 
@@ -1798,7 +1793,7 @@ export declare class GalileoEphemeris extends Data {
     constructor(values: Values<GalileoEphemeris>);
     /** Number of this field within the epoch. */
     index: number;
-    /** How many of these fields the epoch has. */
+    /** Number of these fields in the epoch. */
     count: number;
     /** GPS time of week. Unit: s. Range: at least 0, less than 604800. */
     tow: number;
@@ -1904,7 +1899,7 @@ export declare class GalileoEphemeris extends Data {
      * set.
      */
     cRs: number;
-    /** What the ephemeris holds. */
+    /** Contents of the ephemeris. */
     validFlags: EphemerisFlags;
 }
 
@@ -1926,7 +1921,7 @@ export declare class BeidouEphemeris extends Data {
     constructor(values: Values<BeidouEphemeris>);
     /** Number of this field within the epoch. */
     index: number;
-    /** How many of these fields the epoch has. */
+    /** Number of these fields in the epoch. */
     count: number;
     /** GPS time of week. Unit: s. Range: at least 0, less than 604800. */
     tow: number;
@@ -2032,7 +2027,7 @@ export declare class BeidouEphemeris extends Data {
      * set.
      */
     cRs: number;
-    /** What the ephemeris holds. */
+    /** Contents of the ephemeris. */
     validFlags: EphemerisFlags;
 }
 
@@ -2064,7 +2059,7 @@ export declare class GpsIonoCorrection extends Data {
      * Coefficients beta 0 to 3. Valid if `GpsIonoCorrectionFlags.BETA` of `validFlags` is set. Uncertain: The units.
      */
     beta: [number, number, number, number];
-    /** Which parts of the model are valid. */
+    /** Valid parts of the model. */
     validFlags: GpsIonoCorrectionFlags;
 }
 
@@ -2099,7 +2094,7 @@ export declare class GalileoIonoCorrection extends Data {
      * or from 1, and which region each represents.
      */
     disturbanceFlags: number;
-    /** Which parts of the model are valid. */
+    /** Valid parts of the model. */
     validFlags: GalileoIonoCorrectionFlags;
 }
 
@@ -2137,6 +2132,6 @@ export declare class BeidouIonoCorrection extends Data {
      * set. Uncertain: The units.
      */
     alphaCorrection: number[];
-    /** Which parts of the model are valid. */
+    /** Valid parts of the model. */
     validFlags: BeidouIonoCorrectionFlags;
 }

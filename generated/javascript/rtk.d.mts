@@ -128,7 +128,7 @@ export declare class GetIccidResponse extends Response {
  */
 export declare class GetRssiResponse extends Response {
     constructor(values: Values<GetRssiResponse>);
-    /** Whether the modem is connected. */
+    /** True if the modem is connected. */
     valid: boolean;
     /** Received signal strength. Valid if `valid` is true. Uncertain: The unit; dBm is likely. */
     rssi: number;
@@ -179,7 +179,7 @@ export declare class GetModemFirmwareVersionResponse extends Response {
 /**
  * Service status response (0x0F,0x8A).
  *
- * What the server knows of the connection.
+ * Connection status according to the server.
  *
  * Answers `ServiceStatus`. Known only from the MicroStrain MIP SDK. Uncertain: What the counters count.
  *
@@ -268,7 +268,7 @@ export declare class GetRssi extends Command<GetRssiResponse> {
 /**
  * Connected device type (0x0F,0x06).
  *
- * The device that the modem serves.
+ * Sets the device that the modem serves.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `ConnectedDeviceTypeResponse`. Not listed in
  * any device profile. Known only from the MicroStrain MIP SDK.
@@ -277,7 +277,7 @@ export declare class GetRssi extends Command<GetRssiResponse> {
  */
 export declare class ConnectedDeviceType<R extends Response | undefined = undefined | ConnectedDeviceTypeResponse> extends Command<R> {
     constructor(values: Values<ConnectedDeviceType>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /** Device that the modem is connected to. Required for `write`. */
     deviceType?: ConnectedDevice;
@@ -362,7 +362,7 @@ export declare class EraseStorage extends Command<undefined> {
 /**
  * LED control (0x0F,0x21).
  *
- * Colours and pattern of the LED.
+ * Sets the colours and the pattern of the LED.
  *
  * For advanced use. Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *

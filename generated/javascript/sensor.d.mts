@@ -36,7 +36,7 @@ export declare const OverrangeFlags: Bitfield<OverrangeFlags> & {
 };
 
 export type OdometerFlags = Flavor<number, "sensor.odometer_flags">;
-/** Whether the odometer values are valid. */
+/** Validity of the odometer values. */
 export declare const OdometerFlags: Bitfield<OdometerFlags> & {
     /** Set if an odometer is configured; its values are then valid. Bit 0. */
     readonly ODOMETER: OdometerFlags;
@@ -97,7 +97,7 @@ export declare class RawMag extends Data {
 /**
  * Scaled accel (0x80,0x04).
  *
- * Measured acceleration, temperature compensated.
+ * Specific force, temperature compensated: about -1 g on z when level and at rest.
  *
  * Changed by `3dm.SensorToVehicleTransformEuler`, `3dm.SensorToVehicleTransformQuaternion`,
  * `3dm.SensorToVehicleTransformDcm`, `3dm.ImuSignalConditioning`, `3dm.AccelBias`, `3dm.ImuLowPassFilter`,
@@ -116,12 +116,13 @@ export declare class RawMag extends Data {
  * `types.Gq7ContinuousBuiltInTest.ACCEL_GENERAL_FAULT` of `types.Gq7ContinuousBuiltInTest`,
  * `types.Gq7ContinuousBuiltInTest.ACCEL_OVER_RANGE` of `types.Gq7ContinuousBuiltInTest`,
  * `types.Gq7ContinuousBuiltInTest.ACCEL_SELF_TEST_FAIL` of `types.Gq7ContinuousBuiltInTest`, `OverrangeFlags.ACCEL_X`
- * of `OverrangeFlags`, `OverrangeFlags.ACCEL_Y` of `OverrangeFlags` and `OverrangeFlags.ACCEL_Z` of `OverrangeFlags`.
- * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CX5-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35 and
- * 3DM-GX5-45. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
- * 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ4-45,
- * 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25,
- * 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * of `OverrangeFlags`, `OverrangeFlags.ACCEL_Y` of `OverrangeFlags`, `OverrangeFlags.ACCEL_Z` of `OverrangeFlags` and
+ * `filter_data.Gx5StatusFlags.RUN_IMU_UNAVAILABLE` of `filter_data.Gx5StatusFlags`. Supported by 3DM-CV7-AHRS,
+ * 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CX5-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45. Probably supported
+ * by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-10,
+ * 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GV7-AHRS, 3DM-GV7-AR,
+ * 3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10,
+ * 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * Level and at rest, z reads −1 g: the opposite of the gravity vector. In the packet that both manuals show, z is
  * −0.998 g (0xBF7F7FE5) once its exchanged halves are put in order.
@@ -160,12 +161,13 @@ export declare class ScaledAccel extends Data {
  * `types.Gq7ContinuousBuiltInTest.GYRO_GENERAL_FAULT` of `types.Gq7ContinuousBuiltInTest`,
  * `types.Gq7ContinuousBuiltInTest.GYRO_OVER_RANGE` of `types.Gq7ContinuousBuiltInTest`,
  * `types.Gq7ContinuousBuiltInTest.GYRO_SELF_TEST_FAIL` of `types.Gq7ContinuousBuiltInTest`, `OverrangeFlags.GYRO_X` of
- * `OverrangeFlags`, `OverrangeFlags.GYRO_Y` of `OverrangeFlags` and `OverrangeFlags.GYRO_Z` of `OverrangeFlags`.
- * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CX5-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35 and
- * 3DM-GX5-45. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
- * 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ4-45,
- * 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25,
- * 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * `OverrangeFlags`, `OverrangeFlags.GYRO_Y` of `OverrangeFlags`, `OverrangeFlags.GYRO_Z` of `OverrangeFlags` and
+ * `filter_data.Gx5StatusFlags.RUN_IMU_UNAVAILABLE` of `filter_data.Gx5StatusFlags`. Supported by 3DM-CV7-AHRS,
+ * 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CX5-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45. Probably supported
+ * by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-10,
+ * 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GV7-AHRS, 3DM-GV7-AR,
+ * 3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10,
+ * 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 5.1.2 Scaled Gyro Vector (0x80, 0x05)
  * - 3dm-cv7-gnss-ins: Scaled Gyro (0x80,0x05)
@@ -625,7 +627,7 @@ export declare class ScaledPressure extends Data {
 /**
  * Overrange status (0x80,0x18).
  *
- * Which sensor axes are near or outside their range.
+ * Sensor axes that are near or outside their range.
  *
  * Probably changed by `3dm.SensorRange`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  * Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
@@ -659,6 +661,6 @@ export declare class Odometer extends Data {
      * Uncertainty of the speed. Unit: m/s. Range: at least 0. Valid if `OdometerFlags.ODOMETER` of `validFlags` is set.
      */
     uncertainty: number;
-    /** Whether the values are valid. */
+    /** Validity of the measured values. */
     validFlags: OdometerFlags;
 }

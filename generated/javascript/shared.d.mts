@@ -12,7 +12,7 @@ import type { FunctionSelector } from "./protocol.mjs";
 import type * as types from "./types.mjs";
 
 export type GpsTimestampFlags = Flavor<number, "shared.gps_timestamp_flags">;
-/** Which parts of the GPS time are valid. */
+/** Valid parts of the GPS time. */
 export declare const GpsTimestampFlags: Bitfield<GpsTimestampFlags> & {
     /** The whole seconds of the time of week have been set. Bit 0. */
     readonly TOW: GpsTimestampFlags;
@@ -23,14 +23,14 @@ export declare const GpsTimestampFlags: Bitfield<GpsTimestampFlags> & {
 };
 
 export type ExternalTimestampFlags = Flavor<number, "shared.external_timestamp_flags">;
-/** Whether the external time is valid. */
+/** Validity of the external time. */
 export declare const ExternalTimestampFlags: Bitfield<ExternalTimestampFlags> & {
     /** The time is valid. Bit 0. */
     readonly NANOSECONDS: ExternalTimestampFlags;
 };
 
 export type ExternalTimeDeltaFlags = Flavor<number, "shared.external_time_delta_flags">;
-/** Whether the difference of external time is valid. */
+/** Validity of the difference of external time. */
 export declare const ExternalTimeDeltaFlags: Bitfield<ExternalTimeDeltaFlags> & {
     /** The difference is valid. Bit 0. */
     readonly DT_NANOS: ExternalTimeDeltaFlags;
@@ -118,7 +118,7 @@ export declare class GpsTimestamp extends Data {
     tow: number;
     /** GPS week number. Unit: week. Valid if `GpsTimestampFlags.WEEK_NUMBER` of `validFlags` is set. */
     weekNumber: number;
-    /** Which parts are valid. */
+    /** Valid parts of the timestamp. */
     validFlags: GpsTimestampFlags;
 }
 
@@ -201,7 +201,7 @@ export declare class ExternalTimestamp extends Data {
     constructor(values: Values<ExternalTimestamp>);
     /** External time. Unit: ns. Valid if `ExternalTimestampFlags.NANOSECONDS` of `validFlags` is set. */
     nanoseconds: bigint;
-    /** Whether the time is valid. */
+    /** Validity of the time. */
     validFlags: ExternalTimestampFlags;
 }
 
@@ -222,6 +222,6 @@ export declare class ExternalTimeDelta extends Data {
     constructor(values: Values<ExternalTimeDelta>);
     /** Time since the last output. Unit: ns. Valid if `ExternalTimeDeltaFlags.DT_NANOS` of `validFlags` is set. */
     dtNanos: bigint;
-    /** Whether the difference is valid. */
+    /** Validity of the difference. */
     validFlags: ExternalTimeDeltaFlags;
 }

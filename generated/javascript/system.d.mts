@@ -29,7 +29,7 @@ export declare const CommProtocols: Bitfield<CommProtocols> & {
 };
 
 export type ProtocolMode = Flavor<number, "system.protocol_mode">;
-/** Which part of the device the host communicates with, and by which protocol. */
+/** Part of the device that the host communicates with, and its protocol. */
 export declare const ProtocolMode: Enumeration<ProtocolMode> & {
     /** The device itself, MIP. */
     readonly STANDARD: ProtocolMode & 1;
@@ -76,7 +76,7 @@ export declare class CommModeResponse extends Response {
 /**
  * Interface control (0x7F,0x02).
  *
- * Protocols that a port receives and sends.
+ * Sets the protocols that a port receives and sends.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `InterfaceControlResponse`. Supported by
  * 3DM-CV7-GNSS/INS.
@@ -92,7 +92,7 @@ export declare class CommModeResponse extends Response {
  */
 export declare class InterfaceControl<R extends Response | undefined = undefined | InterfaceControlResponse> extends Command<R> {
     constructor(values: Values<InterfaceControl>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /** Port whose protocols are set or read. Uncertain: Whether write and read accept `all`. */
     port?: types.CommInterface;
@@ -129,7 +129,7 @@ export declare class InterfaceControl<R extends Response | undefined = undefined
  */
 export declare class CommMode<R extends Response | undefined = undefined | CommModeResponse> extends Command<R> {
     constructor(values: Values<CommMode>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /**
      * Communication mode. Default: `ProtocolMode.STANDARD`. Required for `write`.

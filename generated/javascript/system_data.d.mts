@@ -53,7 +53,7 @@ export declare class BuiltInTest extends Data {
 /**
  * Time sync status (0xA0,0x02).
  *
- * Whether the device time is locked to the pulse per second.
+ * Synchronization of the device time with the pulse per second.
  *
  * Changed by `3dm.PpsSourceControl`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by
  * 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS. On

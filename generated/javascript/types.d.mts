@@ -80,7 +80,7 @@ export declare const Cv7ContinuousBuiltInTest: Bitfield<Cv7ContinuousBuiltInTest
     readonly IMU_DATA_RATE_ERROR: Cv7ContinuousBuiltInTest;
     /** The inertial sensor subsystem produces no data. Bit 19. */
     readonly IMU_STALL: Cv7ContinuousBuiltInTest;
-    /** Any of these faults: the filter does not work normally. Bits 20 to 23. Overlaps other bits. */
+    /** Set if any filter fault (bits 20-23) is set. Bits 20 to 23. Overlaps other bits. */
     readonly FILTER_PROCESS_FAULT: Cv7ContinuousBuiltInTest;
     /** Fault of the major cycle of the filter; bits 22 and 23 say which fault. Bit 20. */
     readonly FILTER_MAJOR_CYCLE_FAULT: Cv7ContinuousBuiltInTest;
@@ -90,7 +90,7 @@ export declare const Cv7ContinuousBuiltInTest: Bitfield<Cv7ContinuousBuiltInTest
     readonly FILTER_DATA_RATE_ERROR: Cv7ContinuousBuiltInTest;
     /** A filter process produces no data; bits 20 and 21 say which. Bit 23. */
     readonly FILTER_PROCESS_STALL: Cv7ContinuousBuiltInTest;
-    /** Any of these faults: GNSS does not work normally. Bits 24 to 27. Overlaps other bits. */
+    /** Set if any GNSS fault (bits 24-27) is set. Bits 24 to 27. Overlaps other bits. */
     readonly GNSS_SUBSYSTEM_FAULT: Cv7ContinuousBuiltInTest;
     /** The main GNSS process did not run in time. Bit 24. */
     readonly GNSS_MAIN_PROCESS_FAULT: Cv7ContinuousBuiltInTest;
@@ -447,7 +447,7 @@ export declare const EventTriggerStatus: Bitfield<EventTriggerStatus> & {
 
 export type EventTriggerGpioMode = Flavor<number, "event_trigger_gpio_mode">;
 /**
- * How a GPIO pin activates a trigger.
+ * Condition of a GPIO pin that activates a trigger.
  *
  * - 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
  * - 3dm-cv7-gnss-ins: Trigger: GPIO
@@ -469,7 +469,7 @@ export declare const EventTriggerGpioMode: Enumeration<EventTriggerGpioMode> & {
 
 export type EventThresholdType = Flavor<number, "event_threshold_type">;
 /**
- * How a threshold trigger compares.
+ * Comparison of a threshold trigger.
  *
  * - 3dm-cv7-gnss-ins: ThresholdParams
  */
@@ -482,7 +482,7 @@ export declare const EventThresholdType: Enumeration<EventThresholdType> & {
 
 export type EventActionGpioMode = Flavor<number, "event_action_gpio_mode">;
 /**
- * How an action controls a GPIO pin.
+ * Control of a GPIO pin by an action.
  *
  * - 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
  * - 3dm-cv7-gnss-ins: Action: GPIO
@@ -498,7 +498,7 @@ export declare const EventActionGpioMode: Enumeration<EventActionGpioMode> & {
     readonly ONESHOT_HIGH: EventActionGpioMode & 5;
     /** Set low at each activation and never set high. */
     readonly ONESHOT_LOW: EventActionGpioMode & 6;
-    /** Inverted at each activation. */
+    /** The pin is inverted each time the trigger activates. */
     readonly TOGGLE: EventActionGpioMode & 7;
 };
 
@@ -510,7 +510,7 @@ export declare const EventActionGpioMode: Enumeration<EventActionGpioMode> & {
 export interface EventTriggerGpio {
     /** GPIO pin, counted from 1. Range: at least 1. */
     pin: number;
-    /** How the pin activates the trigger. */
+    /** Condition of the pin that activates the trigger. */
     mode: EventTriggerGpioMode;
 }
 
@@ -566,7 +566,7 @@ export interface EventTriggerThreshold {
     /** Kind of comparison. */
     type: EventThresholdType;
     /**
-     * What the value is compared with. Selected by `type`.
+     * Kind of comparison. Selected by `type`.
      *
      * - If `type` is `EventThresholdType.WINDOW`: `window: EventThresholdWindow`.
      * - If `type` is `EventThresholdType.INTERVAL`: `interval: EventThresholdInterval`.
@@ -598,7 +598,7 @@ export interface EventTriggerCombination {
 export interface EventActionGpio {
     /** GPIO pin, counted from 1. Range: at least 1. */
     pin: number;
-    /** How the action controls the pin. */
+    /** Control of the pin by the action. */
     mode: EventActionGpioMode;
 }
 
@@ -637,7 +637,7 @@ export declare const GnssConstellation: Enumeration<GnssConstellation> & {
     readonly GLONASS: GnssConstellation & 2;
     readonly GALILEO: GnssConstellation & 3;
     readonly BEIDOU: GnssConstellation & 4;
-    /** Satellite based augmentation. */
+    /** Satellites of augmentation systems (SBAS). */
     readonly SBAS: GnssConstellation & 5;
 };
 
@@ -808,7 +808,7 @@ export declare const GnssSignal: Enumeration<GnssSignal> & {
 
 export type GpioFeature = Flavor<number, "gpio_feature">;
 /**
- * What a GPIO pin is used for.
+ * Use of a GPIO pin.
  *
  * - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
  * - 3dm-cv7-gnss-ins: GPIO Features
@@ -950,13 +950,13 @@ export type NmeaTalkerId = Flavor<number, "nmea_talker_id">;
 export declare const NmeaTalkerId: Enumeration<NmeaTalkerId> & {
     /** For sentences whose talker cannot be chosen (GSV and the proprietary ones). */
     readonly IGNORED: NmeaTalkerId & 0;
-    /** GN. */
+    /** Talker GN: several constellations. */
     readonly GNSS: NmeaTalkerId & 1;
-    /** GP. */
+    /** Talker GP: GPS only. */
     readonly GPS: NmeaTalkerId & 2;
-    /** GA. */
+    /** Talker GA: Galileo only. */
     readonly GALILEO: NmeaTalkerId & 3;
-    /** GL. */
+    /** Talker GL: GLONASS only. */
     readonly GLONASS: NmeaTalkerId & 4;
 };
 

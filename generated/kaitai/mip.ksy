@@ -1073,10 +1073,10 @@ types:
     instances:
       filter_process_fault:
         value: "(filter_major_cycle_fault ? 1 : 0) + (filter_minor_cycle_fault ? 2 : 0) + (filter_data_rate_error ? 4 : 0) + (filter_process_stall ? 8 : 0)"
-        doc: "Any of these faults: the filter does not work normally."
+        doc: Set if any filter fault (bits 20-23) is set.
       gnss_subsystem_fault:
         value: "(gnss_main_process_fault ? 1 : 0) + (gnss_receiver_1_stall ? 2 : 0) + (gnss_receiver_2_stall ? 4 : 0) + ((unused_27 & 1) << 3)"
-        doc: "Any of these faults: GNSS does not work normally."
+        doc: Set if any GNSS fault (bits 24-27) is set.
   cv7_inertial_continuous_built_in_test:
     -kind: bytes
     meta:
@@ -1538,7 +1538,7 @@ types:
         doc: The L1-SAIF signal; QZSS only.
   mip_3dm_sbas_options:
     -kind: bits
-    doc: How SBAS is used.
+    doc: Use of SBAS.
     seq:
       - id: unused_3
         type: b13
@@ -1724,7 +1724,7 @@ types:
         doc: The server limits the rate.
   aiding_axis_flags:
     -kind: bits
-    doc: Which axes of a measurement are valid; the others are ignored.
+    doc: Valid axes of a measurement; the others are ignored.
     seq:
       - id: unused_3
         type: b13
@@ -1739,7 +1739,7 @@ types:
         doc: First axis.
   aiding_llh_axis_flags:
     -kind: bits
-    doc: Which coordinates of a position are valid; the others are ignored.
+    doc: Valid coordinates of a position; the others are ignored.
     seq:
       - id: unused_3
         type: b13
@@ -1822,7 +1822,7 @@ types:
         doc: The accelerometer x axis is near or outside its range.
   sensor_odometer_flags:
     -kind: bits
-    doc: Whether the odometer values are valid.
+    doc: Validity of the odometer values.
     seq:
       - id: unused_1
         type: b15
@@ -1831,7 +1831,7 @@ types:
         doc: Set if an odometer is configured; its values are then valid.
   gnss_data_llh_position_flags:
     -kind: bits
-    doc: Which parts of the position are valid.
+    doc: Valid parts of the position.
     seq:
       - id: unused_5
         type: b11
@@ -1856,7 +1856,7 @@ types:
         doc: All values are valid.
   gnss_data_ecef_position_flags:
     -kind: bits
-    doc: Which parts of the position are valid.
+    doc: Valid parts of the position.
     seq:
       - id: unused_2
         type: b14
@@ -1872,7 +1872,7 @@ types:
         doc: All values are valid.
   gnss_data_ned_velocity_flags:
     -kind: bits
-    doc: Which parts of the velocity are valid.
+    doc: Valid parts of the velocity.
     seq:
       - id: unused_6
         type: b10
@@ -1900,7 +1900,7 @@ types:
         doc: All values are valid.
   gnss_data_ecef_velocity_flags:
     -kind: bits
-    doc: Which parts of the velocity are valid.
+    doc: Valid parts of the velocity.
     seq:
       - id: unused_2
         type: b14
@@ -1916,7 +1916,7 @@ types:
         doc: All values are valid.
   gnss_data_dop_flags:
     -kind: bits
-    doc: Which dilutions of precision are valid.
+    doc: Valid dilutions of precision.
     seq:
       - id: unused_7
         type: b9
@@ -1947,7 +1947,7 @@ types:
         doc: All values are valid.
   gnss_data_utc_time_flags:
     -kind: bits
-    doc: Which parts of the UTC time are valid.
+    doc: Valid parts of the UTC time.
     seq:
       - id: unused_2
         type: b14
@@ -1963,7 +1963,7 @@ types:
         doc: All values are valid.
   gnss_data_gps_time_flags:
     -kind: bits
-    doc: Which parts of the time are valid.
+    doc: Valid parts of the time.
     seq:
       - id: unused_2
         type: b14
@@ -1979,7 +1979,7 @@ types:
         doc: All values are valid.
   gnss_data_clock_info_flags:
     -kind: bits
-    doc: Which clock parameters are valid.
+    doc: Valid clock parameters.
     seq:
       - id: unused_3
         type: b13
@@ -1998,7 +1998,7 @@ types:
         doc: All values are valid.
   gnss_data_fix_flags:
     -kind: bits
-    doc: What the fix uses.
+    doc: Corrections and satellite systems of the fix.
     seq:
       - id: unused_2
         type: b14
@@ -2007,10 +2007,10 @@ types:
         doc: Differential corrections.
       - id: sbas_used
         type: b1
-        doc: Satellite based augmentation.
+        doc: SBAS corrections were used in the fix.
   gnss_data_fix_info_flags:
     -kind: bits
-    doc: Which parts of the fix information are valid.
+    doc: Valid parts of the fix information.
     seq:
       - id: unused_3
         type: b13
@@ -2041,7 +2041,7 @@ types:
         doc: The position fix uses it.
   gnss_data_sv_info_flags:
     -kind: bits
-    doc: Which parts of the satellite info are valid.
+    doc: Valid parts of the satellite info.
     seq:
       - id: unused_6
         type: b10
@@ -2069,7 +2069,7 @@ types:
         doc: All values are valid.
   gnss_data_hardware_status_flags:
     -kind: bits
-    doc: Which parts of the hardware status are valid.
+    doc: Valid parts of the hardware status.
     seq:
       - id: unused_3
         type: b13
@@ -2088,7 +2088,7 @@ types:
         doc: All values are valid.
   gnss_data_dgps_info_flags:
     -kind: bits
-    doc: Which parts of the state of the corrections are valid.
+    doc: Valid parts of the state of the corrections.
     seq:
       - id: unused_4
         type: b12
@@ -2110,7 +2110,7 @@ types:
         doc: All values are valid.
   gnss_data_dgps_channel_flags:
     -kind: bits
-    doc: Which parts of a differential correction are valid.
+    doc: Valid parts of a differential correction.
     seq:
       - id: unused_4
         type: b12
@@ -2132,7 +2132,7 @@ types:
         doc: All values are valid.
   gnss_data_clock_info_2_flags:
     -kind: bits
-    doc: Which clock parameters are valid.
+    doc: Valid clock parameters.
     seq:
       - id: unused_4
         type: b12
@@ -2154,7 +2154,7 @@ types:
         doc: All values are valid.
   gnss_data_gps_leap_seconds_flags:
     -kind: bits
-    doc: Whether the leap seconds are valid. Bit 0 is not used.
+    doc: Validity of the leap seconds. Bit 0 is not used.
     seq:
       - id: unused_2
         type: b14
@@ -2165,7 +2165,7 @@ types:
         type: b1
   gnss_data_sbas_status:
     -kind: bits
-    doc: What the SBAS service offers.
+    doc: Services of an SBAS system.
     seq:
       - id: unused_4
         type: b4
@@ -2183,7 +2183,7 @@ types:
         doc: Ranging is available.
   gnss_data_sbas_info_flags:
     -kind: bits
-    doc: Which parts of the SBAS status are valid.
+    doc: Valid parts of the SBAS status.
     seq:
       - id: unused_6
         type: b10
@@ -2211,7 +2211,7 @@ types:
         doc: All values are valid.
   gnss_data_sbas_correction_flags:
     -kind: bits
-    doc: Which parts of an SBAS correction are valid.
+    doc: Valid parts of an SBAS correction.
     seq:
       - id: unused_3
         type: b13
@@ -2230,7 +2230,7 @@ types:
         doc: All values are valid.
   gnss_data_rf_error_detection_flags:
     -kind: bits
-    doc: Which parts of the detection are valid.
+    doc: Valid parts of the detection.
     seq:
       - id: unused_4
         type: b12
@@ -2252,7 +2252,7 @@ types:
         doc: All values are valid.
   gnss_data_heading_flags:
     -kind: bits
-    doc: Which parts of the heading are valid.
+    doc: Valid parts of the heading.
     seq:
       - id: unused_3
         type: b13
@@ -2271,7 +2271,7 @@ types:
         doc: All values are valid.
   gnss_data_satellite_status_flags:
     -kind: bits
-    doc: Which parts of the satellite status are valid.
+    doc: Valid parts of the satellite status.
     seq:
       - id: unused_7
         type: b9
@@ -2302,7 +2302,7 @@ types:
         doc: All values are valid.
   gnss_data_raw_flags:
     -kind: bits
-    doc: Which parts of the observation are valid.
+    doc: Valid parts of the observation.
     seq:
       - id: lock_time
         type: b1
@@ -2392,7 +2392,7 @@ types:
         doc: Quarter cycle indicator.
   gnss_data_base_station_info_flags:
     -kind: bits
-    doc: Which values are valid.
+    doc: Valid values.
     seq:
       - id: unused_6
         type: b10
@@ -2453,7 +2453,7 @@ types:
         doc: "The position of the base station's antenna has arrived."
   gnss_data_rtk_corrections_status_flags:
     -kind: bits
-    doc: Which values are valid.
+    doc: Valid values.
     seq:
       - id: unused_8
         type: b8
@@ -2487,7 +2487,7 @@ types:
         doc: All values are valid.
   gnss_data_ephemeris_flags:
     -kind: bits
-    doc: What an ephemeris of GPS, Galileo or BeiDou holds.
+    doc: Contents of an ephemeris of GPS, Galileo or BeiDou.
     seq:
       - id: unused_3
         type: b13
@@ -2506,7 +2506,7 @@ types:
         doc: All values are valid.
   gnss_data_glonass_ephemeris_flags:
     -kind: bits
-    doc: Whether the ephemeris is valid.
+    doc: Validity of the ephemeris.
     seq:
       - id: unused_1
         type: b15
@@ -2519,7 +2519,7 @@ types:
         doc: All of them.
   gnss_data_gps_iono_correction_flags:
     -kind: bits
-    doc: Which parts of the model are valid.
+    doc: Valid parts of the model.
     seq:
       - id: unused_4
         type: b12
@@ -2541,7 +2541,7 @@ types:
         doc: All values are valid.
   gnss_data_galileo_iono_correction_flags:
     -kind: bits
-    doc: Which parts of the model are valid.
+    doc: Valid parts of the model.
     seq:
       - id: unused_4
         type: b12
@@ -2563,7 +2563,7 @@ types:
         doc: All values are valid.
   gnss_data_beidou_iono_correction_flags:
     -kind: bits
-    doc: Which parts of the model are valid.
+    doc: Valid parts of the model.
     seq:
       - id: unused_5
         type: b11
@@ -2588,7 +2588,7 @@ types:
         doc: All values are valid.
   filter_data_valid_flags:
     -kind: bits
-    doc: Whether the values of a field may be used.
+    doc: Validity of the values of a field.
     seq:
       - id: unused_1
         type: b15
@@ -2612,7 +2612,7 @@ types:
         doc: The magnetometer.
   filter_data_gnss_aiding_status:
     -kind: bits
-    doc: How the filter uses one GNSS receiver.
+    doc: Use of one GNSS receiver by the filter.
     seq:
       - id: config_error
         type: b1
@@ -2664,7 +2664,7 @@ types:
         doc: Raw ranges of the receiver are used.
   filter_data_aiding_measurement_indicator:
     -kind: bits
-    doc: What the filter did with an aiding measurement.
+    doc: Use of an aiding measurement by the filter.
     seq:
       - id: unused_6
         type: b2
@@ -2798,10 +2798,10 @@ types:
       - id: filter_condition
         type: b2
         enum: filter_data_filter_condition
-        doc: How settled the estimates are.
+        doc: Convergence of the estimates.
   displacement_data_timestamp_flags:
     -kind: bits
-    doc: Whether the time of displacement data is valid.
+    doc: Validity of the time of displacement data.
     seq:
       - id: unused_1
         type: b7
@@ -2828,7 +2828,7 @@ types:
         doc: GPIO pin 1 is high.
   shared_gps_timestamp_flags:
     -kind: bits
-    doc: Which parts of the GPS time are valid.
+    doc: Valid parts of the GPS time.
     seq:
       - id: unused_2
         type: b14
@@ -2844,7 +2844,7 @@ types:
         doc: Both are set.
   shared_external_timestamp_flags:
     -kind: bits
-    doc: Whether the external time is valid.
+    doc: Validity of the external time.
     seq:
       - id: unused_1
         type: b15
@@ -2853,7 +2853,7 @@ types:
         doc: The time is valid.
   shared_external_time_delta_flags:
     -kind: bits
-    doc: Whether the difference of external time is valid.
+    doc: Validity of the difference of external time.
     seq:
       - id: unused_1
         type: b15
@@ -2869,7 +2869,7 @@ types:
       - id: mode
         type: u1
         enum: event_trigger_gpio_mode
-        doc: How the pin activates the trigger.
+        doc: Condition of the pin that activates the trigger.
   event_threshold_window:
     doc: Two thresholds with a window between them.
     seq:
@@ -2906,7 +2906,7 @@ types:
         doc: Kind of comparison.
       - id: thresholds
         type: thresholds_cases
-        doc: What the value is compared with.
+        doc: Kind of comparison.
     types:
       thresholds_cases:
         -kind: union
@@ -2937,7 +2937,7 @@ types:
       - id: mode
         type: u1
         enum: event_action_gpio_mode
-        doc: How the action controls the pin.
+        doc: Control of the pin by the action.
   event_action_message:
     doc: An action that sends data packets.
     seq:
@@ -2992,7 +2992,7 @@ types:
       - id: model_name
         type: str
         size: 16
-        doc: What the model is called, such as 3DM-GQ7.
+        doc: Product name, such as 3DM-GQ7.
       - id: model_number
         type: str
         size: 16
@@ -3019,7 +3019,7 @@ types:
         type: u2
         doc: "In place of a decimation. Reserved: send 0."
   mip_3dm_constellation_settings_entry:
-    doc: How a receiver tracks one constellation.
+    doc: Tracking of one constellation by a receiver.
     seq:
       - id: constellation_id
         type: u1
@@ -3038,7 +3038,7 @@ types:
         type: mip_3dm_constellation_options
         doc: Options of this constellation.
   mip_3dm_event_support_info:
-    doc: How many instances of one trigger or action type a device can have.
+    doc: Capacity of a device for one trigger or action type.
     seq:
       - id: type
         type: u1
@@ -3090,7 +3090,7 @@ types:
         size: 32
         doc: Module name or model and firmware version, separated by a comma.
   aiding_measurement_time:
-    doc: When a measurement was taken.
+    doc: Time at which a measurement was taken.
     seq:
       - id: timebase
         type: u1
@@ -3139,13 +3139,13 @@ types:
     doc: Continuous built-in test. Gets the flags of the tests that run all the time. It does not interrupt operation.
   base_comm_speed:
     -orig-id: base.comm_speed
-    doc: Comm port speed. Baud rate of one communication port.
+    doc: Comm port speed. Sets the baud rate of one communication port.
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: port
         type: u1
         if: function_value == function_selector::write or function_value == function_selector::read or function_value == function_selector::save or function_value == function_selector::load or function_value == function_selector::default_value or _io.size >= 2
@@ -3162,7 +3162,7 @@ types:
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: field_id
         type: u1
         enum: base_gps_time_field
@@ -3322,13 +3322,13 @@ types:
     doc: "Get GNSS Data Base Rate. Gets the rate that is divided by the decimations of `mip_3dm_gnss_message_format`."
   mip_3dm_imu_message_format:
     -orig-id: 3dm.imu_message_format
-    doc: IMU Message Format. Fields of the sensor data packets (0x80), in order, with their decimations.
+    doc: IMU Message Format. Sets the fields of the sensor data packets (0x80), their order and their decimations.
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: num_descriptors
         type: u1
         valid:
@@ -3343,13 +3343,13 @@ types:
         doc: Fields and decimations.
   mip_3dm_gnss_message_format:
     -orig-id: 3dm.gnss_message_format
-    doc: GNSS Message Format. Fields of the GNSS data packets, in order, with their decimations.
+    doc: GNSS Message Format. Sets the fields of the GNSS data packets, their order and their decimations.
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: num_descriptors
         type: u1
         valid:
@@ -3364,13 +3364,13 @@ types:
         doc: Fields and decimations.
   mip_3dm_filter_message_format:
     -orig-id: 3dm.filter_message_format
-    doc: Estimation Filter Message Format. Fields of the filter data packets (0x82), in order, with their decimations.
+    doc: Estimation Filter Message Format. Sets the fields of the filter data packets (0x82), their order and their decimations.
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: num_descriptors
         type: u1
         valid:
@@ -3388,13 +3388,13 @@ types:
     doc: "Get Estimation Filter Data Base Rate. Gets the rate that is divided by the decimations of `mip_3dm_filter_message_format`."
   mip_3dm_nmea_message_format:
     -orig-id: 3dm.nmea_message_format
-    doc: NMEA Message Format. NMEA sentences that the device streams.
+    doc: NMEA Message Format. Sets the NMEA sentences that the device streams.
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: count
         type: u1
         valid:
@@ -3436,13 +3436,13 @@ types:
         doc: "Data descriptor set. Range: 0x80 to 0xFE."
   mip_3dm_message_format:
     -orig-id: 3dm.message_format
-    doc: Message Format. Fields of the data packets of a descriptor set, in order, with their decimations.
+    doc: Message Format. Sets the fields of the data packets of a descriptor set, their order and their decimations.
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: descriptor_set
         type: u1
         if: function_value == function_selector::write or function_value == function_selector::read or function_value == function_selector::save or function_value == function_selector::load or function_value == function_selector::default_value or _io.size >= 2
@@ -3466,7 +3466,7 @@ types:
       - id: action
         type: u1
         enum: mip_3dm_factory_streaming_action
-        doc: What happens to the existing formats.
+        doc: Treatment of the existing formats.
       - id: reserved
         type: u1
         doc: "Reserved: send 0."
@@ -3478,7 +3478,7 @@ types:
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: descriptor_set
         type: u1
         if: function_value == function_selector::write or function_value == function_selector::read or function_value == function_selector::save or function_value == function_selector::load or function_value == function_selector::default_value or _io.size >= 2
@@ -3486,7 +3486,7 @@ types:
       - id: enable
         type: u1
         if: function_value == function_selector::write or _io.size >= 3
-        doc: "Whether the stream is sent. Default: true."
+        doc: "True if the stream is sent. Default: true."
   mip_3dm_raw_rtcm_2_3_message:
     -orig-id: 3dm.raw_rtcm_2_3_message
     doc: Raw RTCM 2.3 message. Sends RTCM 2.3 corrections to the GNSS receiver.
@@ -3501,13 +3501,13 @@ types:
         value: (_io.size - _io.pos) / 1
   mip_3dm_constellation_settings:
     -orig-id: 3dm.constellation_settings
-    doc: Constellation Settings. Constellations that the GNSS receiver tracks, and how its tracking channels are shared.
+    doc: Constellation Settings. Selects the constellations that the GNSS receiver tracks, and their shares of its tracking channels.
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: max_channels
         type: u2
         if: function_value == function_selector::write or _io.size >= 3
@@ -3526,13 +3526,13 @@ types:
         doc: One entry for each constellation.
   mip_3dm_gnss_sbas_settings:
     -orig-id: 3dm.gnss_sbas_settings
-    doc: GNSS SBAS Settings. How the GNSS receivers use satellite based augmentation.
+    doc: GNSS SBAS Settings. Sets how the GNSS receivers use satellite based augmentation.
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: enable_sbas
         type: u1
         if: function_value == function_selector::write or _io.size >= 2
@@ -3540,7 +3540,7 @@ types:
       - id: sbas_options
         type: mip_3dm_sbas_options
         if: function_value == function_selector::write or _io.size >= 4
-        doc: What SBAS is used for.
+        doc: Purposes of SBAS.
       - id: num_included_prns
         type: u1
         valid:
@@ -3555,31 +3555,31 @@ types:
         doc: PRN numbers of the SBAS satellites to search for.
   mip_3dm_gnss_assisted_fix:
     -orig-id: 3dm.gnss_assisted_fix
-    doc: GNSS Assisted Fix. Whether the GNSS receiver keeps the data of its last fix and starts from it at the next power-up.
+    doc: GNSS Assisted Fix. Sets whether the GNSS receiver keeps the data of its last fix and starts from it at the next power-up.
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: option
         type: u1
         enum: mip_3dm_assisted_fix_option
         if: function_value == function_selector::write or _io.size >= 2
-        doc: "Whether the receiver keeps data for a faster first fix. Default: `none_value`."
+        doc: "Storage of data for a faster first fix. Default: `none_value`."
       - id: flags
         type: u1
         if: function_value == function_selector::write or _io.size >= 3
         doc: "Reserved: send 255."
   mip_3dm_gnss_time_assistance:
     -orig-id: 3dm.gnss_time_assistance
-    doc: GNSS Time Assistance. Gives the GNSS receiver the current GPS time.
+    doc: GNSS Time Assistance. Sends the current GPS time to the GNSS receiver.
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: tow
         type: f8
         if: function_value == function_selector::write or _io.size >= 9
@@ -3594,13 +3594,13 @@ types:
         doc: "Estimated accuracy of the time that is sent. Unit: s. Range: at least 0."
   mip_3dm_pps_source_control:
     -orig-id: 3dm.pps_source_control
-    doc: PPS Source Control. Where the device takes its pulse per second from.
+    doc: PPS Source Control. Selects the source of the pulse per second (PPS).
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: source
         type: u1
         enum: mip_3dm_pps_source
@@ -3622,7 +3622,7 @@ types:
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: instance
         type: u1
         if: function_value == function_selector::write or function_value == function_selector::read or function_value == function_selector::save or function_value == function_selector::load or function_value == function_selector::default_value or _io.size >= 2
@@ -3662,13 +3662,13 @@ types:
         doc: Numbers of the actions to report; none for all.
   mip_3dm_event_trigger_config:
     -orig-id: 3dm.event_trigger_config
-    doc: Event Trigger Configuration. Kind and condition of an event trigger.
+    doc: Event Trigger Configuration. Configures the kind and the condition of an event trigger.
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: instance
         type: u1
         if: function_value == function_selector::write or function_value == function_selector::read or function_value == function_selector::save or function_value == function_selector::load or function_value == function_selector::default_value or _io.size >= 2
@@ -3703,13 +3703,13 @@ types:
             if: _parent.type == event_trigger_type::combination
   mip_3dm_event_action_config:
     -orig-id: 3dm.event_action_config
-    doc: Event Action Configuration. Trigger and effect of an event action.
+    doc: Event Action Configuration. Configures the trigger and the effect of an event action.
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: instance
         type: u1
         if: function_value == function_selector::write or function_value == function_selector::read or function_value == function_selector::save or function_value == function_selector::load or function_value == function_selector::default_value or _io.size >= 2
@@ -3726,7 +3726,7 @@ types:
       - id: parameters
         type: parameters_cases
         if: function_value == function_selector::write or (_io.size > 4 and ((type == event_action_type::gpio and _io.size >= 6) or (type == event_action_type::message and _io.size >= 8)))
-        doc: What the action does.
+        doc: Effect of the action.
     types:
       parameters_cases:
         -kind: union
@@ -3745,16 +3745,16 @@ types:
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
   mip_3dm_sensor_to_vehicle_transform_euler:
     -orig-id: 3dm.sensor_to_vehicle_transform_euler
-    doc: Sensor-to-Vehicle Frame Transformation Euler. Mounting of the sensor in the vehicle as Euler angles.
+    doc: Sensor-to-Vehicle Frame Transformation Euler. Sets the mounting of the sensor in the vehicle as Euler angles.
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: roll
         type: f4
         if: function_value == function_selector::write or _io.size >= 5
@@ -3769,26 +3769,26 @@ types:
         doc: "Rotation about the z axis. Unit: rad."
   mip_3dm_sensor_to_vehicle_transform_quaternion:
     -orig-id: 3dm.sensor_to_vehicle_transform_quaternion
-    doc: Sensor-to-Vehicle Frame Transformation Quaternion. Mounting of the sensor in the vehicle as a quaternion.
+    doc: Sensor-to-Vehicle Frame Transformation Quaternion. Sets the mounting of the sensor in the vehicle as a quaternion.
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: q
         type: quatf
         if: function_value == function_selector::write or _io.size >= 17
         doc: "Unit quaternion that transforms vectors from the sensor frame to the vehicle frame. Unit: 1."
   mip_3dm_sensor_to_vehicle_transform_dcm:
     -orig-id: 3dm.sensor_to_vehicle_transform_dcm
-    doc: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix. Mounting of the sensor in the vehicle as a direction cosine matrix.
+    doc: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix. Sets the mounting of the sensor in the vehicle as a direction cosine matrix.
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: dcm
         type: matrix3f
         if: function_value == function_selector::write or _io.size >= 37
@@ -3801,7 +3801,7 @@ types:
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: mode
         type: u1
         enum: mip_3dm_receiver_dynamics
@@ -3815,7 +3815,7 @@ types:
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: orientation_decimation
         type: u2
         if: function_value == function_selector::write or _io.size >= 3
@@ -3857,38 +3857,38 @@ types:
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: selector
         type: u1
         enum: mip_3dm_imu_timestamp_selector
         if: function_value == function_selector::write or function_value == function_selector::read or _io.size >= 2
-        doc: Which counter.
+        doc: Counter to set or read.
       - id: time
         type: u4
         if: function_value == function_selector::write or _io.size >= 6
         doc: "Value of the counter, in the unit that `selector` states."
   mip_3dm_accel_bias:
     -orig-id: 3dm.accel_bias
-    doc: Accelerometer Bias Configuration. Bias that is subtracted from the scaled acceleration.
+    doc: Accelerometer Bias Configuration. Sets the bias that is subtracted from the scaled acceleration.
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: bias
         type: vector3f
         if: function_value == function_selector::write or function_value == function_selector::apply or _io.size >= 13
         doc: "Bias that the device subtracts from the measured acceleration. Unit: g. Frame: sensor."
   mip_3dm_gyro_bias:
     -orig-id: 3dm.gyro_bias
-    doc: Gyroscope Bias Configuration. Bias that is subtracted from the scaled angular rate.
+    doc: Gyroscope Bias Configuration. Sets the bias that is subtracted from the scaled angular rate.
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: bias
         type: vector3f
         if: function_value == function_selector::write or function_value == function_selector::apply or _io.size >= 13
@@ -3902,26 +3902,26 @@ types:
         doc: "Time to average over. Unit: ms. Range: 1000 to 30000."
   mip_3dm_mag_hard_iron_offset:
     -orig-id: 3dm.mag_hard_iron_offset
-    doc: Magnetometer Hard Iron Offset. Offset that corrects the scaled magnetic field for hard iron.
+    doc: Magnetometer Hard Iron Offset. Sets the offset that corrects the scaled magnetic field for hard iron.
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: offset
         type: vector3f
         if: function_value == function_selector::write or function_value == function_selector::apply or _io.size >= 13
         doc: "Offset that the device subtracts from the measured magnetic field. Unit: gauss. Frame: sensor."
   mip_3dm_mag_soft_iron_matrix:
     -orig-id: 3dm.mag_soft_iron_matrix
-    doc: Magnetometer Soft Iron Matrix. Matrix that corrects the scaled magnetic field for soft iron.
+    doc: Magnetometer Soft Iron Matrix. Sets the matrix that corrects the scaled magnetic field for soft iron.
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: matrix
         type: matrix3f
         if: function_value == function_selector::write or function_value == function_selector::apply or _io.size >= 37
@@ -3934,33 +3934,33 @@ types:
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: enable
         type: u1
         if: function_value == function_selector::write or _io.size >= 2
-        doc: "Whether the compensation is on. Default: true."
+        doc: "True if the compensation is on. Default: true."
   mip_3dm_uart_baud_rate:
     -orig-id: 3dm.uart_baud_rate
-    doc: UART Baud Rate. Baud rate of the main port.
+    doc: UART Baud Rate. Sets the baud rate of the main port.
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: baud
         type: u4
         if: function_value == function_selector::write or _io.size >= 5
         doc: "Baud rate, one of those that the port supports. Unit: Bd."
   mip_3dm_gpio_config:
     -orig-id: 3dm.gpio_config
-    doc: GPIO Configuration. What a GPIO pin is used for.
+    doc: GPIO Configuration. Sets the use of a GPIO pin.
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: pin
         type: u1
         if: function_value == function_selector::write or function_value == function_selector::read or function_value == function_selector::save or function_value == function_selector::load or function_value == function_selector::default_value or _io.size >= 2
@@ -3986,7 +3986,7 @@ types:
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: pin
         type: u1
         if: function_value == function_selector::write or function_value == function_selector::read or _io.size >= 2
@@ -3997,18 +3997,18 @@ types:
         doc: True is high.
   mip_3dm_odometer_config:
     -orig-id: 3dm.odometer_config
-    doc: Odometer Configuration. Input from a wheel encoder.
+    doc: Odometer Configuration. Configures the input from a wheel encoder.
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: mode
         type: u1
         enum: mip_3dm_odometer_mode
         if: function_value == function_selector::write or _io.size >= 2
-        doc: How the input works.
+        doc: Operation of the input.
       - id: scaling
         type: f4
         if: function_value == function_selector::write or _io.size >= 6
@@ -4019,13 +4019,13 @@ types:
         doc: "Relative uncertainty of the scaling, 1 sigma. Unit: 1. Range: at least 0."
   mip_3dm_imu_low_pass_filter:
     -orig-id: 3dm.imu_low_pass_filter
-    doc: Advanced Low-Pass Filter Settings. Low-pass filter of one quantity of the sensor data.
+    doc: Advanced Low-Pass Filter Settings. Configures the low-pass filter of one quantity of the sensor data.
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: target_descriptor
         type: u1
         if: function_value == function_selector::write or function_value == function_selector::read or function_value == function_selector::save or function_value == function_selector::load or function_value == function_selector::default_value or _io.size >= 2
@@ -4033,7 +4033,7 @@ types:
       - id: enable
         type: u1
         if: function_value == function_selector::write or _io.size >= 3
-        doc: "Whether the quantity is filtered. Default: true."
+        doc: "True if the quantity is filtered. Default: true."
       - id: manual
         type: u1
         if: function_value == function_selector::write or _io.size >= 4
@@ -4048,13 +4048,13 @@ types:
         doc: "Reserved: send 0."
   mip_3dm_complementary_filter:
     -orig-id: 3dm.complementary_filter
-    doc: Complementary Filter Configuration. Corrections of the complementary filter, which computes the attitude independently of the estimation filter.
+    doc: Complementary Filter Configuration. Configures the complementary filter, which computes the attitude independently of the estimation filter.
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: pitch_roll_enable
         type: u1
         if: function_value == function_selector::write or _io.size >= 2
@@ -4073,13 +4073,13 @@ types:
         doc: "Time constant of the correction of the heading. Unit: s. Range: 1 to 1000. Default: 10."
   mip_3dm_sensor_range:
     -orig-id: 3dm.sensor_range
-    doc: Sensor Range. Measuring range of a sensor.
+    doc: Sensor Range. Sets the measuring range of a sensor.
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: sensor
         type: u1
         enum: mip_3dm_sensor_range_type
@@ -4099,13 +4099,13 @@ types:
         doc: The sensor; not all.
   mip_3dm_low_pass_filter:
     -orig-id: 3dm.low_pass_filter
-    doc: Low-Pass Anti-Aliasing Filter. Low-pass filter of a data field.
+    doc: Low-Pass Anti-Aliasing Filter. Configures the low-pass filter of a data field.
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: descriptor_set
         type: u1
         if: function_value == function_selector::write or function_value == function_selector::read or function_value == function_selector::save or function_value == function_selector::load or function_value == function_selector::default_value or _io.size >= 2
@@ -4117,7 +4117,7 @@ types:
       - id: enable
         type: u1
         if: function_value == function_selector::write or _io.size >= 4
-        doc: Whether the field is filtered.
+        doc: True if the field is filtered.
       - id: manual
         type: u1
         if: function_value == function_selector::write or _io.size >= 5
@@ -4134,7 +4134,7 @@ types:
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: stream
         type: u1
         enum: mip_3dm_internal_sensor
@@ -4153,7 +4153,7 @@ types:
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: device
         type: u1
         enum: mip_3dm_internal_sensor
@@ -4172,7 +4172,7 @@ types:
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
   mip_3dm_device_status:
     -orig-id: 3dm.device_status
     doc: Device Status. Gets the state of the device, in basic form or with counters.
@@ -4249,7 +4249,7 @@ types:
         doc: Stream given in the command.
       - id: enabled
         type: u1
-        doc: Whether the stream is sent.
+        doc: True if the stream is sent.
   mip_3dm_imu_signal_conditioning_response:
     -orig-id: 3dm.imu_signal_conditioning_response
     doc: "IMU signal conditioning response. "
@@ -4326,7 +4326,7 @@ types:
         doc: "Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05, magnetic field 0x06 or pressure 0x17."
       - id: enable
         type: u1
-        doc: "Whether the quantity is filtered. Default: true."
+        doc: "True if the quantity is filtered. Default: true."
       - id: manual
         type: u1
         doc: "True uses `frequency`; false uses half the rate of the message format. Default: false."
@@ -4454,10 +4454,10 @@ types:
         doc: "Time since start-up. Unit: ms."
       - id: imu_stream_enabled
         type: u1
-        doc: Whether sensor data is streamed.
+        doc: True if sensor data is streamed.
       - id: filter_stream_enabled
         type: u1
-        doc: Whether filter data is streamed.
+        doc: True if filter data is streamed.
       - id: imu_dropped_packets
         type: u4
         doc: "Sensor data packets that were not sent. Unit: 1."
@@ -4516,13 +4516,13 @@ types:
         doc: "System timer at the last pulse. Unit: ms."
       - id: imu_stream_enabled
         type: u1
-        doc: Whether sensor data is streamed.
+        doc: True if sensor data is streamed.
       - id: gnss_stream_enabled
         type: u1
-        doc: Whether GNSS data is streamed.
+        doc: True if GNSS data is streamed.
       - id: filter_stream_enabled
         type: u1
-        doc: Whether filter data is streamed.
+        doc: True if filter data is streamed.
       - id: imu_dropped_packets
         type: u4
         doc: "Sensor data packets that were not sent. Unit: 1."
@@ -4593,13 +4593,13 @@ types:
         doc: "System timer at the last pulse. Unit: ms."
       - id: imu_stream_enabled
         type: u1
-        doc: Whether sensor data is streamed.
+        doc: True if sensor data is streamed.
       - id: gnss_stream_enabled
         type: u1
-        doc: Whether GNSS data is streamed.
+        doc: True if GNSS data is streamed.
       - id: filter_stream_enabled
         type: u1
-        doc: Whether filter data is streamed.
+        doc: True if filter data is streamed.
       - id: imu_dropped_packets
         type: u4
         doc: "Sensor data packets that were not sent. Unit: 1."
@@ -4641,13 +4641,13 @@ types:
         doc: "System timer at the last message of the receiver. Unit: ms."
       - id: mag_init_failed
         type: u1
-        doc: Whether the magnetometer could not be started.
+        doc: True if the magnetometer could not be started.
       - id: pressure_init_failed
         type: u1
-        doc: Whether the pressure sensor could not be started.
+        doc: True if the pressure sensor could not be started.
       - id: receiver_init_failed
         type: u1
-        doc: Whether the GNSS receiver could not be started.
+        doc: True if the GNSS receiver could not be started.
   mip_3dm_device_status_diagnostic_rq1_45_response:
     -orig-id: 3dm.device_status_diagnostic_rq1_45_response
     doc: Diagnostic Device Status of the 3DM-RQ1-45. The layout with GNSS, plus the temperature.
@@ -4673,7 +4673,7 @@ types:
         doc: Power state of the GNSS receiver.
       - id: cold_start_on_power_on
         type: u1
-        doc: Whether the receiver starts cold at power-on.
+        doc: True if the receiver starts cold at power-up.
       - id: temperature
         type: f4
         doc: "Temperature of the board. Unit: degC."
@@ -4688,13 +4688,13 @@ types:
         doc: "System timer at the last pulse. Unit: ms."
       - id: imu_stream_enabled
         type: u1
-        doc: Whether sensor data is streamed.
+        doc: True if sensor data is streamed.
       - id: gnss_stream_enabled
         type: u1
-        doc: Whether GNSS data is streamed.
+        doc: True if GNSS data is streamed.
       - id: filter_stream_enabled
         type: u1
-        doc: Whether filter data is streamed.
+        doc: True if filter data is streamed.
       - id: imu_dropped_packets
         type: u4
         doc: "Sensor data packets that were not sent. Unit: 1."
@@ -4759,10 +4759,10 @@ types:
         doc: "System timer at the last pulse. Unit: ms."
       - id: imu_stream_enabled
         type: u1
-        doc: Whether sensor data is streamed.
+        doc: True if sensor data is streamed.
       - id: filter_stream_enabled
         type: u1
-        doc: Whether filter data is streamed.
+        doc: True if filter data is streamed.
       - id: imu_dropped_packets
         type: u4
         doc: "Sensor data packets that were not sent. Unit: 1."
@@ -4821,10 +4821,10 @@ types:
         doc: "Time since start-up. Unit: ms."
       - id: has_mag
         type: u1
-        doc: Whether it has a magnetometer.
+        doc: True if it has a magnetometer.
       - id: has_pressure
         type: u1
-        doc: Whether it has a pressure sensor.
+        doc: True if it has a pressure sensor.
       - id: power_state
         type: u1
         doc: Power state of the sensors.
@@ -4854,7 +4854,7 @@ types:
         doc: "System timer at the last pulse. Unit: ms."
       - id: imu_stream_enabled
         type: u1
-        doc: Whether sensor data is streamed.
+        doc: True if sensor data is streamed.
       - id: imu_dropped_packets
         type: u4
         doc: "Sensor data packets that were not sent. Unit: 1."
@@ -4889,10 +4889,10 @@ types:
         doc: "Time since start-up. Unit: ms."
       - id: has_mag
         type: u1
-        doc: Whether it has a magnetometer.
+        doc: True if it has a magnetometer.
       - id: has_pressure
         type: u1
-        doc: Whether it has a pressure sensor.
+        doc: True if it has a pressure sensor.
       - id: gyro_range
         type: u2
         doc: Largest angular rate that can be measured.
@@ -4922,7 +4922,7 @@ types:
         doc: "System timer at the last pulse. Unit: ms."
       - id: imu_stream_enabled
         type: u1
-        doc: Whether sensor data is streamed.
+        doc: True if sensor data is streamed.
       - id: imu_dropped_packets
         type: u4
         doc: "Sensor data packets that were not sent. Unit: 1."
@@ -4963,13 +4963,13 @@ types:
         doc: "System timer at the last temperature. Unit: ms."
       - id: bad_temperature_sensor_detected
         type: u1
-        doc: Whether a temperature sensor is faulty.
+        doc: True if a temperature sensor is faulty.
       - id: cold_temperature_detected
         type: u1
-        doc: Whether the temperature is too low.
+        doc: True if the temperature is too low.
       - id: bad_voltage_detected
         type: u1
-        doc: Whether a supply voltage is out of range.
+        doc: True if a supply voltage is out of range.
       - id: pps_count
         type: u4
         doc: "Pulses per second that were counted. Unit: 1."
@@ -4978,7 +4978,7 @@ types:
         doc: "System timer at the last pulse. Unit: ms."
       - id: imu_stream_enabled
         type: u1
-        doc: Whether sensor data is streamed.
+        doc: True if sensor data is streamed.
       - id: imu_dropped_packets
         type: u4
         doc: "Sensor data packets that were not sent. Unit: 1."
@@ -5142,7 +5142,7 @@ types:
       - id: selector
         type: u1
         enum: mip_3dm_imu_timestamp_selector
-        doc: Which counter.
+        doc: Counter to set or read.
       - id: time
         type: u4
         doc: "Value of the counter, in the unit that `selector` states."
@@ -5196,7 +5196,7 @@ types:
     seq:
       - id: enable
         type: u1
-        doc: "Whether the compensation is on. Default: true."
+        doc: "True if the compensation is on. Default: true."
   mip_3dm_constellation_settings_response:
     -orig-id: 3dm.constellation_settings_response
     doc: Constellation Settings response. Tracking channels of the receiver and the setting of each constellation.
@@ -5226,7 +5226,7 @@ types:
         doc: "1 switches SBAS on, 0 off. Range: 0 to 1."
       - id: sbas_options
         type: mip_3dm_sbas_options
-        doc: What SBAS is used for.
+        doc: Purposes of SBAS.
       - id: num_included_prns
         type: u1
         valid:
@@ -5244,7 +5244,7 @@ types:
       - id: option
         type: u1
         enum: mip_3dm_assisted_fix_option
-        doc: "Whether the receiver keeps data for a faster first fix. Default: `none_value`."
+        doc: "Storage of data for a faster first fix. Default: `none_value`."
       - id: flags
         type: u1
         doc: Reserved.
@@ -5399,7 +5399,7 @@ types:
         doc: "Kind of action. Default: `none_value`."
       - id: parameters
         type: parameters_cases
-        doc: What the action does.
+        doc: Effect of the action.
     types:
       parameters_cases:
         -kind: union
@@ -5444,7 +5444,7 @@ types:
       - id: mode
         type: u1
         enum: mip_3dm_odometer_mode
-        doc: How the input works.
+        doc: Operation of the input.
       - id: scaling
         type: f4
         doc: "Pulses per distance travelled; negative if the encoder turns backwards. Unit: pulse/m."
@@ -5492,7 +5492,7 @@ types:
         doc: Descriptor of the field that is filtered.
       - id: enable
         type: u1
-        doc: Whether the field is filtered.
+        doc: True if the field is filtered.
       - id: manual
         type: u1
         doc: "True uses `frequency`; false uses half the rate of the field in the message format."
@@ -5504,7 +5504,7 @@ types:
     doc: Reset navigation filter. Returns the filter to its initialization state.
   filter_set_initial_attitude:
     -orig-id: filter.set_initial_attitude
-    doc: Set initial attitude. Gives the filter its initial attitude, the orientation of the sensor frame in the NED frame.
+    doc: Set initial attitude. Sets the initial attitude of the filter, the orientation of the sensor frame in the NED frame.
     seq:
       - id: roll
         type: f4
@@ -5517,7 +5517,7 @@ types:
         doc: "Heading (yaw) angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793."
   filter_set_initial_heading:
     -orig-id: filter.set_initial_heading
-    doc: Set initial heading. Gives the filter its initial heading; pitch and roll come from the accelerometers.
+    doc: Set initial heading. Sets the initial heading of the filter; pitch and roll come from the accelerometers.
     seq:
       - id: heading
         type: f4
@@ -5540,7 +5540,7 @@ types:
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: mode
         type: u1
         enum: filter_dynamics_mode
@@ -5548,13 +5548,13 @@ types:
         doc: Kind of vehicle.
   filter_sensor_to_vehicle_rotation_euler:
     -orig-id: filter.sensor_to_vehicle_rotation_euler
-    doc: Sensor to vehicle frame transformation. Euler angles of the rotation from the sensor frame to the vehicle frame (5-series).
+    doc: Sensor to vehicle frame transformation. Sets the rotation from the sensor frame to the vehicle frame as Euler angles (5-series).
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: roll
         type: f4
         if: function_value == function_selector::write or _io.size >= 5
@@ -5569,52 +5569,52 @@ types:
         doc: "Yaw angle. Unit: rad."
   filter_sensor_to_vehicle_offset:
     -orig-id: filter.sensor_to_vehicle_offset
-    doc: Sensor to vehicle offset. Origin of the vehicle frame, as seen from the sensor.
+    doc: Sensor to vehicle offset. Sets the origin of the vehicle frame, as seen from the sensor.
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: offset
         type: vector3f
         if: function_value == function_selector::write or _io.size >= 13
         doc: "From the sensor to the origin of the vehicle frame. Unit: m. Frame: sensor. Range: magnitude at most 10."
   filter_antenna_offset:
     -orig-id: filter.antenna_offset
-    doc: GNSS antenna offset. Position of the GNSS antenna relative to the origin of the sensor.
+    doc: GNSS antenna offset. Sets the position of the GNSS antenna relative to the origin of the sensor.
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: offset
         type: vector3f
         if: function_value == function_selector::write or _io.size >= 13
         doc: "From the sensor origin to the phase centre of the antenna. Unit: m. Frame: vehicle. Range: magnitude at most 10."
   filter_estimation_control:
     -orig-id: filter.estimation_control
-    doc: Estimation control flags. Which states the filter estimates.
+    doc: Estimation control flags. Selects the states that the filter estimates.
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: flags
         type: filter_estimated_states
         if: function_value == function_selector::write or _io.size >= 3
         doc: States to estimate.
   filter_gnss_source:
     -orig-id: filter.gnss_source
-    doc: GNSS aiding source. Which GNSS receiver aids the filter.
+    doc: GNSS aiding source. Selects the GNSS receiver that aids the filter.
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: source
         type: u1
         enum: filter_gnss_aiding_source
@@ -5622,7 +5622,7 @@ types:
         doc: Source of the GNSS data.
   filter_external_gnss_update:
     -orig-id: filter.external_gnss_update
-    doc: External GNSS update. One measurement of position and velocity by a GNSS receiver of the user.
+    doc: External GNSS update. Sends one measurement of position and velocity by a GNSS receiver of the user to the filter.
     seq:
       - id: tow
         type: f8
@@ -5650,7 +5650,7 @@ types:
         doc: "Standard deviation of the velocity. Unit: m/s. Frame: ned. Range: at least 0."
   filter_external_heading_update:
     -orig-id: filter.external_heading_update
-    doc: External heading update. Gives the filter one measurement of the heading of the sensor frame in the NED frame.
+    doc: External heading update. Sends one measurement of the heading of the sensor frame in the NED frame to the filter.
     seq:
       - id: heading
         type: f4
@@ -5664,13 +5664,13 @@ types:
         doc: North that the heading refers to.
   filter_heading_source:
     -orig-id: filter.heading_source
-    doc: Heading update control. Source of the heading that aids the filter.
+    doc: Heading update control. Selects the source of the heading that aids the filter.
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: source
         type: u1
         enum: filter_heading_update_source
@@ -5678,52 +5678,52 @@ types:
         doc: Source of the heading.
   filter_auto_initialization_control:
     -orig-id: filter.auto_initialization_control
-    doc: Automatic initialization. Whether the filter initializes by itself when the device starts.
+    doc: Automatic initialization. Sets whether the filter initializes automatically at power-up.
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: enable
         type: u1
         if: function_value == function_selector::write or _io.size >= 2
         doc: "0 disables, 1 enables. Range: 0 to 1."
   filter_accel_noise:
     -orig-id: filter.accel_noise
-    doc: Accelerometer noise. Standard deviation of the accelerometer noise that the filter assumes (process noise).
+    doc: Accelerometer noise. Sets the standard deviation of the accelerometer noise that the filter assumes (process noise).
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: noise
         type: vector3f
         if: function_value == function_selector::write or _io.size >= 13
         doc: "Standard deviation per axis. Unit: m/s^2. Range: greater than 0."
   filter_gyro_noise:
     -orig-id: filter.gyro_noise
-    doc: Gyroscope noise. Standard deviation of the gyroscope noise that the filter assumes (process noise).
+    doc: Gyroscope noise. Sets the standard deviation of the gyroscope noise that the filter assumes (process noise).
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: noise
         type: vector3f
         if: function_value == function_selector::write or _io.size >= 13
         doc: "Standard deviation per axis. Unit: rad/s. Range: greater than 0."
   filter_accel_bias_model:
     -orig-id: filter.accel_bias_model
-    doc: Accelerometer bias model. Parameters of the model by which the accelerometer bias drifts.
+    doc: Accelerometer bias model. Sets the parameters of the model by which the accelerometer bias drifts.
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: beta
         type: vector3f
         if: function_value == function_selector::write or _io.size >= 13
@@ -5734,13 +5734,13 @@ types:
         doc: "Standard deviation of the noise per axis. Unit: m/s^2. Range: greater than 0."
   filter_gyro_bias_model:
     -orig-id: filter.gyro_bias_model
-    doc: Gyroscope bias model. Parameters of the model by which the gyroscope bias drifts.
+    doc: Gyroscope bias model. Sets the parameters of the model by which the gyroscope bias drifts.
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: beta
         type: vector3f
         if: function_value == function_selector::write or _io.size >= 13
@@ -5757,7 +5757,7 @@ types:
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: enable
         type: u1
         if: function_value == function_selector::write or _io.size >= 2
@@ -5768,7 +5768,7 @@ types:
         doc: "Highest speed that is treated as zero. Unit: m/s. Range: at least 0."
   filter_external_heading_update_with_time:
     -orig-id: filter.external_heading_update_with_time
-    doc: External heading update with time. Gives the filter one measurement of the heading of the sensor frame with its GPS time.
+    doc: External heading update with time. Sends one measurement of the heading of the sensor frame with its GPS time to the filter.
     seq:
       - id: tow
         type: f8
@@ -5794,7 +5794,7 @@ types:
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: enable
         type: u1
         if: function_value == function_selector::write or _io.size >= 2
@@ -5811,7 +5811,7 @@ types:
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: axes
         type: filter_tare_axes
         if: function_value == function_selector::write or _io.size >= 2
@@ -5824,13 +5824,13 @@ types:
     doc: Commanded zero angular rate update. Tells the filter once that the device is not rotating.
   filter_reference_position:
     -orig-id: filter.reference_position
-    doc: Set reference position. Position for which the device computes gravity (WGS84) and the magnetic field (WMM2015).
+    doc: Set reference position. Sets the position for which the device computes gravity (WGS84) and the magnetic field (WMM2015).
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: enable
         type: u1
         if: function_value == function_selector::write or _io.size >= 2
@@ -5849,100 +5849,100 @@ types:
         doc: "Altitude of the reference position. Unit: m."
   filter_mag_capture_auto_calibration:
     -orig-id: filter.mag_capture_auto_calibration
-    doc: Capture automatic magnetometer calibration. Moves what the automatic magnetometer calibration has found into the fixed calibration.
+    doc: Capture automatic magnetometer calibration. Moves the result of the automatic magnetometer calibration into the fixed calibration.
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
   filter_gravity_noise:
     -orig-id: filter.gravity_noise
-    doc: Gravity noise. Standard deviation of the gravity noise that the filter assumes (process noise).
+    doc: Gravity noise. Sets the standard deviation of the gravity noise that the filter assumes (process noise).
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: noise
         type: vector3f
         if: function_value == function_selector::write or _io.size >= 13
         doc: "Standard deviation per axis. Unit: g. Range: greater than 0."
   filter_pressure_altitude_noise:
     -orig-id: filter.pressure_altitude_noise
-    doc: Pressure altitude noise. Standard deviation of the noise of the pressure altitude model that the filter assumes.
+    doc: Pressure altitude noise. Sets the standard deviation of the noise of the pressure altitude model that the filter assumes.
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: noise
         type: f4
         if: function_value == function_selector::write or _io.size >= 5
-        doc: "Standard deviation. Unit: m. Range: greater than 0."
+        doc: "Standard deviation of the pressure altitude noise. Unit: m. Range: greater than 0."
   filter_hard_iron_offset_noise:
     -orig-id: filter.hard_iron_offset_noise
-    doc: Hard iron offset noise. Standard deviation of the noise of the estimated hard iron offset (process noise).
+    doc: Hard iron offset noise. Sets the standard deviation of the noise of the estimated hard iron offset (process noise).
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: noise
         type: vector3f
         if: function_value == function_selector::write or _io.size >= 13
         doc: "Standard deviation per axis. Unit: gauss. Range: greater than 0."
   filter_soft_iron_matrix_noise:
     -orig-id: filter.soft_iron_matrix_noise
-    doc: Soft iron matrix noise. Standard deviation of the noise of the estimated soft iron matrix (process noise).
+    doc: Soft iron matrix noise. Sets the standard deviation of the noise of the estimated soft iron matrix (process noise).
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: noise
         type: matrix3f
         if: function_value == function_selector::write or _io.size >= 37
         doc: "Standard deviation per element. Unit: 1. Range: greater than 0."
   filter_enable_measurements:
     -orig-id: filter.enable_measurements
-    doc: Enable or disable measurements. Which inertial measurements the filter uses.
+    doc: Enable or disable measurements. Selects the inertial measurements that the filter uses.
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: control
         type: filter_measurement_flags
         if: function_value == function_selector::write or _io.size >= 3
         doc: Measurements to use.
   filter_mag_noise:
     -orig-id: filter.mag_noise
-    doc: Magnetometer noise. Standard deviation of the magnetometer noise that the filter assumes.
+    doc: Magnetometer noise. Sets the standard deviation of the magnetometer noise that the filter assumes.
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: noise
         type: vector3f
         if: function_value == function_selector::write or _io.size >= 13
         doc: "Standard deviation per axis. Unit: gauss. Range: greater than 0."
   filter_magnetic_declination_source:
     -orig-id: filter.magnetic_declination_source
-    doc: Magnetic declination source. Source of the local declination of the magnetic field.
+    doc: Magnetic declination source. Selects the source of the local declination of the magnetic field.
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: source
         type: u1
         enum: filter_mag_parameter_source
@@ -5954,13 +5954,13 @@ types:
         doc: "Declination; used only if `source` is manual. Unit: rad. Range: -3.141592653589793 to 3.141592653589793."
   filter_accel_magnitude_error_adaptive_measurement:
     -orig-id: filter.accel_magnitude_error_adaptive_measurement
-    doc: Gravity magnitude error adaptive measurement. How far the filter trusts gravity measurements whose magnitude is not that of gravity.
+    doc: Gravity magnitude error adaptive measurement. Sets how far the filter trusts gravity measurements whose magnitude is not that of gravity.
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: adaptive_measurement
         type: u1
         enum: filter_adaptive_measurement_selector
@@ -5992,13 +5992,13 @@ types:
         doc: "Smallest standard deviation. Unit: m/s^2. Range: at least 0."
   filter_mag_magnitude_error_adaptive_measurement:
     -orig-id: filter.mag_magnitude_error_adaptive_measurement
-    doc: Magnetometer magnitude error adaptive measurement. How far the filter trusts a magnetic field whose magnitude is not as expected.
+    doc: Magnetometer magnitude error adaptive measurement. Sets how far the filter trusts a magnetic field whose magnitude is not as expected.
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: adaptive_measurement
         type: u1
         enum: filter_adaptive_measurement_selector
@@ -6030,17 +6030,17 @@ types:
         doc: "Smallest standard deviation. Unit: gauss. Range: at least 0."
   filter_mag_dip_angle_error_adaptive_measurement:
     -orig-id: filter.mag_dip_angle_error_adaptive_measurement
-    doc: Magnetometer dip angle error adaptive measurement. How far the filter trusts a magnetic field whose dip angle is not as expected.
+    doc: Magnetometer dip angle error adaptive measurement. Sets how far the filter trusts a magnetic field whose dip angle is not as expected.
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: enable
         type: u1
         if: function_value == function_selector::write or _io.size >= 2
-        doc: Whether the adaptation is on.
+        doc: True if the adaptation is on.
       - id: frequency
         type: f4
         if: function_value == function_selector::write or _io.size >= 6
@@ -6059,13 +6059,13 @@ types:
         doc: "Smallest standard deviation. Unit: rad. Range: at least 0."
   filter_altitude_aiding:
     -orig-id: filter.altitude_aiding
-    doc: Altitude aiding. What aids the altitude in addition to GNSS.
+    doc: Altitude aiding. Selects the source that aids the altitude in addition to GNSS.
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: selector
         type: u1
         enum: filter_altitude_aiding_source
@@ -6073,13 +6073,13 @@ types:
         doc: Source of the aiding.
   filter_pitch_roll_aiding:
     -orig-id: filter.pitch_roll_aiding
-    doc: Pitch and roll aiding. What aids pitch and roll while the motion is gentle.
+    doc: Pitch and roll aiding. Selects the source that aids pitch and roll while the motion is gentle.
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: aiding
         type: u1
         enum: filter_pitch_roll_aiding_source
@@ -6087,13 +6087,13 @@ types:
         doc: Source of the aiding.
   filter_magnetic_inclination_source:
     -orig-id: filter.magnetic_inclination_source
-    doc: Magnetic inclination source. Source of the local inclination (dip angle) of the magnetic field.
+    doc: Magnetic inclination source. Selects the source of the local inclination (dip angle) of the magnetic field.
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: source
         type: u1
         enum: filter_mag_parameter_source
@@ -6105,13 +6105,13 @@ types:
         doc: "Inclination; used only if `source` is manual. Unit: rad. Range: -1.5707963267948966 to 1.5707963267948966."
   filter_magnetic_magnitude_source:
     -orig-id: filter.magnetic_magnitude_source
-    doc: Magnetic field magnitude source. Source of the local magnitude of the magnetic field.
+    doc: Magnetic field magnitude source. Selects the source of the local magnitude of the magnetic field.
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: source
         type: u1
         enum: filter_mag_parameter_source
@@ -6123,26 +6123,26 @@ types:
         doc: "Magnitude; used only if `source` is manual. Unit: gauss. Range: at least 0."
   filter_sensor_to_vehicle_rotation_dcm:
     -orig-id: filter.sensor_to_vehicle_rotation_dcm
-    doc: Sensor to vehicle rotation, matrix. Rotation from the sensor frame to the vehicle frame as a direction cosine matrix.
+    doc: Sensor to vehicle rotation, matrix. Sets the rotation from the sensor frame to the vehicle frame as a direction cosine matrix.
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: dcm
         type: matrix3f
         if: function_value == function_selector::write or _io.size >= 37
         doc: "Rotation matrix in row-major order. Unit: 1."
   filter_sensor_to_vehicle_rotation_quaternion:
     -orig-id: filter.sensor_to_vehicle_rotation_quaternion
-    doc: Sensor to vehicle rotation, quaternion. Rotation from the sensor frame to the vehicle frame as a quaternion.
+    doc: Sensor to vehicle rotation, quaternion. Sets the rotation from the sensor frame to the vehicle frame as a quaternion.
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: q
         type: quatf
         if: function_value == function_selector::write or _io.size >= 17
@@ -6155,7 +6155,7 @@ types:
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: aiding_source
         type: u2
         enum: filter_aiding_source
@@ -6164,16 +6164,16 @@ types:
       - id: enable
         type: u1
         if: function_value == function_selector::write or _io.size >= 4
-        doc: Whether the filter uses the source.
+        doc: True if the filter uses the source.
   filter_kinematic_constraint:
     -orig-id: filter.kinematic_constraint
-    doc: Kinematic constraint. What the filter may take for granted about the motion, in place of measurements.
+    doc: Kinematic constraint. Sets the assumptions about the motion that the filter uses in place of measurements.
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: accel_constraint
         type: u1
         enum: filter_accel_constraint
@@ -6191,13 +6191,13 @@ types:
         doc: "Assumption about the angular rate. Default: `none_value`."
   filter_initialization_config:
     -orig-id: filter.initialization_config
-    doc: Navigation filter initialization. Sources and values of the initial attitude, position and velocity of the filter.
+    doc: Navigation filter initialization. Sets the sources and values of the initial attitude, position and velocity of the filter.
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: wait_for_run_command
         type: u1
         if: function_value == function_selector::write or _io.size >= 2
@@ -6206,7 +6206,7 @@ types:
         type: u1
         enum: filter_initial_condition_source
         if: function_value == function_selector::write or _io.size >= 3
-        doc: Which initial conditions are automatic and which the user provides.
+        doc: Initial conditions that the user provides instead of the device.
       - id: auto_heading_alignment_selector
         type: filter_heading_alignment
         if: function_value == function_selector::write or _io.size >= 4
@@ -6238,13 +6238,13 @@ types:
         doc: Frame of the initial position and velocity.
   filter_adaptive_filter_options:
     -orig-id: filter.adaptive_filter_options
-    doc: Adaptive filter control. How the filter adapts to measurements that do not fit its model.
+    doc: Adaptive filter control. Sets how the filter adapts to measurements that do not fit its model.
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: level
         type: u1
         enum: filter_adaptive_level
@@ -6256,13 +6256,13 @@ types:
         doc: "Longest time for which measurements are rejected before the filter recovers. Unit: ms."
   filter_multi_antenna_offset:
     -orig-id: filter.multi_antenna_offset
-    doc: GNSS multi-antenna offset. Position of the antenna of one receiver on devices with several antennas.
+    doc: GNSS multi-antenna offset. Sets the position of the antenna of one receiver on devices with several antennas.
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: receiver_id
         type: u1
         if: function_value == function_selector::write or function_value == function_selector::read or function_value == function_selector::save or function_value == function_selector::load or function_value == function_selector::default_value or _io.size >= 2
@@ -6273,13 +6273,13 @@ types:
         doc: "From the sensor to the antenna. Unit: m. Frame: vehicle. Range: magnitude at most 10."
   filter_relative_position_config:
     -orig-id: filter.relative_position_config
-    doc: Relative position configuration. Reference point of the relative position that the filter reports.
+    doc: Relative position configuration. Sets the reference point of the relative position that the filter reports.
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: source
         type: u1
         enum: filter_relative_position_source
@@ -6302,7 +6302,7 @@ types:
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: reference_point
         type: u1
         enum: filter_reference_point
@@ -6314,7 +6314,7 @@ types:
         doc: "From the sensor to the point. Unit: m. Frame: vehicle. Range: magnitude at most 10."
   filter_speed_measurement:
     -orig-id: filter.speed_measurement
-    doc: Speed measurement. Gives the filter one measurement of the forward speed of the vehicle (along its x axis).
+    doc: Speed measurement. Sends one measurement of the forward speed of the vehicle (along its x axis) to the filter.
     seq:
       - id: source
         type: u1
@@ -6330,13 +6330,13 @@ types:
         doc: "Standard deviation of the speed. Unit: m/s. Range: at least 0."
   filter_speed_lever_arm:
     -orig-id: filter.speed_lever_arm
-    doc: Speed measurement lever arm. Position of the point whose speed is measured, such as the wheel that an odometer is on.
+    doc: Speed measurement lever arm. Sets the position of the point whose speed is measured, such as the wheel that an odometer is on.
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: source
         type: u1
         if: function_value == function_selector::write or function_value == function_selector::read or function_value == function_selector::save or function_value == function_selector::load or function_value == function_selector::default_value or _io.size >= 2
@@ -6353,7 +6353,7 @@ types:
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: enable
         type: u1
         if: function_value == function_selector::write or _io.size >= 2
@@ -6366,20 +6366,20 @@ types:
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: enable
         type: u1
         if: function_value == function_selector::write or _io.size >= 2
         doc: "0 disables, 1 enables. Range: 0 to 1."
   filter_gnss_antenna_calibration_control:
     -orig-id: filter.gnss_antenna_calibration_control
-    doc: GNSS antenna offset calibration. Lets the filter track the error of the antenna offset.
+    doc: GNSS antenna offset calibration. Enables antenna offset calibration.
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: enable
         type: u1
         if: function_value == function_selector::write or _io.size >= 2
@@ -6536,7 +6536,7 @@ types:
     seq:
       - id: noise
         type: f4
-        doc: "Standard deviation. Unit: m. Range: greater than 0."
+        doc: "Standard deviation of the pressure altitude noise. Unit: m. Range: greater than 0."
   filter_hard_iron_offset_noise_response:
     -orig-id: filter.hard_iron_offset_noise_response
     doc: "Hard iron offset noise response. "
@@ -6641,7 +6641,7 @@ types:
     seq:
       - id: enable
         type: u1
-        doc: Whether the adaptation is on.
+        doc: True if the adaptation is on.
       - id: frequency
         type: f4
         doc: "Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0."
@@ -6716,7 +6716,7 @@ types:
         doc: Aiding source that the setting is for.
       - id: enable
         type: u1
-        doc: Whether the filter uses the source.
+        doc: True if the filter uses the source.
   filter_kinematic_constraint_response:
     -orig-id: filter.kinematic_constraint_response
     doc: "Kinematic constraint response. "
@@ -6743,7 +6743,7 @@ types:
       - id: initial_condition_source
         type: u1
         enum: filter_initial_condition_source
-        doc: Which initial conditions are automatic and which the user provides.
+        doc: Initial conditions that the user provides instead of the device.
       - id: auto_heading_alignment_selector
         type: filter_heading_alignment
         doc: Methods by which the initial heading may be determined.
@@ -6852,13 +6852,13 @@ types:
     doc: Receiver info. Gets the GNSS receivers of the device.
   gnss_signal_config:
     -orig-id: gnss.signal_config
-    doc: Signal configuration. GNSS signals that the device uses.
+    doc: Signal configuration. Selects the GNSS signals that the device uses.
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: gps_enable
         type: gnss_gps_signals
         if: function_value == function_selector::write or _io.size >= 2
@@ -6892,7 +6892,7 @@ types:
       - id: reset_type
         type: u1
         enum: gnss_receiver_reset_type
-        doc: How much restarts.
+        doc: Extent of the restart.
   gnss_rtk_config:
     -orig-id: gnss.rtk_config
     doc: RTK configuration. Sets how readily the device fixes the ambiguities of an RTK solution.
@@ -6901,12 +6901,12 @@ types:
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: ambiguity_fix_mode
         type: u1
         enum: gnss_ambiguity_fix_mode
         if: function_value == function_selector::write or _io.size >= 2
-        doc: How readily ambiguities are fixed.
+        doc: Readiness to fix ambiguities.
       - id: reserved
         type: u1
         repeat: expr
@@ -6921,7 +6921,7 @@ types:
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: enable
         type: u1
         if: function_value == function_selector::write or _io.size >= 2
@@ -6934,13 +6934,13 @@ types:
         doc: "Reserved: send 0."
   gnss_spartn_config:
     -orig-id: gnss.spartn_config
-    doc: SPARTN configuration. Source and keys of SPARTN corrections.
+    doc: SPARTN configuration. Sets the source and the keys of SPARTN corrections.
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: enable
         type: u1
         if: function_value == function_selector::write or _io.size >= 2
@@ -6949,7 +6949,7 @@ types:
         type: u1
         enum: gnss_spartn_connection
         if: function_value == function_selector::write or _io.size >= 3
-        doc: How the corrections are received.
+        doc: Channel of the corrections.
       - id: current_key_tow
         type: u4
         if: function_value == function_selector::write or _io.size >= 7
@@ -7020,7 +7020,7 @@ types:
       - id: ambiguity_fix_mode
         type: u1
         enum: gnss_ambiguity_fix_mode
-        doc: How readily ambiguities are fixed.
+        doc: Readiness to fix ambiguities.
       - id: reserved
         type: u1
         repeat: expr
@@ -7048,7 +7048,7 @@ types:
       - id: type
         type: u1
         enum: gnss_spartn_connection
-        doc: How the corrections are received.
+        doc: Channel of the corrections.
       - id: current_key_tow
         type: u4
         doc: "GPS time of week until which the current key is valid. Unit: s."
@@ -7088,13 +7088,13 @@ types:
     doc: Get RSSI. Gets the strength of the cellular signal.
   rtk_connected_device_type:
     -orig-id: rtk.connected_device_type
-    doc: Connected device type. The device that the modem serves.
+    doc: Connected device type. Sets the device that the modem serves.
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: device_type
         type: u1
         enum: rtk_connected_device
@@ -7126,7 +7126,7 @@ types:
         doc: The medium.
   rtk_led_control:
     -orig-id: rtk.led_control
-    doc: LED control. Colours and pattern of the LED.
+    doc: LED control. Sets the colours and the pattern of the LED.
     seq:
       - id: primary_color
         type: u1
@@ -7185,7 +7185,7 @@ types:
     seq:
       - id: valid
         type: u1
-        doc: Whether the modem is connected.
+        doc: True if the modem is connected.
       - id: rssi
         type: s4
         doc: "Received signal strength. Valid if `valid` is true."
@@ -7218,7 +7218,7 @@ types:
         doc: Firmware version of the modem, not of the dongle.
   rtk_service_status_response:
     -orig-id: rtk.service_status_response
-    doc: Service status response. What the server knows of the connection.
+    doc: Service status response. Connection status according to the server.
     seq:
       - id: flags
         type: rtk_service_flags
@@ -7243,7 +7243,7 @@ types:
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
   displacement_device_time:
     -orig-id: displacement.device_time
     doc: "Displacement Device Time. Sets the clock of the device, from which `displacement_data_timestamp` is taken."
@@ -7252,7 +7252,7 @@ types:
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: time
         type: u8
         if: function_value == function_selector::write or _io.size >= 9
@@ -7276,13 +7276,13 @@ types:
         doc: "Rate of displacement data. Unit: Hz."
   aiding_frame_config:
     -orig-id: aiding.frame_config
-    doc: Frame configuration. Where and how an external sensor is mounted on the vehicle.
+    doc: Frame configuration. Sets the position and the orientation of an external sensor on the vehicle.
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: frame_id
         type: u1
         if: function_value == function_selector::write or function_value == function_selector::read or function_value == function_selector::save or function_value == function_selector::load or function_value == function_selector::default_value or _io.size >= 2
@@ -7291,11 +7291,11 @@ types:
         type: u1
         enum: aiding_aiding_frame_format
         if: function_value == function_selector::write or function_value == function_selector::read or _io.size >= 3
-        doc: How the rotation is given.
+        doc: Format of the rotation.
       - id: tracking_enabled
         type: u1
         if: function_value == function_selector::write or _io.size >= 4
-        doc: Whether the filter estimates the errors of the frame.
+        doc: True if the filter estimates the errors of the frame.
       - id: translation
         type: vector3f
         if: function_value == function_selector::write or _io.size >= 16
@@ -7318,25 +7318,25 @@ types:
             doc: Quaternion, scalar part first.
   aiding_echo_control:
     -orig-id: aiding.echo_control
-    doc: Echo control. How the device answers aiding measurements.
+    doc: Echo control. Sets how the device answers aiding measurements.
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: mode
         type: u1
         enum: aiding_aiding_echo_mode
         if: function_value == function_selector::write or _io.size >= 2
-        doc: How the measurements are answered.
+        doc: Answers to the measurements.
   aiding_ecef_position:
     -orig-id: aiding.ecef_position
-    doc: ECEF position. A measured position in Earth-fixed coordinates.
+    doc: ECEF position. Sends a measured position in Earth-fixed coordinates.
     seq:
       - id: time
         type: aiding_measurement_time
-        doc: When the measurement was taken.
+        doc: Time of the measurement.
       - id: frame_id
         type: u1
         doc: "Frame of the sensor, as `aiding_frame_config` defines it. Range: 1 to 4."
@@ -7348,14 +7348,14 @@ types:
         doc: "Uncertainty of the position. Unit: m. Frame: ecef. Range: greater than 0. Each element has its own valid flag. x: `valid_flags.x`, y: `valid_flags.y`, z: `valid_flags.z`."
       - id: valid_flags
         type: aiding_axis_flags
-        doc: Which axes are valid.
+        doc: Valid axes.
   aiding_llh_position:
     -orig-id: aiding.llh_position
-    doc: LLH position. A measured position as latitude, longitude and height.
+    doc: LLH position. Sends a measured position as latitude, longitude and height.
     seq:
       - id: time
         type: aiding_measurement_time
-        doc: When the measurement was taken.
+        doc: Time of the measurement.
       - id: frame_id
         type: u1
         doc: "Frame of the sensor, as `aiding_frame_config` defines it. Range: 1 to 4."
@@ -7373,14 +7373,14 @@ types:
         doc: "Uncertainty of the position. Unit: m. Frame: ned. Range: greater than 0. Each element has its own valid flag. north: `valid_flags.latitude`, east: `valid_flags.longitude`, down: `valid_flags.height`."
       - id: valid_flags
         type: aiding_llh_axis_flags
-        doc: Which coordinates are valid.
+        doc: Valid coordinates.
   aiding_height_above_ellipsoid:
     -orig-id: aiding.height_above_ellipsoid
-    doc: Height above ellipsoid. A measured height.
+    doc: Height above ellipsoid. Sends a measured height above the ellipsoid.
     seq:
       - id: time
         type: aiding_measurement_time
-        doc: When the measurement was taken.
+        doc: Time of the measurement.
       - id: frame_id
         type: u1
         doc: "Frame of the sensor, as `aiding_frame_config` defines it. Range: 1 to 4."
@@ -7395,11 +7395,11 @@ types:
         doc: "Not 0: the measurement is valid."
   aiding_ecef_velocity:
     -orig-id: aiding.ecef_velocity
-    doc: ECEF velocity. A measured velocity in Earth-fixed coordinates.
+    doc: ECEF velocity. Sends a measured velocity in Earth-fixed coordinates.
     seq:
       - id: time
         type: aiding_measurement_time
-        doc: When the measurement was taken.
+        doc: Time of the measurement.
       - id: frame_id
         type: u1
         doc: "Frame of the sensor, as `aiding_frame_config` defines it. Range: 1 to 4."
@@ -7411,14 +7411,14 @@ types:
         doc: "Uncertainty of the velocity. Unit: m/s. Frame: ecef. Range: greater than 0. Each element has its own valid flag. x: `valid_flags.x`, y: `valid_flags.y`, z: `valid_flags.z`."
       - id: valid_flags
         type: aiding_axis_flags
-        doc: Which axes are valid.
+        doc: Valid axes.
   aiding_ned_velocity:
     -orig-id: aiding.ned_velocity
-    doc: NED velocity. A measured velocity in the local level frame.
+    doc: NED velocity. Sends a measured velocity in the local level frame.
     seq:
       - id: time
         type: aiding_measurement_time
-        doc: When the measurement was taken.
+        doc: Time of the measurement.
       - id: frame_id
         type: u1
         doc: "Frame of the sensor, as `aiding_frame_config` defines it. Range: 1 to 4."
@@ -7430,14 +7430,14 @@ types:
         doc: "Uncertainty of the velocity. Unit: m/s. Frame: ned. Range: greater than 0. Each element has its own valid flag. north: `valid_flags.x`, east: `valid_flags.y`, down: `valid_flags.z`."
       - id: valid_flags
         type: aiding_axis_flags
-        doc: Which axes are valid.
+        doc: Valid axes.
   aiding_body_frame_velocity:
     -orig-id: aiding.body_frame_velocity
-    doc: Body frame velocity. A measured velocity of the vehicle in the frame of the sensor.
+    doc: Body frame velocity. Sends a measured velocity of the vehicle in the frame of the sensor.
     seq:
       - id: time
         type: aiding_measurement_time
-        doc: When the measurement was taken.
+        doc: Time of the measurement.
       - id: frame_id
         type: u1
         doc: "Frame of the sensor, as `aiding_frame_config` defines it. Range: 1 to 4."
@@ -7449,14 +7449,14 @@ types:
         doc: "Standard deviation of the velocity. Unit: m/s. Frame: aiding. Range: greater than 0. Each element has its own valid flag. x: `valid_flags.x`, y: `valid_flags.y`, z: `valid_flags.z`."
       - id: valid_flags
         type: aiding_axis_flags
-        doc: Which axes are valid.
+        doc: Valid axes.
   aiding_true_heading:
     -orig-id: aiding.true_heading
-    doc: True heading. A measured heading relative to true north.
+    doc: True heading. Sends a measured heading relative to true north.
     seq:
       - id: time
         type: aiding_measurement_time
-        doc: When the measurement was taken.
+        doc: Time of the measurement.
       - id: frame_id
         type: u1
         doc: "Frame of the sensor, as `aiding_frame_config` defines it. Range: 1 to 4."
@@ -7471,11 +7471,11 @@ types:
         doc: "Not 0: the measurement is valid."
   aiding_magnetic_field:
     -orig-id: aiding.magnetic_field
-    doc: Magnetic field. A magnetic field measured by an external magnetometer.
+    doc: Magnetic field. Sends a magnetic field measured by an external magnetometer.
     seq:
       - id: time
         type: aiding_measurement_time
-        doc: When the measurement was taken.
+        doc: Time of the measurement.
       - id: frame_id
         type: u1
         doc: "Frame of the sensor, as `aiding_frame_config` defines it. Range: 1 to 4."
@@ -7487,14 +7487,14 @@ types:
         doc: "Standard deviation of the magnetic field. Unit: gauss. Frame: aiding. Range: greater than 0. Each element has its own valid flag. x: `valid_flags.x`, y: `valid_flags.y`, z: `valid_flags.z`."
       - id: valid_flags
         type: aiding_axis_flags
-        doc: Which axes are valid.
+        doc: Valid axes.
   aiding_pressure:
     -orig-id: aiding.pressure
-    doc: Pressure. A static air pressure measured by an external sensor.
+    doc: Pressure. Sends a static air pressure measured by an external sensor.
     seq:
       - id: time
         type: aiding_measurement_time
-        doc: When the measurement was taken.
+        doc: Time of the measurement.
       - id: frame_id
         type: u1
         doc: "Frame of the sensor, as `aiding_frame_config` defines it. Range: 1 to 4."
@@ -7517,10 +7517,10 @@ types:
       - id: format
         type: u1
         enum: aiding_aiding_frame_format
-        doc: How the rotation is given.
+        doc: Format of the rotation.
       - id: tracking_enabled
         type: u1
-        doc: Whether the filter estimates the errors of the frame.
+        doc: True if the filter estimates the errors of the frame.
       - id: translation
         type: vector3f
         doc: "Origin of the frame in the vehicle. Unit: m. Frame: vehicle."
@@ -7546,16 +7546,16 @@ types:
       - id: mode
         type: u1
         enum: aiding_aiding_echo_mode
-        doc: How the measurements are answered.
+        doc: Answers to the measurements.
   system_interface_control:
     -orig-id: system.interface_control
-    doc: Interface control. Protocols that a port receives and sends.
+    doc: Interface control. Sets the protocols that a port receives and sends.
     seq:
       - id: function_value
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: port
         type: u1
         enum: comm_interface
@@ -7577,7 +7577,7 @@ types:
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: mode
         type: u1
         enum: system_protocol_mode
@@ -7628,7 +7628,7 @@ types:
         doc: "Magnetic field in counts. Unit: 1. Frame: vehicle."
   sensor_scaled_accel:
     -orig-id: sensor.scaled_accel
-    doc: Scaled accel. Measured acceleration, temperature compensated.
+    doc: "Scaled accel. Specific force, temperature compensated: about -1 g on z when level and at rest."
     seq:
       - id: scaled_accel
         type: vector3f
@@ -7790,7 +7790,7 @@ types:
         doc: "Ambient pressure. Unit: mbar. Range: at least 0."
   sensor_overrange_status:
     -orig-id: sensor.overrange_status
-    doc: Overrange status. Which sensor axes are near or outside their range.
+    doc: Overrange status. Sensor axes that are near or outside their range.
     seq:
       - id: status
         type: sensor_overrange_flags
@@ -7807,7 +7807,7 @@ types:
         doc: "Uncertainty of the speed. Unit: m/s. Range: at least 0. Valid if `valid_flags.odometer` is set."
       - id: valid_flags
         type: sensor_odometer_flags
-        doc: Whether the values are valid.
+        doc: Validity of the measured values.
   gnss_data_llh_position:
     -orig-id: gnss_data.llh_position
     doc: GNSS LLH position. GNSS position as latitude, longitude and height.
@@ -7832,7 +7832,7 @@ types:
         doc: "Estimated error of the heights. Unit: m. Range: at least 0. Valid if `valid_flags.vertical_accuracy` is set."
       - id: valid_flags
         type: gnss_data_llh_position_flags
-        doc: Which parts of the position are valid.
+        doc: Valid parts of the position.
   gnss_data_ecef_position:
     -orig-id: gnss_data.ecef_position
     doc: GNSS ECEF position. GNSS position in Earth-fixed coordinates.
@@ -7845,7 +7845,7 @@ types:
         doc: "Estimated error of the position. Unit: m. Range: at least 0. Valid if `valid_flags.position_accuracy` is set."
       - id: valid_flags
         type: gnss_data_ecef_position_flags
-        doc: Which parts of the position are valid.
+        doc: Valid parts of the position.
   gnss_data_ned_velocity:
     -orig-id: gnss_data.ned_velocity
     doc: NED velocity. GNSS velocity in the local level frame.
@@ -7870,7 +7870,7 @@ types:
         doc: "Estimated error of the heading. Unit: deg. Range: at least 0. Valid if `valid_flags.heading_accuracy` is set."
       - id: valid_flags
         type: gnss_data_ned_velocity_flags
-        doc: Which parts of the velocity are valid.
+        doc: Valid parts of the velocity.
   gnss_data_ecef_velocity:
     -orig-id: gnss_data.ecef_velocity
     doc: GNSS ECEF velocity. GNSS velocity in Earth-fixed coordinates.
@@ -7883,7 +7883,7 @@ types:
         doc: "Estimated error of the velocity. Unit: m/s. Range: at least 0. Valid if `valid_flags.velocity_accuracy` is set."
       - id: valid_flags
         type: gnss_data_ecef_velocity_flags
-        doc: Which parts of the velocity are valid.
+        doc: Valid parts of the velocity.
   gnss_data_dop:
     -orig-id: gnss_data.dop
     doc: DOP. Dilution of precision of the satellite geometry.
@@ -7911,7 +7911,7 @@ types:
         doc: "Easting dilution. Unit: 1. Range: at least 0. Valid if `valid_flags.edop` is set."
       - id: valid_flags
         type: gnss_data_dop_flags
-        doc: Which dilutions of precision are valid.
+        doc: Valid dilutions of precision.
   gnss_data_utc_time:
     -orig-id: gnss_data.utc_time
     doc: UTC time. Coordinated universal time as the receiver knows it.
@@ -7939,7 +7939,7 @@ types:
         doc: "Fraction of the second. Unit: ms. Range: 0 to 999. Valid if `valid_flags.gnss_date_time` is set."
       - id: valid_flags
         type: gnss_data_utc_time_flags
-        doc: Which parts of the time are valid.
+        doc: Valid parts of the time.
   gnss_data_gps_time:
     -orig-id: gnss_data.gps_time
     doc: GPS time. GPS time as the receiver knows it.
@@ -7952,7 +7952,7 @@ types:
         doc: "GPS week number. Unit: week. Valid if `valid_flags.week_number` is set."
       - id: valid_flags
         type: gnss_data_gps_time_flags
-        doc: Which parts of the time are valid.
+        doc: Valid parts of the time.
   gnss_data_clock_info:
     -orig-id: gnss_data.clock_info
     doc: Clock info. Bias and drift of the receiver clock.
@@ -7968,7 +7968,7 @@ types:
         doc: "Estimated error of the bias. Unit: s. Range: at least 0. Valid if `valid_flags.accuracy_estimate` is set."
       - id: valid_flags
         type: gnss_data_clock_info_flags
-        doc: Which clock parameters are valid.
+        doc: Valid clock parameters.
   gnss_data_fix_info:
     -orig-id: gnss_data.fix_info
     doc: Fix info. Type of the position fix and what it is based on.
@@ -7976,16 +7976,16 @@ types:
       - id: fix_type
         type: u1
         enum: gnss_fix_type
-        doc: "What the receiver can determine at present. Valid if `valid_flags.fix_type` is set."
+        doc: "Quantities that the receiver can determine at present. Valid if `valid_flags.fix_type` is set."
       - id: num_sv
         type: u1
         doc: "Number of satellites used in the fix. Unit: 1. Valid if `valid_flags.num_sv` is set."
       - id: fix_flags
         type: gnss_data_fix_flags
-        doc: "What the fix uses. Valid if `valid_flags.fix_flags` is set."
+        doc: "Corrections and satellite systems of the fix. Valid if `valid_flags.fix_flags` is set."
       - id: valid_flags
         type: gnss_data_fix_info_flags
-        doc: Which parts of the fix information are valid.
+        doc: Valid parts of the fix information.
   gnss_data_sv_info:
     -orig-id: gnss_data.sv_info
     doc: Satellite info. One satellite that is tracked.
@@ -8010,7 +8010,7 @@ types:
         doc: "State of the satellite. Valid if `valid_flags.sv_flags` is set."
       - id: valid_flags
         type: gnss_data_sv_info_flags
-        doc: Which parts of the satellite info are valid.
+        doc: Valid parts of the satellite info.
   gnss_data_hardware_status:
     -orig-id: gnss_data.hardware_status
     doc: GNSS hardware status. State of the receiver and of its antenna.
@@ -8018,7 +8018,7 @@ types:
       - id: receiver_state
         type: u1
         enum: gnss_data_receiver_state
-        doc: "Whether the receiver is powered and works. Valid if `valid_flags.sensor_state` is set."
+        doc: "Power and operation of the receiver. Valid if `valid_flags.sensor_state` is set."
       - id: antenna_state
         type: u1
         enum: gnss_data_antenna_state
@@ -8029,7 +8029,7 @@ types:
         doc: "Supply of the antenna. Valid if `valid_flags.antenna_power` is set."
       - id: valid_flags
         type: gnss_data_hardware_status_flags
-        doc: Which parts of the hardware status are valid.
+        doc: Valid parts of the hardware status.
   gnss_data_dgps_info:
     -orig-id: gnss_data.dgps_info
     doc: DGPS info. State of the differential corrections.
@@ -8048,7 +8048,7 @@ types:
         doc: "Number of channels that have corrections. Unit: 1. Valid if `valid_flags.num_channels` is set."
       - id: valid_flags
         type: gnss_data_dgps_info_flags
-        doc: Which parts of the state of the corrections are valid.
+        doc: Valid parts of the state of the corrections.
   gnss_data_dgps_info_satellite:
     -orig-id: gnss_data.dgps_info_satellite
     doc: DGPS info with a satellite. Differential correction for one satellite, in the layout that the SDK states for DGPS info.
@@ -8064,10 +8064,10 @@ types:
         doc: "Differential correction of the pseudorange. Unit: m."
       - id: range_rate_correction
         type: f4
-        doc: "How fast the correction changes. Unit: m/s."
+        doc: "Rate of change of the correction. Unit: m/s."
       - id: valid_flags
         type: gnss_data_dgps_info_flags
-        doc: Which parts of the state of the corrections are valid.
+        doc: Valid parts of the state of the corrections.
   gnss_data_dgps_channel:
     -orig-id: gnss_data.dgps_channel
     doc: DGPS channel. Differential correction for one satellite.
@@ -8083,10 +8083,10 @@ types:
         doc: "Differential correction of the pseudorange. Unit: m. Valid if `valid_flags.range_correction` is set."
       - id: range_rate_correction
         type: f4
-        doc: "How fast the correction changes. Unit: m/s. Valid if `valid_flags.range_rate_correction` is set."
+        doc: "Rate of change of the correction. Unit: m/s. Valid if `valid_flags.range_rate_correction` is set."
       - id: valid_flags
         type: gnss_data_dgps_channel_flags
-        doc: Which parts of a differential correction are valid.
+        doc: Valid parts of a differential correction.
   gnss_data_clock_info_2:
     -orig-id: gnss_data.clock_info_2
     doc: Clock info 2. Bias and drift of the receiver clock.
@@ -8105,7 +8105,7 @@ types:
         doc: "Estimated error of the drift. Unit: s/s. Range: at least 0. Valid if `valid_flags.drift_accuracy` is set."
       - id: valid_flags
         type: gnss_data_clock_info_2_flags
-        doc: Which clock parameters are valid.
+        doc: Valid clock parameters.
   gnss_data_gps_leap_seconds:
     -orig-id: gnss_data.gps_leap_seconds
     doc: GPS leap seconds. Difference between GPS time and UTC.
@@ -8115,7 +8115,7 @@ types:
         doc: "GPS time minus UTC. Unit: s. Valid if `valid_flags.leap_seconds` is set."
       - id: valid_flags
         type: gnss_data_gps_leap_seconds_flags
-        doc: Whether the value is valid.
+        doc: Validity of the leap seconds.
   gnss_data_sbas_info:
     -orig-id: gnss_data.sbas_info
     doc: SBAS info. Status of the satellite based augmentation.
@@ -8141,7 +8141,7 @@ types:
         doc: "Status of the service. Valid if `valid_flags.sbas_status` is set."
       - id: valid_flags
         type: gnss_data_sbas_info_flags
-        doc: Which parts of the SBAS status are valid.
+        doc: Valid parts of the SBAS status.
   gnss_data_sbas_correction:
     -orig-id: gnss_data.sbas_correction
     doc: SBAS correction. SBAS correction for one satellite.
@@ -8151,7 +8151,7 @@ types:
         doc: Number of this field within the epoch.
       - id: count
         type: u1
-        doc: How many of these fields the epoch has.
+        doc: Number of these fields in the epoch.
       - id: tow
         type: f8
         doc: "GPS time of week of the reception. Unit: s. Range: at least 0, less than 604800."
@@ -8176,7 +8176,7 @@ types:
         doc: "Correction of the ionospheric delay. Unit: m. Valid if `valid_flags.iono_correction` is set."
       - id: valid_flags
         type: gnss_data_sbas_correction_flags
-        doc: Which parts of an SBAS correction are valid.
+        doc: Valid parts of an SBAS correction.
   gnss_data_rf_error_detection:
     -orig-id: gnss_data.rf_error_detection
     doc: RF error detection. Jamming and spoofing that the receiver detects in one band.
@@ -8188,11 +8188,11 @@ types:
       - id: jamming_state
         type: u1
         enum: gnss_data_jamming_state
-        doc: "Whether signals are jammed in this band. Valid if `valid_flags.jamming_state` is set."
+        doc: "State of jamming in this band. Valid if `valid_flags.jamming_state` is set."
       - id: spoofing_state
         type: u1
         enum: gnss_data_spoofing_state
-        doc: "Whether false signals are detected in this band. Valid if `valid_flags.spoofing_state` is set."
+        doc: "State of spoofing in this band. Valid if `valid_flags.spoofing_state` is set."
       - id: frequency
         type: u2
         doc: "Centre frequency of the band. Unit: MHz. Valid if `valid_flags.frequency` is set."
@@ -8203,7 +8203,7 @@ types:
         doc: Reserved.
       - id: valid_flags
         type: gnss_data_rf_error_detection_flags
-        doc: Which parts of the detection are valid.
+        doc: Valid parts of the detection.
   gnss_data_heading:
     -orig-id: gnss_data.heading
     doc: GNSS heading. Heading that the receiver computes from its antennas.
@@ -8220,7 +8220,7 @@ types:
         doc: "Kind of the fix. Valid if `valid_flags.fix_type` is set."
       - id: valid_flags
         type: gnss_data_heading_flags
-        doc: Which parts of the heading are valid.
+        doc: Valid parts of the heading.
   gnss_data_satellite_status:
     -orig-id: gnss_data.satellite_status
     doc: Satellite status. Direction to one satellite, and its health.
@@ -8230,7 +8230,7 @@ types:
         doc: Number of this field within the epoch.
       - id: count
         type: u1
-        doc: How many of these fields the epoch has.
+        doc: Number of these fields in the epoch.
       - id: tow
         type: f8
         doc: "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if `valid_flags.tow` is set."
@@ -8252,10 +8252,10 @@ types:
         doc: "Azimuth, as seen from the rover. Unit: deg. Valid if `valid_flags.azimuth` is set."
       - id: health
         type: u1
-        doc: "Whether the satellite is healthy. Valid if `valid_flags.health` is set."
+        doc: "True if the satellite is healthy. Valid if `valid_flags.health` is set."
       - id: valid_flags
         type: gnss_data_satellite_status_flags
-        doc: Which parts of the satellite status are valid.
+        doc: Valid parts of the satellite status.
   gnss_data_raw:
     -orig-id: gnss_data.raw
     doc: Raw. Raw observation of one signal of one satellite.
@@ -8265,7 +8265,7 @@ types:
         doc: Number of this field within the epoch.
       - id: count
         type: u1
-        doc: How many of these fields the epoch has.
+        doc: Number of these fields in the epoch.
       - id: tow
         type: f8
         doc: "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if `valid_flags.tow` is set."
@@ -8295,7 +8295,7 @@ types:
       - id: quality
         type: u1
         enum: gnss_data_signal_quality
-        doc: "How well the signal is tracked. Valid if `valid_flags.quality` is set."
+        doc: "Quality of the tracking of the signal. Valid if `valid_flags.quality` is set."
       - id: pseudorange
         type: f8
         doc: "Measured distance, with the clock errors of receiver and satellite. Unit: m. Range: at least 0. Valid if `valid_flags.pseudorange` is set."
@@ -8319,7 +8319,7 @@ types:
         doc: "Lower limit of the time that the carrier phase has been locked. Unit: s. Range: at least 0. Valid if `valid_flags.lock_time` is set."
       - id: valid_flags
         type: gnss_data_raw_flags
-        doc: Which parts of the observation are valid.
+        doc: Valid parts of the observation.
   gnss_data_base_station_info:
     -orig-id: gnss_data.base_station_info
     doc: Base station info. The base station of the corrections, from an RTCM message 1005 or 1006.
@@ -8344,10 +8344,10 @@ types:
         doc: "Properties of the station. Valid if `valid_flags.indicators` is set."
       - id: valid_flags
         type: gnss_data_base_station_info_flags
-        doc: Which values are valid.
+        doc: Valid values.
   gnss_data_rtk_corrections_status:
     -orig-id: gnss_data.rtk_corrections_status
-    doc: RTK corrections status. Which corrections are received, and how old they are.
+    doc: RTK corrections status. Received corrections and their age.
     seq:
       - id: tow
         type: f8
@@ -8380,7 +8380,7 @@ types:
         doc: Reserved.
       - id: valid_flags
         type: gnss_data_rtk_corrections_status_flags
-        doc: Which values are valid.
+        doc: Valid values.
   gnss_data_gps_ephemeris:
     -orig-id: gnss_data.gps_ephemeris
     doc: GPS ephemeris. Broadcast orbit and clock of one GPS satellite.
@@ -8390,7 +8390,7 @@ types:
         doc: Number of this field within the epoch.
       - id: count
         type: u1
-        doc: How many of these fields the epoch has.
+        doc: Number of these fields in the epoch.
       - id: tow
         type: f8
         doc: "GPS time of week. Unit: s. Range: at least 0, less than 604800."
@@ -8486,7 +8486,7 @@ types:
         doc: "Sine harmonic correction of the orbit radius. Unit: m. Valid if `valid_flags.ephemeris` is set."
       - id: valid_flags
         type: gnss_data_ephemeris_flags
-        doc: What the ephemeris holds.
+        doc: Contents of the ephemeris.
   gnss_data_glonass_ephemeris:
     -orig-id: gnss_data.glonass_ephemeris
     doc: GLONASS ephemeris. Broadcast orbit and clock of one GLONASS satellite.
@@ -8496,7 +8496,7 @@ types:
         doc: Number of this field within the epoch.
       - id: count
         type: u1
-        doc: How many of these fields the epoch has.
+        doc: Number of these fields in the epoch.
       - id: tow
         type: f8
         doc: "GPS time of week. Unit: s. Range: at least 0, less than 604800."
@@ -8563,10 +8563,10 @@ types:
         doc: "Number of satellites in the almanac of the frame. Unit: 1. Valid if `valid_flags.ephemeris` is set."
       - id: p4
         type: u1
-        doc: "Whether ephemeris parameters are present. Valid if `valid_flags.ephemeris` is set."
+        doc: "Presence of ephemeris parameters. Valid if `valid_flags.ephemeris` is set."
       - id: valid_flags
         type: gnss_data_glonass_ephemeris_flags
-        doc: Whether the ephemeris is valid.
+        doc: Validity of the ephemeris.
   gnss_data_galileo_ephemeris:
     -orig-id: gnss_data.galileo_ephemeris
     doc: Galileo ephemeris. Broadcast orbit and clock of one Galileo satellite.
@@ -8576,7 +8576,7 @@ types:
         doc: Number of this field within the epoch.
       - id: count
         type: u1
-        doc: How many of these fields the epoch has.
+        doc: Number of these fields in the epoch.
       - id: tow
         type: f8
         doc: "GPS time of week. Unit: s. Range: at least 0, less than 604800."
@@ -8672,7 +8672,7 @@ types:
         doc: "Sine harmonic correction of the orbit radius. Unit: m. Valid if `valid_flags.ephemeris` is set."
       - id: valid_flags
         type: gnss_data_ephemeris_flags
-        doc: What the ephemeris holds.
+        doc: Contents of the ephemeris.
   gnss_data_beidou_ephemeris:
     -orig-id: gnss_data.beidou_ephemeris
     doc: BeiDou ephemeris. Broadcast orbit and clock of one BeiDou satellite.
@@ -8682,7 +8682,7 @@ types:
         doc: Number of this field within the epoch.
       - id: count
         type: u1
-        doc: How many of these fields the epoch has.
+        doc: Number of these fields in the epoch.
       - id: tow
         type: f8
         doc: "GPS time of week. Unit: s. Range: at least 0, less than 604800."
@@ -8778,7 +8778,7 @@ types:
         doc: "Sine harmonic correction of the orbit radius. Unit: m. Valid if `valid_flags.ephemeris` is set."
       - id: valid_flags
         type: gnss_data_ephemeris_flags
-        doc: What the ephemeris holds.
+        doc: Contents of the ephemeris.
   gnss_data_gps_iono_correction:
     -orig-id: gnss_data.gps_iono_correction
     doc: GPS ionospheric correction. Model of the ionosphere that GPS broadcasts.
@@ -8801,7 +8801,7 @@ types:
         doc: "Coefficients beta 0 to 3. Valid if `valid_flags.beta` is set."
       - id: valid_flags
         type: gnss_data_gps_iono_correction_flags
-        doc: Which parts of the model are valid.
+        doc: Valid parts of the model.
   gnss_data_galileo_iono_correction:
     -orig-id: gnss_data.galileo_iono_correction
     doc: Galileo ionospheric correction. Model of the ionosphere that Galileo broadcasts.
@@ -8822,7 +8822,7 @@ types:
         doc: "Ionospheric storms, one bit (1 to 5) for each of five regions. Valid if `valid_flags.disturbance_flags` is set."
       - id: valid_flags
         type: gnss_data_galileo_iono_correction_flags
-        doc: Which parts of the model are valid.
+        doc: Valid parts of the model.
   gnss_data_beidou_iono_correction:
     -orig-id: gnss_data.beidou_iono_correction
     doc: BeiDou ionospheric correction. Model of the ionosphere that BeiDou broadcasts.
@@ -8850,7 +8850,7 @@ types:
         doc: "Nine further coefficients of the delay. Valid if `valid_flags.alpha_correction` is set."
       - id: valid_flags
         type: gnss_data_beidou_iono_correction_flags
-        doc: Which parts of the model are valid.
+        doc: Valid parts of the model.
   filter_data_llh_position:
     -orig-id: filter_data.llh_position
     doc: LLH position. Estimated position.
@@ -8866,7 +8866,7 @@ types:
         doc: "Height above the ellipsoid. Unit: m. Frame: llh. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Whether the values of a field may be used.
+        doc: Validity of the values of a field.
   filter_data_ned_velocity:
     -orig-id: filter_data.ned_velocity
     doc: NED velocity. Estimated velocity.
@@ -8882,7 +8882,7 @@ types:
         doc: "Velocity down. Unit: m/s. Frame: ned. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Whether the values of a field may be used.
+        doc: Validity of the values of a field.
   filter_data_attitude_quaternion:
     -orig-id: filter_data.attitude_quaternion
     doc: Attitude quaternion. Estimated orientation of the vehicle frame in the NED frame as a quaternion.
@@ -8892,7 +8892,7 @@ types:
         doc: "Quaternion, scalar part first. Unit: 1. Frame: ned. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Whether the values of a field may be used.
+        doc: Validity of the values of a field.
   filter_data_attitude_dcm:
     -orig-id: filter_data.attitude_dcm
     doc: Attitude direction cosine matrix. Estimated orientation of the vehicle frame in the NED frame as a rotation matrix.
@@ -8902,7 +8902,7 @@ types:
         doc: "Rotation matrix in row-major order. Unit: 1. Frame: ned. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Whether the values of a field may be used.
+        doc: Validity of the values of a field.
   filter_data_euler_angles:
     -orig-id: filter_data.euler_angles
     doc: Euler angles. Estimated orientation of the vehicle frame in the NED frame as Euler angles.
@@ -8918,7 +8918,7 @@ types:
         doc: "Rotation about the z axis: the heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Whether the values of a field may be used.
+        doc: Validity of the values of a field.
   filter_data_gyro_bias:
     -orig-id: filter_data.gyro_bias
     doc: Gyroscope bias. Estimated bias of the gyroscope.
@@ -8928,7 +8928,7 @@ types:
         doc: "Bias that the filter subtracts. Unit: rad/s. Frame: sensor. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Whether the values of a field may be used.
+        doc: Validity of the values of a field.
   filter_data_accel_bias:
     -orig-id: filter_data.accel_bias
     doc: Accelerometer bias. Estimated bias of the accelerometer.
@@ -8938,7 +8938,7 @@ types:
         doc: "Bias that the filter subtracts. Unit: m/s^2. Frame: sensor. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Whether the values of a field may be used.
+        doc: Validity of the values of a field.
   filter_data_llh_position_uncertainty:
     -orig-id: filter_data.llh_position_uncertainty
     doc: Position uncertainty. Standard deviation of the estimated position, in the NED frame.
@@ -8954,7 +8954,7 @@ types:
         doc: "Standard deviation down. Unit: m. Frame: ned. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Whether the values of a field may be used.
+        doc: Validity of the values of a field.
   filter_data_ned_velocity_uncertainty:
     -orig-id: filter_data.ned_velocity_uncertainty
     doc: NED velocity uncertainty. Standard deviation of the estimated velocity.
@@ -8970,7 +8970,7 @@ types:
         doc: "Standard deviation down. Unit: m/s. Frame: ned. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Whether the values of a field may be used.
+        doc: Validity of the values of a field.
   filter_data_euler_angles_uncertainty:
     -orig-id: filter_data.euler_angles_uncertainty
     doc: Euler angles uncertainty. Standard deviation of the estimated Euler angles.
@@ -8986,7 +8986,7 @@ types:
         doc: "Standard deviation of yaw. Unit: rad. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Whether the values of a field may be used.
+        doc: Validity of the values of a field.
   filter_data_gyro_bias_uncertainty:
     -orig-id: filter_data.gyro_bias_uncertainty
     doc: Gyroscope bias uncertainty. Standard deviation of the estimated gyroscope bias.
@@ -8996,7 +8996,7 @@ types:
         doc: "Standard deviation per axis. Unit: rad/s. Frame: sensor. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Whether the values of a field may be used.
+        doc: Validity of the values of a field.
   filter_data_accel_bias_uncertainty:
     -orig-id: filter_data.accel_bias_uncertainty
     doc: Accelerometer bias uncertainty. Standard deviation of the estimated accelerometer bias.
@@ -9006,7 +9006,7 @@ types:
         doc: "Standard deviation per axis. Unit: m/s^2. Frame: sensor. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Whether the values of a field may be used.
+        doc: Validity of the values of a field.
   filter_data_linear_accel:
     -orig-id: filter_data.linear_accel
     doc: Linear acceleration. Rate of change of the velocity, with the effect of gravity removed.
@@ -9016,7 +9016,7 @@ types:
         doc: "Zero while the velocity is constant. Unit: m/s^2. Frame: vehicle. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Whether the values of a field may be used.
+        doc: Validity of the values of a field.
   filter_data_comp_angular_rate:
     -orig-id: filter_data.comp_angular_rate
     doc: Compensated angular rate. Angular rate without the estimated bias.
@@ -9026,7 +9026,7 @@ types:
         doc: "Angular rate. Unit: rad/s. Frame: vehicle. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Whether the values of a field may be used.
+        doc: Validity of the values of a field.
   filter_data_wgs84_gravity_magnitude:
     -orig-id: filter_data.wgs84_gravity_magnitude
     doc: WGS84 local gravity magnitude. Magnitude of gravity at the position of the device according to the WGS84 model.
@@ -9036,14 +9036,14 @@ types:
         doc: "Gravity at this position according to the model. Unit: m/s^2. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Whether the values of a field may be used.
+        doc: Validity of the values of a field.
   filter_data_status:
     -orig-id: filter_data.status
     doc: Filter status. State, dynamics mode, condition and warnings of the filter.
     seq:
       - id: filter_state
         type: u2
-        doc: How far the filter has come, from start-up to its full solution.
+        doc: Progress of the filter from start-up to its full solution.
       - id: dynamics_mode
         type: u2
         doc: Motion for which the filter is configured.
@@ -9062,7 +9062,7 @@ types:
         doc: "GPS week, counted from 1980. Unit: week. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Whether the values of a field may be used.
+        doc: Validity of the values of a field.
   filter_data_quaternion_attitude_uncertainty:
     -orig-id: filter_data.quaternion_attitude_uncertainty
     doc: Quaternion uncertainty. Standard deviation of the elements of the estimated attitude quaternion.
@@ -9072,7 +9072,7 @@ types:
         doc: "Standard deviation per element. Unit: 1. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Whether the values of a field may be used.
+        doc: Validity of the values of a field.
   filter_data_gravity_vector:
     -orig-id: filter_data.gravity_vector
     doc: Gravity vector. Estimated gravity.
@@ -9082,7 +9082,7 @@ types:
         doc: "Gravity, which points down. Unit: m/s^2. Frame: vehicle. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Whether the values of a field may be used.
+        doc: Validity of the values of a field.
   filter_data_heading_update_state:
     -orig-id: filter_data.heading_update_state
     doc: Heading update source state. The last heading that updated the filter and where it came from.
@@ -9098,7 +9098,7 @@ types:
         doc: Sources of the heading.
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Whether the values of a field may be used.
+        doc: Validity of the values of a field.
   filter_data_magnetic_model:
     -orig-id: filter_data.magnetic_model
     doc: Magnetic model. Magnetic field at the position of the device according to the World Magnetic Model.
@@ -9120,7 +9120,7 @@ types:
         doc: "Angle from true north to magnetic north. Unit: rad. Range: -3.141592653589793 to 3.141592653589793. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Whether the values of a field may be used.
+        doc: Validity of the values of a field.
   filter_data_gyro_scale_factor:
     -orig-id: filter_data.gyro_scale_factor
     doc: Gyroscope scale factor. Estimated scale factor of the gyroscope.
@@ -9130,7 +9130,7 @@ types:
         doc: "Scale factor per axis. Unit: 1. Frame: sensor. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Whether the values of a field may be used.
+        doc: Validity of the values of a field.
   filter_data_accel_scale_factor:
     -orig-id: filter_data.accel_scale_factor
     doc: Accelerometer scale factor. Estimated scale factor of the accelerometer.
@@ -9140,7 +9140,7 @@ types:
         doc: "Scale factor per axis. Unit: 1. Frame: sensor. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Whether the values of a field may be used.
+        doc: Validity of the values of a field.
   filter_data_gyro_scale_factor_uncertainty:
     -orig-id: filter_data.gyro_scale_factor_uncertainty
     doc: Gyroscope scale factor uncertainty. Standard deviation of the estimated scale factor of the gyroscope.
@@ -9150,7 +9150,7 @@ types:
         doc: "Standard deviation per axis. Unit: 1. Frame: sensor. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Whether the values of a field may be used.
+        doc: Validity of the values of a field.
   filter_data_accel_scale_factor_uncertainty:
     -orig-id: filter_data.accel_scale_factor_uncertainty
     doc: Accelerometer scale factor uncertainty. Standard deviation of the estimated scale factor of the accelerometer.
@@ -9160,7 +9160,7 @@ types:
         doc: "Standard deviation per axis. Unit: 1. Frame: sensor. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Whether the values of a field may be used.
+        doc: Validity of the values of a field.
   filter_data_mag_bias:
     -orig-id: filter_data.mag_bias
     doc: Magnetometer bias. Estimated bias of the magnetometer.
@@ -9170,7 +9170,7 @@ types:
         doc: "Estimated bias of the magnetometer. Unit: gauss. Frame: sensor. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Whether the values of a field may be used.
+        doc: Validity of the values of a field.
   filter_data_mag_bias_uncertainty:
     -orig-id: filter_data.mag_bias_uncertainty
     doc: Magnetometer bias uncertainty. Standard deviation of the estimated bias of the magnetometer.
@@ -9180,7 +9180,7 @@ types:
         doc: "Standard deviation per axis. Unit: gauss. Frame: sensor. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Whether the values of a field may be used.
+        doc: Validity of the values of a field.
   filter_data_comp_accel:
     -orig-id: filter_data.comp_accel
     doc: Compensated acceleration. Acceleration without the estimated bias; it includes gravity.
@@ -9190,7 +9190,7 @@ types:
         doc: "Acceleration with the estimated bias removed; gravity is included. Unit: m/s^2. Frame: vehicle. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Whether the values of a field may be used.
+        doc: Validity of the values of a field.
   filter_data_standard_atmosphere:
     -orig-id: filter_data.standard_atmosphere
     doc: Standard atmosphere. US Standard Atmosphere of 1976 at the altitude of the device.
@@ -9212,7 +9212,7 @@ types:
         doc: "Air density that the model has at this altitude. Unit: kg/m^3. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Whether the values of a field may be used.
+        doc: Validity of the values of a field.
   filter_data_pressure_altitude:
     -orig-id: filter_data.pressure_altitude
     doc: Pressure altitude. Altitude that the US Standard Atmosphere of 1976 gives for the measured pressure.
@@ -9222,7 +9222,7 @@ types:
         doc: "Altitude in the standard atmosphere that has the measured pressure. Unit: m. Range: at most 84852. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Whether the values of a field may be used.
+        doc: Validity of the values of a field.
   filter_data_density_altitude:
     -orig-id: filter_data.density_altitude
     doc: Density altitude. The density of the surrounding air, as the altitude at which the standard atmosphere is as dense.
@@ -9232,7 +9232,7 @@ types:
         doc: "Altitude in the standard atmosphere that has the present air density. Unit: m. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Whether the values of a field may be used.
+        doc: Validity of the values of a field.
   filter_data_mag_offset:
     -orig-id: filter_data.mag_offset
     doc: Magnetometer offset. Estimated hard iron offset of the magnetometer.
@@ -9242,7 +9242,7 @@ types:
         doc: "Estimated constant field of magnetized parts near the magnetometer. Unit: gauss. Frame: sensor. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Whether the values of a field may be used.
+        doc: Validity of the values of a field.
   filter_data_mag_matrix:
     -orig-id: filter_data.mag_matrix
     doc: Magnetometer matrix. Estimated soft iron matrix of the magnetometer.
@@ -9252,7 +9252,7 @@ types:
         doc: "Soft iron matrix in row-major order. Unit: 1. Frame: sensor. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Whether the values of a field may be used.
+        doc: Validity of the values of a field.
   filter_data_mag_offset_uncertainty:
     -orig-id: filter_data.mag_offset_uncertainty
     doc: Magnetometer offset uncertainty. Standard deviation of the estimated hard iron offset.
@@ -9262,7 +9262,7 @@ types:
         doc: "Standard deviation per axis. Unit: gauss. Frame: sensor. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Whether the values of a field may be used.
+        doc: Validity of the values of a field.
   filter_data_mag_matrix_uncertainty:
     -orig-id: filter_data.mag_matrix_uncertainty
     doc: Magnetometer matrix uncertainty. Standard deviation of the estimated soft iron matrix.
@@ -9272,7 +9272,7 @@ types:
         doc: "Standard deviation per element. Unit: 1. Frame: sensor. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Whether the values of a field may be used.
+        doc: Validity of the values of a field.
   filter_data_mag_covariance_matrix:
     -orig-id: filter_data.mag_covariance_matrix
     doc: Magnetometer covariance matrix. Covariance of the magnetometer measurement.
@@ -9282,7 +9282,7 @@ types:
         doc: "Covariance matrix in row-major order. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Whether the values of a field may be used.
+        doc: Validity of the values of a field.
   filter_data_mag_residual_vector:
     -orig-id: filter_data.mag_residual_vector
     doc: Magnetometer residual vector. Residual of the magnetometer measurement.
@@ -9292,7 +9292,7 @@ types:
         doc: "Difference between the measured magnetic field and the one that the filter expects. Unit: gauss. Frame: vehicle. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Whether the values of a field may be used.
+        doc: Validity of the values of a field.
   filter_data_antenna_offset_correction:
     -orig-id: filter_data.antenna_offset_correction
     doc: Antenna offset correction. Estimated error of the offset of the GNSS antenna.
@@ -9302,7 +9302,7 @@ types:
         doc: "Estimated correction of the antenna offset that was set. Unit: m. Frame: vehicle. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Whether the values of a field may be used.
+        doc: Validity of the values of a field.
   filter_data_antenna_offset_correction_uncertainty:
     -orig-id: filter_data.antenna_offset_correction_uncertainty
     doc: Antenna offset correction uncertainty. Standard deviation of the estimated error of the offset of the GNSS antenna.
@@ -9312,7 +9312,7 @@ types:
         doc: "Standard deviation per axis. Unit: m. Frame: vehicle. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Whether the values of a field may be used.
+        doc: Validity of the values of a field.
   filter_data_clock_correction:
     -orig-id: filter_data.clock_correction
     doc: Clock correction. Estimated clock error of one GNSS receiver.
@@ -9328,7 +9328,7 @@ types:
         doc: "Drift of the clock. Unit: s/s. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Whether the values of a field may be used.
+        doc: Validity of the values of a field.
   filter_data_clock_correction_uncertainty:
     -orig-id: filter_data.clock_correction_uncertainty
     doc: Clock correction uncertainty. Standard deviation of the estimated clock error of one GNSS receiver.
@@ -9344,7 +9344,7 @@ types:
         doc: "Standard deviation of the drift. Unit: s/s. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Whether the values of a field may be used.
+        doc: Validity of the values of a field.
   filter_data_multi_antenna_offset_correction:
     -orig-id: filter_data.multi_antenna_offset_correction
     doc: Multi-antenna offset correction. Estimated error of the offset of one GNSS antenna.
@@ -9357,7 +9357,7 @@ types:
         doc: "Estimated correction of the antenna offset that was set. Unit: m. Frame: vehicle. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Whether the values of a field may be used.
+        doc: Validity of the values of a field.
   filter_data_multi_antenna_offset_correction_uncertainty:
     -orig-id: filter_data.multi_antenna_offset_correction_uncertainty
     doc: Multi-antenna offset correction uncertainty. Standard deviation of the estimated error of the offset of one GNSS antenna.
@@ -9370,7 +9370,7 @@ types:
         doc: "Standard deviation per axis. Unit: m. Frame: vehicle. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Whether the values of a field may be used.
+        doc: Validity of the values of a field.
   filter_data_ecef_position_uncertainty:
     -orig-id: filter_data.ecef_position_uncertainty
     doc: ECEF position uncertainty. Standard deviation of the estimated position.
@@ -9380,7 +9380,7 @@ types:
         doc: "Standard deviation per axis. Unit: m. Frame: ecef. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Whether the values of a field may be used.
+        doc: Validity of the values of a field.
   filter_data_ecef_velocity_uncertainty:
     -orig-id: filter_data.ecef_velocity_uncertainty
     doc: ECEF velocity uncertainty. Standard deviation of the estimated velocity.
@@ -9390,7 +9390,7 @@ types:
         doc: "Standard deviation per axis. Unit: m/s. Frame: ecef. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Whether the values of a field may be used.
+        doc: Validity of the values of a field.
   filter_data_ecef_position:
     -orig-id: filter_data.ecef_position
     doc: ECEF position. Estimated position.
@@ -9400,7 +9400,7 @@ types:
         doc: "Position of the reference point. Unit: m. Frame: ecef. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Whether the values of a field may be used.
+        doc: Validity of the values of a field.
   filter_data_ecef_velocity:
     -orig-id: filter_data.ecef_velocity
     doc: ECEF velocity. Estimated velocity.
@@ -9410,7 +9410,7 @@ types:
         doc: "Velocity of the reference point. Unit: m/s. Frame: ecef. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Whether the values of a field may be used.
+        doc: Validity of the values of a field.
   filter_data_ned_relative_position:
     -orig-id: filter_data.ned_relative_position
     doc: "NED relative position. Estimated position relative to the point that `filter_relative_position_config` sets."
@@ -9420,10 +9420,10 @@ types:
         doc: "From the reference point to the device. Unit: m. Frame: ned. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Whether the values of a field may be used.
+        doc: Validity of the values of a field.
   filter_data_gnss_position_aiding_status:
     -orig-id: filter_data.gnss_position_aiding_status
-    doc: GNSS position aiding status. How the filter uses the position measurements of one GNSS receiver.
+    doc: GNSS position aiding status. Use of the position measurements of one GNSS receiver by the filter.
     seq:
       - id: receiver_id
         type: u1
@@ -9433,7 +9433,7 @@ types:
         doc: "GPS time of week of the last measurement. Unit: s. Range: 0 to 604800."
       - id: status
         type: filter_data_gnss_aiding_status
-        doc: How the measurements are used.
+        doc: Use of the measurements.
       - id: reserved
         type: u1
         repeat: expr
@@ -9448,7 +9448,7 @@ types:
         doc: "GPS time of week of the last valid measurement. Unit: s. Range: 0 to 604800."
       - id: status
         type: filter_data_gnss_aiding_status
-        doc: How the measurements are used.
+        doc: Use of the measurements.
       - id: reserved
         type: u1
         repeat: expr
@@ -9472,7 +9472,7 @@ types:
         doc: Reserved. Reserved.
   filter_data_aiding_measurement_summary:
     -orig-id: filter_data.aiding_measurement_summary
-    doc: Aiding measurement summary. What the filter did with one kind of aiding measurement in the last measurement interval.
+    doc: Aiding measurement summary. Use of one kind of aiding measurement in the last measurement interval.
     seq:
       - id: tow
         type: f4
@@ -9486,7 +9486,7 @@ types:
         doc: Kind of measurement.
       - id: indicator
         type: filter_data_aiding_measurement_indicator
-        doc: What the filter did with it.
+        doc: Use of the measurement by the filter.
   filter_data_odometer_scale_factor_error:
     -orig-id: filter_data.odometer_scale_factor_error
     doc: Odometer scale factor error. Estimated relative error of the odometer scale factor.
@@ -9496,7 +9496,7 @@ types:
         doc: "Relative error. Unit: 1. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Whether the values of a field may be used.
+        doc: Validity of the values of a field.
   filter_data_odometer_scale_factor_error_uncertainty:
     -orig-id: filter_data.odometer_scale_factor_error_uncertainty
     doc: Odometer scale factor error uncertainty. Uncertainty of the estimated error of the odometer scale factor.
@@ -9506,7 +9506,7 @@ types:
         doc: "Uncertainty of the relative error. Unit: 1. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Whether the values of a field may be used.
+        doc: Validity of the values of a field.
   filter_data_gnss_dual_antenna_status:
     -orig-id: filter_data.gnss_dual_antenna_status
     doc: GNSS dual antenna status. Heading that two GNSS antennas give.
@@ -9529,7 +9529,7 @@ types:
         doc: Inputs available to the solution.
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Whether the values of a field may be used.
+        doc: Validity of the values of a field.
   filter_data_aiding_frame_config_error:
     -orig-id: filter_data.aiding_frame_config_error
     doc: "Aiding frame configuration error. Estimated error of a frame that `aiding_frame_config` defines; it is corrected for."
@@ -9576,7 +9576,7 @@ types:
     seq:
       - id: flags
         type: displacement_data_timestamp_flags
-        doc: Whether the time of displacement data is valid.
+        doc: Validity of the time of displacement data.
       - id: time
         type: u8
         doc: "UTC since 1970-01-01, without leap seconds, if the clock was set so. Unit: ns. Valid if `flags.time` is set."
@@ -9591,7 +9591,7 @@ types:
         doc: "Flags, defined by each device, least significant byte first: bit 8 is bit 0 of the second byte."
   system_data_time_sync_status:
     -orig-id: system_data.time_sync_status
-    doc: Time sync status. Whether the device time is locked to the pulse per second.
+    doc: Time sync status. Synchronization of the device time with the pulse per second.
     seq:
       - id: time_sync
         type: u1
@@ -9649,7 +9649,7 @@ types:
         doc: "GPS week number. Unit: week. Valid if `valid_flags.week_number` is set."
       - id: valid_flags
         type: shared_gps_timestamp_flags
-        doc: Which parts are valid.
+        doc: Valid parts of the timestamp.
   shared_delta_time:
     -orig-id: shared.delta_time
     doc: Delta time. External time since this field was last sent in the same set and event instance.
@@ -9680,7 +9680,7 @@ types:
         doc: "External time. Unit: ns. Valid if `valid_flags.nanoseconds` is set."
       - id: valid_flags
         type: shared_external_timestamp_flags
-        doc: Whether the time is valid.
+        doc: Validity of the time.
   shared_external_time_delta:
     -orig-id: shared.external_time_delta
     doc: External time delta. External time since this field was last sent in the same set and event instance.
@@ -9690,7 +9690,7 @@ types:
         doc: "Time since the last output. Unit: ns. Valid if `valid_flags.dt_nanos` is set."
       - id: valid_flags
         type: shared_external_time_delta_flags
-        doc: Whether the difference is valid.
+        doc: Validity of the difference.
 enums:
   kind:
     0x00f1:
@@ -12519,7 +12519,7 @@ enums:
       doc: Set low at each activation and never set high.
     7:
       id: toggle
-      doc: Inverted at each activation.
+      doc: The pin is inverted each time the trigger activates.
   gnss_constellation:
     0:
       id: unknown
@@ -12530,7 +12530,7 @@ enums:
     4: beidou
     5:
       id: sbas
-      doc: Satellite based augmentation.
+      doc: Satellites of augmentation systems (SBAS).
   gnss_fix_type:
     0:
       id: fix_3d
@@ -12860,16 +12860,16 @@ enums:
       doc: For sentences whose talker cannot be chosen (GSV and the proprietary ones).
     1:
       id: gnss
-      doc: GN.
+      doc: "Talker GN: several constellations."
     2:
       id: gps
-      doc: GP.
+      doc: "Talker GP: GPS only."
     3:
       id: galileo
-      doc: GA.
+      doc: "Talker GA: Galileo only."
     4:
       id: glonass
-      doc: GL.
+      doc: "Talker GL: GLONASS only."
   comm_interface:
     0:
       id: all
@@ -12975,10 +12975,10 @@ enums:
   mip_3dm_event_support_query:
     1:
       id: trigger_types
-      doc: Which types of triggers there are.
+      doc: Supported types of triggers.
     2:
       id: action_types
-      doc: Which types of actions there are.
+      doc: Supported types of actions.
   mip_3dm_receiver_dynamics:
     0:
       id: portable
@@ -13449,13 +13449,13 @@ enums:
       doc: North America.
     2:
       id: egnos
-      doc: Europe.
+      doc: EGNOS, the European system.
     3:
       id: msas
-      doc: Japan.
+      doc: MSAS, the Japanese system.
     4:
       id: gagan
-      doc: India.
+      doc: GAGAN, the Indian system.
   gnss_data_rf_band:
     0:
       id: unknown

@@ -45,12 +45,12 @@ F["cv7_continuous_built_in_test"] = {
   { name = "imu_data_process_time_exceeded", at = 2, size = 1, mask = 2, shift = 1, width = 1, doc = "The processing of sensor data took too long." },
   { name = "imu_data_rate_error", at = 2, size = 1, mask = 4, shift = 2, width = 1, doc = "Sensor data is not produced at its base rate." },
   { name = "imu_stall", at = 2, size = 1, mask = 8, shift = 3, width = 1, doc = "The inertial sensor subsystem produces no data." },
-  { name = "filter_process_fault", at = 2, size = 1, mask = 240, shift = 4, width = 4, doc = "Any of these faults: the filter does not work normally." },
+  { name = "filter_process_fault", at = 2, size = 1, mask = 240, shift = 4, width = 4, doc = "Set if any filter fault (bits 20-23) is set." },
   { name = "filter_major_cycle_fault", at = 2, size = 1, mask = 16, shift = 4, width = 1, doc = "Fault of the major cycle of the filter; bits 22 and 23 say which fault." },
   { name = "filter_minor_cycle_fault", at = 2, size = 1, mask = 32, shift = 5, width = 1, doc = "Fault of the minor cycle of the filter; bits 22 and 23 say which fault." },
   { name = "filter_data_rate_error", at = 2, size = 1, mask = 64, shift = 6, width = 1, doc = "A filter process misses its base rate; bits 20 and 21 say which." },
   { name = "filter_process_stall", at = 2, size = 1, mask = 128, shift = 7, width = 1, doc = "A filter process produces no data; bits 20 and 21 say which." },
-  { name = "gnss_subsystem_fault", at = 3, size = 1, mask = 15, shift = 0, width = 4, doc = "Any of these faults: GNSS does not work normally." },
+  { name = "gnss_subsystem_fault", at = 3, size = 1, mask = 15, shift = 0, width = 4, doc = "Set if any GNSS fault (bits 24-27) is set." },
   { name = "gnss_main_process_fault", at = 3, size = 1, mask = 1, shift = 0, width = 1, doc = "The main GNSS process did not run in time." },
   { name = "gnss_receiver_1_stall", at = 3, size = 1, mask = 2, shift = 1, width = 1, doc = "No data from internal receiver 1 in time." },
   { name = "gnss_receiver_2_stall", at = 3, size = 1, mask = 4, shift = 2, width = 1, doc = "No data from internal receiver 2 in time." },
@@ -430,7 +430,7 @@ F["gnss_data.clock_info_flags"] = {
   { name = "flags", at = 0, size = 2, mask = 7, shift = 0, width = 3, doc = "All values are valid." },
 }
 F["gnss_data.fix_flags"] = {
-  { name = "sbas_used", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Satellite based augmentation." },
+  { name = "sbas_used", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "SBAS corrections were used in the fix." },
   { name = "dgnss_used", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Differential corrections." },
 }
 F["gnss_data.fix_info_flags"] = {
@@ -696,7 +696,7 @@ F["filter_data.gx5_status_flags"] = {
 }
 E["filter_data.filter_condition"] = { [1] = "stable", [2] = "converging", [3] = "unstable", }
 F["filter_data.cv7_status_flags"] = {
-  { name = "filter_condition", at = 0, size = 2, mask = 3, shift = 0, width = 2, enum = E["filter_data.filter_condition"], doc = "How settled the estimates are." },
+  { name = "filter_condition", at = 0, size = 2, mask = 3, shift = 0, width = 2, enum = E["filter_data.filter_condition"], doc = "Convergence of the estimates." },
   { name = "roll_pitch_warning", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Roll and pitch are doubtful; check the mounting transformation." },
   { name = "heading_warning", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "The heading is doubtful; check the heading source." },
   { name = "position_warning", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "The position is doubtful; check the GNSS reception and antennas." },
@@ -733,7 +733,7 @@ F["shared.external_time_delta_flags"] = {
 local S = {}
 S["event_trigger_gpio"] = {
   { kind = "scalar", name = "pin", type = "u8", size = 1, doc = "GPIO pin, counted from 1. Range: at least 1." },
-  { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["event_trigger_gpio_mode"], doc = "How the pin activates the trigger." },
+  { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["event_trigger_gpio_mode"], doc = "Condition of the pin that activates the trigger." },
 }
 S["event_threshold_window"] = {
   { kind = "scalar", name = "low_threshold", type = "double", size = 8, doc = "Lower threshold, in the unit of the watched value." },
@@ -748,7 +748,7 @@ S["event_trigger_threshold"] = {
   { kind = "scalar", name = "field_descriptor", type = "u8", size = 1, doc = "Field descriptor of the watched value. Refers to fields of descriptor_set." },
   { kind = "scalar", name = "parameter_id", type = "u8", size = 1, doc = "Number of the value in its field, counted from 1; each element of a vector counts. Range: at least 1." },
   { kind = "scalar", name = "type", type = "u8", size = 1, enum = E["event_threshold_type"], doc = "Kind of comparison." },
-  { kind = "switch", name = "thresholds", tag = "type", doc = "What the value is compared with.", cases = {
+  { kind = "switch", name = "thresholds", tag = "type", doc = "Kind of comparison.", cases = {
       [1] = { label = "window", item = { kind = "struct", name = "window", record = S["event_threshold_window"], doc = "" } },
       [2] = { label = "interval", item = { kind = "struct", name = "interval", record = S["event_threshold_interval"], doc = "" } }, } },
 }
@@ -758,7 +758,7 @@ S["event_trigger_combination"] = {
 }
 S["event_action_gpio"] = {
   { kind = "scalar", name = "pin", type = "u8", size = 1, doc = "GPIO pin, counted from 1. Range: at least 1." },
-  { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["event_action_gpio_mode"], doc = "How the action controls the pin." },
+  { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["event_action_gpio_mode"], doc = "Control of the pin by the action." },
 }
 S["event_action_message"] = {
   { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Data descriptor set of the packet." },
@@ -778,7 +778,7 @@ S["descriptor_rate"] = {
 }
 S["base.base_device_info"] = {
   { kind = "scalar", name = "firmware_version", type = "u16", size = 2, doc = "Firmware version as one decimal number: 1202 means 1.2.02." },
-  { kind = "text", name = "model_name", count = 16, capacity = 16, doc = "What the model is called, such as 3DM-GQ7." },
+  { kind = "text", name = "model_name", count = 16, capacity = 16, doc = "Product name, such as 3DM-GQ7." },
   { kind = "text", name = "model_number", count = 16, capacity = 16, doc = "Part number of the model." },
   { kind = "text", name = "serial_number", count = 16, capacity = 16, doc = "Number of this device, which begins with the model number." },
   { kind = "text", name = "lot_number", count = 16, capacity = 16, doc = "Lot number; reserved and blank on some devices." },
@@ -903,10 +903,10 @@ field({ descriptor = 0x08, name = "base.continuous_built_in_test", role = "comma
     rows = {
     } }, { { set = 0x01, name = "base.continuous_built_in_test", title = "Continuous built-in test" }, })
 field({ descriptor = 0x09, name = "base.comm_speed", role = "command", title = "Comm port speed",
-    doc = "Baud rate of one communication port.", least = 1,
+    doc = "Sets the baud rate of one communication port.", least = 1,
     required = { [1] = 2, [2] = 1, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "port", type = "u8", size = 1, doc = "Port id of the device; 0 means all ports, and is for save, load and default only. On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: values of comm_interface; only main, uart_1 and usb_1. On the 3DM-CV7-GNSS/INS: values of comm_interface. On the 3DM-CV7-INS and 3DM-CX7-INS: values of comm_interface; only main, uart_1, uart_2, uart_3 and usb_1. On the 3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one. On the 3DM-GV7-INS: values of comm_interface; only main, uart_1, uart_2 and usb_1. On the 3DM-RTK: the values are not known.", readings = { {device = "3dm-cv7-ahrs", enum = E["comm_interface"] }, {device = "3dm-cv7-ar", enum = E["comm_interface"] }, {device = "3dm-cv7-gnss-ins", enum = E["comm_interface"] }, {device = "3dm-cv7-ins", enum = E["comm_interface"] }, {device = "3dm-cx7-ahrs", enum = E["comm_interface"] }, {device = "3dm-cx7-ar", enum = E["comm_interface"] }, {device = "3dm-cx7-ins", enum = E["comm_interface"] }, {device = "3dm-gv7-ahrs", enum = E["comm_interface"] }, {device = "3dm-gv7-ar", enum = E["comm_interface"] }, {device = "3dm-gv7-ins", enum = E["comm_interface"] }, } }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "baud", type = "u32", size = 4, units = {"Bd", }, doc = "Baud rate; one that the port supports. Unit: Bd." }, } },
     } }, { { set = 0x01, name = "base.comm_speed", title = "Comm port speed" }, })
@@ -914,7 +914,7 @@ field({ descriptor = 0x72, name = "base.gps_time_update", role = "command", titl
     doc = "Sets the week number or the time of week of the external (GPS) time.", least = 1,
     required = { [1] = 2, [2] = 1, [6] = 2, }, silent = { [6] = true, },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "field_id", type = "u8", size = 1, enum = E["base.gps_time_field"], doc = "Meaning of the value." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "value", type = "u32", size = 4, doc = "Time, as `field_id` says. If field_id is week_number: unit week. GPS week number since 6 January 1980. If field_id is tow: unit s. Whole seconds of the GPS week." }, } },
     } }, { { set = 0x01, name = "base.gps_time_update", title = "GPS time update" }, })
@@ -1019,24 +1019,24 @@ field({ descriptor = 0x07, name = "3dm.get_gnss_base_rate", role = "command", ti
     rows = {
     } }, { { set = 0x0C, name = "3dm.get_gnss_base_rate", title = "Get GNSS Data Base Rate" }, })
 field({ descriptor = 0x08, name = "3dm.imu_message_format", role = "command", title = "IMU Message Format",
-    doc = "Fields of the sensor data packets (0x80), in order, with their decimations.", least = 1,
+    doc = "Sets the fields of the sensor data packets (0x80), their order and their decimations.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 2, body = { { kind = "counter", name = "num_descriptors", type = "u8", size = 1, doc = "Number of fields." }, { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 83, size = 3, doc = "Fields and decimations. Refers to fields of Sensor data.", item = { kind = "struct", name = "item", record = S["descriptor_rate"] } }, } },
     } }, { { set = 0x0C, name = "3dm.imu_message_format", title = "IMU Message Format" }, })
 field({ descriptor = 0x09, name = "3dm.gnss_message_format", role = "command", title = "GNSS Message Format",
-    doc = "Fields of the GNSS data packets, in order, with their decimations.", least = 1,
+    doc = "Sets the fields of the GNSS data packets, their order and their decimations.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 2, body = { { kind = "counter", name = "num_descriptors", type = "u8", size = 1, doc = "Number of fields. Range: 0 to 82." }, { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 83, size = 3, doc = "Fields and decimations. Refers to fields of GNSS data.", item = { kind = "struct", name = "item", record = S["descriptor_rate"] } }, } },
     } }, { { set = 0x0C, name = "3dm.gnss_message_format", title = "GNSS Message Format" }, })
 field({ descriptor = 0x0A, name = "3dm.filter_message_format", role = "command", title = "Estimation Filter Message Format",
-    doc = "Fields of the filter data packets (0x82), in order, with their decimations.", least = 1,
+    doc = "Sets the fields of the filter data packets (0x82), their order and their decimations.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 2, body = { { kind = "counter", name = "num_descriptors", type = "u8", size = 1, doc = "Number of fields." }, { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 83, size = 3, doc = "Fields and decimations. Refers to fields of Filter data.", item = { kind = "struct", name = "item", record = S["descriptor_rate"] } }, } },
     } }, { { set = 0x0C, name = "3dm.filter_message_format", title = "Estimation Filter Message Format" }, })
 field({ descriptor = 0x0B, name = "3dm.get_filter_base_rate", role = "command", title = "Get Estimation Filter Data Base Rate",
@@ -1045,10 +1045,10 @@ field({ descriptor = 0x0B, name = "3dm.get_filter_base_rate", role = "command", 
     rows = {
     } }, { { set = 0x0C, name = "3dm.get_filter_base_rate", title = "Get Estimation Filter Data Base Rate" }, })
 field({ descriptor = 0x0C, name = "3dm.nmea_message_format", role = "command", title = "NMEA Message Format",
-    doc = "NMEA sentences that the device streams.", least = 1,
+    doc = "Sets the NMEA sentences that the device streams.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 2, body = { { kind = "counter", name = "count", type = "u8", size = 1, doc = "Number of sentences." }, { kind = "array", name = "format_entries", counter = "count", capacity = 50, size = 5, doc = "Sentences to stream.", item = { kind = "struct", name = "item", record = S["nmea_message"] } }, } },
     } }, { { set = 0x0C, name = "3dm.nmea_message_format", title = "NMEA Message Format" }, })
 field({ descriptor = 0x0D, name = "3dm.poll_data", role = "command", title = "Poll Data",
@@ -1068,10 +1068,10 @@ field({ descriptor = 0x0E, name = "3dm.get_base_rate", role = "command", title =
       { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Data descriptor set. Range: 0x80 to 0xFE." },
     } }, { { set = 0x0C, name = "3dm.get_base_rate", title = "Get Data Base Rate" }, })
 field({ descriptor = 0x0F, name = "3dm.message_format", role = "command", title = "Message Format",
-    doc = "Fields of the data packets of a descriptor set, in order, with their decimations.", least = 1,
+    doc = "Sets the fields of the data packets of a descriptor set, their order and their decimations.", least = 1,
     required = { [1] = 3, [2] = 1, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Data descriptor set; 0 means all of them (save, load, default)." }, } },
       { kind = "group", first = 2, last = 3, body = { { kind = "counter", name = "num_descriptors", type = "u8", size = 1, doc = "Number of fields." }, { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 83, size = 3, doc = "Fields and decimations. Refers to fields of descriptor_set.", item = { kind = "struct", name = "item", record = S["descriptor_rate"] } }, } },
     } }, { { set = 0x0C, name = "3dm.message_format", title = "Message Format" }, })
@@ -1079,16 +1079,16 @@ field({ descriptor = 0x10, name = "3dm.factory_streaming", role = "command", tit
     doc = "Sets all message formats to those that technical support needs in a recording.", least = 2,
     always = 2,
     rows = {
-      { kind = "scalar", name = "action", type = "u8", size = 1, enum = E["3dm.factory_streaming_action"], doc = "What happens to the existing formats." },
+      { kind = "scalar", name = "action", type = "u8", size = 1, enum = E["3dm.factory_streaming_action"], doc = "Treatment of the existing formats." },
       { kind = "scalar", name = "reserved", type = "u8", size = 1, doc = "Reserved: send 0." },
     } }, { { set = 0x0C, name = "3dm.factory_streaming", title = "Factory Streaming" }, })
 field({ descriptor = 0x11, name = "3dm.data_stream_control", role = "command", title = "Data Stream Control",
     doc = "Switches a data stream on or off.", least = 1,
     required = { [1] = 2, [2] = 1, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Data descriptor set; 0 means all streams (save, load, default). On the 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of legacy_data_stream. On the 3DM-GX5-15: values of legacy_data_stream; only imu and filter.", readings = { {device = "3dm-cl5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cl5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cl5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-35", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-dh3", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gq4-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-35", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-35", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-mv5-ar", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-rq1-45-lt", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-rq1-45-st", enum = E["3dm.legacy_data_stream"] }, } }, } },
-      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "Whether the stream is sent. Default: true." }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "True if the stream is sent. Default: true." }, } },
     } }, { { set = 0x0C, name = "3dm.data_stream_control", title = "Data Stream Control" }, })
 field({ descriptor = 0x20, name = "3dm.raw_rtcm_2_3_message", role = "command", title = "Raw RTCM 2.3 message",
     doc = "Sends RTCM 2.3 corrections to the GNSS receiver.", least = 0,
@@ -1097,44 +1097,44 @@ field({ descriptor = 0x20, name = "3dm.raw_rtcm_2_3_message", role = "command", 
       { kind = "array", name = "data", capacity = 253, size = 1, doc = "Bytes of the RTCM stream.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
     } }, { { set = 0x0C, name = "3dm.raw_rtcm_2_3_message", title = "Raw RTCM 2.3 message" }, })
 field({ descriptor = 0x21, name = "3dm.constellation_settings", role = "command", title = "Constellation Settings",
-    doc = "Constellations that the GNSS receiver tracks, and how its tracking channels are shared.", least = 1,
+    doc = "Selects the constellations that the GNSS receiver tracks, and their shares of its tracking channels.", least = 1,
     required = { [1] = 3, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "max_channels", type = "u16", size = 2, doc = "Maximum number of tracking channels in use; at most the number that the response reports as available. Unit: 1." }, } },
       { kind = "group", first = 2, last = 3, body = { { kind = "counter", name = "config_count", type = "u8", size = 1, doc = "Number of entries. Range: 0 to 41." }, { kind = "array", name = "settings", counter = "config_count", capacity = 41, size = 6, doc = "One entry for each constellation.", item = { kind = "struct", name = "item", record = S["3dm.constellation_settings_entry"] } }, } },
     } }, { { set = 0x0C, name = "3dm.constellation_settings", title = "Constellation Settings" }, })
 field({ descriptor = 0x22, name = "3dm.gnss_sbas_settings", role = "command", title = "GNSS SBAS Settings",
-    doc = "How the GNSS receivers use satellite based augmentation.", least = 1,
+    doc = "Sets how the GNSS receivers use satellite based augmentation.", least = 1,
     required = { [1] = 4, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "enable_sbas", type = "u8", size = 1, doc = "1 switches SBAS on, 0 off. Range: 0 to 1. On the 3DM-GX5-35: default 1." }, } },
-      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "sbas_options", type = "u16", size = 2, flags = F["3dm.sbas_options"], doc = "What SBAS is used for. On the 3DM-GX5-35: default enable_ranging and enable_corrections." }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "sbas_options", type = "u16", size = 2, flags = F["3dm.sbas_options"], doc = "Purposes of SBAS. On the 3DM-GX5-35: default enable_ranging and enable_corrections." }, } },
       { kind = "group", first = 3, last = 4, body = { { kind = "counter", name = "num_included_prns", type = "u8", size = 1, doc = "Number of satellites listed; 0 searches for all." }, { kind = "array", name = "included_prns", counter = "num_included_prns", capacity = 124, size = 2, doc = "PRN numbers of the SBAS satellites to search for.", item = { kind = "scalar", name = "item", type = "u16", size = 2 } }, } },
     } }, { { set = 0x0C, name = "3dm.gnss_sbas_settings", title = "GNSS SBAS Settings" }, })
 field({ descriptor = 0x23, name = "3dm.gnss_assisted_fix", role = "command", title = "GNSS Assisted Fix",
-    doc = "Whether the GNSS receiver keeps the data of its last fix and starts from it at the next power-up.", least = 1,
+    doc = "Sets whether the GNSS receiver keeps the data of its last fix and starts from it at the next power-up.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "option", type = "u8", size = 1, enum = E["3dm.assisted_fix_option"], doc = "Whether the receiver keeps data for a faster first fix. Default: none. On the 3DM-GX5-35: default none." }, } },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
+      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "option", type = "u8", size = 1, enum = E["3dm.assisted_fix_option"], doc = "Storage of data for a faster first fix. Default: none. On the 3DM-GX5-35: default none." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "flags", type = "u8", size = 1, doc = "Reserved: send 255. On the 3DM-GX5-35: default 255." }, } },
     } }, { { set = 0x0C, name = "3dm.gnss_assisted_fix", title = "GNSS Assisted Fix" }, })
 field({ descriptor = 0x24, name = "3dm.gnss_time_assistance", role = "command", title = "GNSS Time Assistance",
-    doc = "Gives the GNSS receiver the current GPS time.", least = 1,
+    doc = "Sends the current GPS time to the GNSS receiver.", least = 1,
     required = { [1] = 3, [2] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number since 1980. Unit: week." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "accuracy", type = "float", size = 4, units = {"s", }, doc = "Estimated accuracy of the time that is sent. Unit: s. Range: at least 0." }, } },
     } }, { { set = 0x0C, name = "3dm.gnss_time_assistance", title = "GNSS Time Assistance" }, })
 field({ descriptor = 0x28, name = "3dm.pps_source_control", role = "command", title = "PPS Source Control",
-    doc = "Where the device takes its pulse per second from.", least = 1,
+    doc = "Selects the source of the pulse per second (PPS).", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "source", type = "u8", size = 1, enum = E["3dm.pps_source"], doc = "Source of the pulse. On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: only disabled, gpio and generated. On the 3DM-CV7-GNSS/INS: default receiver_1. On the 3DM-GQ7-GNSS/INS: only disabled, receiver_1, receiver_2, gpio and generated." }, } },
     } }, { { set = 0x0C, name = "3dm.pps_source_control", title = "PPS Source Control" }, })
 field({ descriptor = 0x2A, name = "3dm.get_event_support", role = "command", title = "Get Supported Events",
@@ -1147,7 +1147,7 @@ field({ descriptor = 0x2B, name = "3dm.event_control", role = "command", title =
     doc = "Enables, disables or tests an event trigger.", least = 1,
     required = { [1] = 2, [2] = 1, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "instance", type = "u8", size = 1, doc = "Trigger instance; 0 means all configured triggers, except for read." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["event_trigger_mode"], doc = "New mode. Default: disabled." }, } },
     } }, { { set = 0x0C, name = "3dm.event_control", title = "Event Control" }, })
@@ -1166,10 +1166,10 @@ field({ descriptor = 0x2D, name = "3dm.get_event_action_status", role = "command
       { kind = "array", name = "requested_instances", counter = "requested_count", capacity = 252, size = 1, doc = "Numbers of the actions to report; none for all.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
     } }, { { set = 0x0C, name = "3dm.get_event_action_status", title = "Get Event Action Status" }, })
 field({ descriptor = 0x2E, name = "3dm.event_trigger_config", role = "command", title = "Event Trigger Configuration",
-    doc = "Kind and condition of an event trigger.", least = 1,
+    doc = "Configures the kind and the condition of an event trigger.", least = 1,
     required = { [1] = 3, [2] = 1, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "instance", type = "u8", size = 1, doc = "Trigger instance; 0 means all (save, load, default)." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "type", type = "u8", size = 1, enum = E["event_trigger_type"], doc = "Kind of trigger. Default: none." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "switch", name = "parameters", tag = "type", doc = "The condition.", cases = {
@@ -1179,14 +1179,14 @@ field({ descriptor = 0x2E, name = "3dm.event_trigger_config", role = "command", 
       [3] = { label = "combination", item = { kind = "struct", name = "combination", record = S["event_trigger_combination"], doc = "" } }, } }, } },
     } }, { { set = 0x0C, name = "3dm.event_trigger_config", title = "Event Trigger Configuration" }, })
 field({ descriptor = 0x2F, name = "3dm.event_action_config", role = "command", title = "Event Action Configuration",
-    doc = "Trigger and effect of an event action.", least = 1,
+    doc = "Configures the trigger and the effect of an event action.", least = 1,
     required = { [1] = 4, [2] = 1, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "instance", type = "u8", size = 1, doc = "Action instance; 0 means all (save, load, default)." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "trigger", type = "u8", size = 1, doc = "Trigger instance that the action follows." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "type", type = "u8", size = 1, enum = E["event_action_type"], doc = "Kind of action. Default: none." }, } },
-      { kind = "group", first = 4, last = 4, body = { { kind = "switch", name = "parameters", tag = "type", doc = "What the action does.", cases = {
+      { kind = "group", first = 4, last = 4, body = { { kind = "switch", name = "parameters", tag = "type", doc = "Effect of the action.", cases = {
       [0] = { label = "none" },
       [1] = { label = "gpio", item = { kind = "struct", name = "gpio", record = S["event_action_gpio"], doc = "" } },
       [2] = { label = "message", item = { kind = "struct", name = "message", record = S["event_action_message"], doc = "" } }, } }, } },
@@ -1196,43 +1196,43 @@ field({ descriptor = 0x30, name = "3dm.device_settings", role = "command", title
     required = { [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     timeout = 2.0,
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
     } }, { { set = 0x0C, name = "3dm.device_settings", title = "Device Start Up Settings" }, })
 field({ descriptor = 0x31, name = "3dm.sensor_to_vehicle_transform_euler", role = "command", title = "Sensor-to-Vehicle Frame Transformation Euler",
-    doc = "Mounting of the sensor in the vehicle as Euler angles.", least = 1,
+    doc = "Sets the mounting of the sensor in the vehicle as Euler angles.", least = 1,
     required = { [1] = 3, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Rotation about the x axis. Unit: rad." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "pitch", type = "float", size = 4, units = {"rad", }, doc = "Rotation about the y axis. Unit: rad." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "yaw", type = "float", size = 4, units = {"rad", }, doc = "Rotation about the z axis. Unit: rad." }, } },
     } }, { { set = 0x0C, name = "3dm.sensor_to_vehicle_transform_euler", title = "Sensor-to-Vehicle Frame Transformation Euler" }, })
 field({ descriptor = 0x32, name = "3dm.sensor_to_vehicle_transform_quaternion", role = "command", title = "Sensor-to-Vehicle Frame Transformation Quaternion",
-    doc = "Mounting of the sensor in the vehicle as a quaternion.", least = 1,
+    doc = "Sets the mounting of the sensor in the vehicle as a quaternion.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "q", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Unit quaternion that transforms vectors from the sensor frame to the vehicle frame. Unit: 1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
     } }, { { set = 0x0C, name = "3dm.sensor_to_vehicle_transform_quaternion", title = "Sensor-to-Vehicle Frame Transformation Quaternion" }, })
 field({ descriptor = 0x33, name = "3dm.sensor_to_vehicle_transform_dcm", role = "command", title = "Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix",
-    doc = "Mounting of the sensor in the vehicle as a direction cosine matrix.", least = 1,
+    doc = "Sets the mounting of the sensor in the vehicle as a direction cosine matrix.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "dcm", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "The matrix in row-major order. Unit: 1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
     } }, { { set = 0x0C, name = "3dm.sensor_to_vehicle_transform_dcm", title = "Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix" }, })
 field({ descriptor = 0x34, name = "3dm.gps_dynamics_mode", role = "command", title = "GPS dynamics mode",
     doc = "Sets the dynamics that the GNSS receiver assumes of the vehicle.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["3dm.receiver_dynamics"], doc = "Assumed dynamics." }, } },
     } }, { { set = 0x0C, name = "3dm.gps_dynamics_mode", title = "GPS dynamics mode" }, })
 field({ descriptor = 0x35, name = "3dm.imu_signal_conditioning", role = "command", title = "IMU signal conditioning",
     doc = "Configures the filters and the orientation algorithm of 3-series devices.", least = 1,
     required = { [1] = 8, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "orientation_decimation", type = "u16", size = 2, doc = "Divides 1000 Hz to the rate at which the orientation is computed. Unit: 1. Range: 1 to 1000." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "data_conditioning_flags", type = "u16", size = 2, flags = F["3dm.data_conditioning_flags"], doc = "Processing steps. Default: 3." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "inertial_filter_width", type = "u8", size = 1, doc = "Width of the filter of accelerometers and gyroscopes in samples. Unit: 1. Range: 1 to 32. Default: 15." }, } },
@@ -1246,22 +1246,22 @@ field({ descriptor = 0x36, name = "3dm.imu_timestamp", role = "command", title =
     doc = "Sets or reads a counter of the time of the sensor data.", least = 1,
     required = { [1] = 2, [2] = 1, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "selector", type = "u8", size = 1, enum = E["3dm.imu_timestamp_selector"], doc = "Which counter." }, } },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
+      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "selector", type = "u8", size = 1, enum = E["3dm.imu_timestamp_selector"], doc = "Counter to set or read." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "time", type = "u32", size = 4, doc = "Value of the counter, in the unit that `selector` states." }, } },
     } }, { { set = 0x0C, name = "3dm.imu_timestamp", title = "IMU timestamp" }, })
 field({ descriptor = 0x37, name = "3dm.accel_bias", role = "command", title = "Accelerometer Bias Configuration",
-    doc = "Bias that is subtracted from the scaled acceleration.", least = 1,
+    doc = "Sets the bias that is subtracted from the scaled acceleration.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, [6] = 1, }, silent = { [6] = true, },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "bias", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"g", }, doc = "Bias that the device subtracts from the measured acceleration. Unit: g. Frame: sensor.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
     } }, { { set = 0x0C, name = "3dm.accel_bias", title = "Accelerometer Bias Configuration" }, })
 field({ descriptor = 0x38, name = "3dm.gyro_bias", role = "command", title = "Gyroscope Bias Configuration",
-    doc = "Bias that is subtracted from the scaled angular rate.", least = 1,
+    doc = "Sets the bias that is subtracted from the scaled angular rate.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, [6] = 1, }, silent = { [6] = true, },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "bias", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad/s", }, doc = "Bias that the device subtracts from the measured angular rate. Unit: rad/s. Frame: sensor.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
     } }, { { set = 0x0C, name = "3dm.gyro_bias", title = "Gyroscope Bias Configuration" }, })
 field({ descriptor = 0x39, name = "3dm.capture_gyro_bias", role = "command", title = "Capture Gyroscope Bias",
@@ -1272,38 +1272,38 @@ field({ descriptor = 0x39, name = "3dm.capture_gyro_bias", role = "command", tit
       { kind = "scalar", name = "averaging_time_ms", type = "u16", size = 2, units = {"ms", }, doc = "Time to average over. Unit: ms. Range: 1000 to 30000." },
     } }, { { set = 0x0C, name = "3dm.capture_gyro_bias", title = "Capture Gyroscope Bias" }, })
 field({ descriptor = 0x3A, name = "3dm.mag_hard_iron_offset", role = "command", title = "Magnetometer Hard Iron Offset",
-    doc = "Offset that corrects the scaled magnetic field for hard iron.", least = 1,
+    doc = "Sets the offset that corrects the scaled magnetic field for hard iron.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, [6] = 1, }, silent = { [6] = true, },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Offset that the device subtracts from the measured magnetic field. Unit: gauss. Frame: sensor. On the 3DM-GX5-45: default 0, 0, 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
     } }, { { set = 0x0C, name = "3dm.mag_hard_iron_offset", title = "Magnetometer Hard Iron Offset" }, })
 field({ descriptor = 0x3B, name = "3dm.mag_soft_iron_matrix", role = "command", title = "Magnetometer Soft Iron Matrix",
-    doc = "Matrix that corrects the scaled magnetic field for soft iron.", least = 1,
+    doc = "Sets the matrix that corrects the scaled magnetic field for soft iron.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, [6] = 1, }, silent = { [6] = true, },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "matrix", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Soft iron matrix in row-major order. Unit: 1. Frame: sensor.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
     } }, { { set = 0x0C, name = "3dm.mag_soft_iron_matrix", title = "Magnetometer Soft Iron Matrix" }, })
 field({ descriptor = 0x3E, name = "3dm.coning_sculling_enable", role = "command", title = "Coning and Sculling Enable",
     doc = "Switches the compensation of coning and sculling on or off.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "Whether the compensation is on. Default: true." }, } },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
+      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "True if the compensation is on. Default: true." }, } },
     } }, { { set = 0x0C, name = "3dm.coning_sculling_enable", title = "Coning and Sculling Enable" }, })
 field({ descriptor = 0x40, name = "3dm.uart_baud_rate", role = "command", title = "UART Baud Rate",
-    doc = "Baud rate of the main port.", least = 1,
+    doc = "Sets the baud rate of the main port.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "baud", type = "u32", size = 4, units = {"Bd", }, doc = "Baud rate, one of those that the port supports. Unit: Bd. On the 3DM-GX5-15 and 3DM-GX5-45: default 115200." }, } },
     } }, { { set = 0x0C, name = "3dm.uart_baud_rate", title = "UART Baud Rate" }, })
 field({ descriptor = 0x41, name = "3dm.gpio_config", role = "command", title = "GPIO Configuration",
-    doc = "What a GPIO pin is used for.", least = 1,
+    doc = "Sets the use of a GPIO pin.", least = 1,
     required = { [1] = 4, [2] = 1, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "pin", type = "u8", size = 1, doc = "GPIO pin, counted from 1; 0 means all pins (save, load, default)." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "feature", type = "u8", size = 1, enum = E["gpio_feature"], doc = "Use of the pin. Default: unused." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "behavior", type = "u8", size = 1, doc = "Role of the pin within the feature; 0 if the feature has no roles. If feature is unused: values of gpio_unused_behavior. If feature is gpio: values of gpio_behavior. If feature is pps: values of gpio_pps_behavior. If feature is encoder: values of gpio_encoder_behavior. If feature is timestamp: values of gpio_timestamp_behavior. If feature is uart: values of gpio_uart_behavior.", readings = { {by = "feature", value = 0, enum = E["gpio_unused_behavior"] }, {by = "feature", value = 1, enum = E["gpio_behavior"] }, {by = "feature", value = 2, enum = E["gpio_pps_behavior"] }, {by = "feature", value = 3, enum = E["gpio_encoder_behavior"] }, {by = "feature", value = 4, enum = E["gpio_timestamp_behavior"] }, {by = "feature", value = 5, enum = E["gpio_uart_behavior"] }, } }, } },
@@ -1313,45 +1313,45 @@ field({ descriptor = 0x42, name = "3dm.gpio_state", role = "command", title = "G
     doc = "Sets or reads the state of a GPIO pin.", least = 1,
     required = { [1] = 2, [2] = 1, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "pin", type = "u8", size = 1, doc = "GPIO pin, counted from 1. Range: at least 1." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "state", type = "bool", size = 1, doc = "True is high." }, } },
     } }, { { set = 0x0C, name = "3dm.gpio_state", title = "GPIO State" }, })
 field({ descriptor = 0x43, name = "3dm.odometer_config", role = "command", title = "Odometer Configuration",
-    doc = "Input from a wheel encoder.", least = 1,
+    doc = "Configures the input from a wheel encoder.", least = 1,
     required = { [1] = 3, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["3dm.odometer_mode"], doc = "How the input works." }, } },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
+      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["3dm.odometer_mode"], doc = "Operation of the input." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "scaling", type = "float", size = 4, units = {"pulse/m", }, doc = "Pulses per distance travelled; negative if the encoder turns backwards. Unit: pulse/m." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "uncertainty", type = "float", size = 4, doc = "Relative uncertainty of the scaling, 1 sigma. Unit: 1. Range: at least 0." }, } },
     } }, { { set = 0x0C, name = "3dm.odometer_config", title = "Odometer Configuration" }, })
 field({ descriptor = 0x50, name = "3dm.imu_low_pass_filter", role = "command", title = "Advanced Low-Pass Filter Settings",
-    doc = "Low-pass filter of one quantity of the sensor data.", least = 1,
+    doc = "Configures the low-pass filter of one quantity of the sensor data.", least = 1,
     required = { [1] = 5, [2] = 1, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "target_descriptor", type = "u8", size = 1, doc = "Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05, magnetic field 0x06 or pressure 0x17. Refers to fields of Sensor data. On the 3DM-CV7-GNSS/INS: Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05, magnetic field 0x06 or pressure 0x17; 0 means all of them, except for read." }, } },
-      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "Whether the quantity is filtered. Default: true." }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "True if the quantity is filtered. Default: true." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "manual", type = "bool", size = 1, doc = "True uses `frequency`; false uses half the rate of the message format. Default: false." }, } },
       { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "frequency", type = "u16", size = 2, units = {"Hz", }, doc = "Cutoff (-3 dB). It has no meaning if `manual` is false. Unit: Hz. On the 3DM-GX5-15: range at most 250." }, } },
       { kind = "group", first = 5, last = 5, body = { { kind = "scalar", name = "reserved", type = "u8", size = 1, doc = "Reserved: send 0." }, } },
     } }, { { set = 0x0C, name = "3dm.imu_low_pass_filter", title = "Advanced Low-Pass Filter Settings" }, })
 field({ descriptor = 0x51, name = "3dm.complementary_filter", role = "command", title = "Complementary Filter Configuration",
-    doc = "Corrections of the complementary filter, which computes the attitude independently of the estimation filter.", least = 1,
+    doc = "Configures the complementary filter, which computes the attitude independently of the estimation filter.", least = 1,
     required = { [1] = 4, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "pitch_roll_enable", type = "bool", size = 1, doc = "Corrects pitch and roll (up, in terms of the 5-series). On the 3DM-GX5-15: default true." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "heading_enable", type = "bool", size = 1, doc = "Corrects the heading (north, in terms of the 5-series). On the 3DM-CL5-10, 3DM-CL5-15, 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-CX5-15 and 3DM-GX5-10: MSCL does not offer it. On the 3DM-GX5-15: default true." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "pitch_roll_time_constant", type = "float", size = 4, units = {"s", }, doc = "Time constant of the correction of pitch and roll. Unit: s. Range: 1 to 1000. Default: 10." }, } },
       { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "heading_time_constant", type = "float", size = 4, units = {"s", }, doc = "Time constant of the correction of the heading. Unit: s. Range: 1 to 1000. Default: 10." }, } },
     } }, { { set = 0x0C, name = "3dm.complementary_filter", title = "Complementary Filter Configuration" }, })
 field({ descriptor = 0x52, name = "3dm.sensor_range", role = "command", title = "Sensor Range",
-    doc = "Measuring range of a sensor.", least = 1,
+    doc = "Sets the measuring range of a sensor.", least = 1,
     required = { [1] = 2, [2] = 1, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "sensor", type = "u8", size = 1, enum = E["3dm.sensor_range_type"], doc = "Sensor whose range is set or read." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "setting", type = "u8", size = 1, doc = "Number of the range." }, } },
     } }, { { set = 0x0C, name = "3dm.sensor_range", title = "Sensor Range" }, })
@@ -1362,13 +1362,13 @@ field({ descriptor = 0x53, name = "3dm.get_calibrated_sensor_ranges", role = "co
       { kind = "scalar", name = "sensor", type = "u8", size = 1, enum = E["3dm.sensor_range_type"], doc = "The sensor; not all." },
     } }, { { set = 0x0C, name = "3dm.get_calibrated_sensor_ranges", title = "Get Calibrated Sensor Ranges" }, })
 field({ descriptor = 0x54, name = "3dm.low_pass_filter", role = "command", title = "Low-Pass Anti-Aliasing Filter",
-    doc = "Low-pass filter of a data field.", least = 1,
+    doc = "Configures the low-pass filter of a data field.", least = 1,
     required = { [1] = 5, [2] = 2, [3] = 2, [4] = 2, [5] = 2, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Descriptor set of the field." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "field_descriptor", type = "u8", size = 1, doc = "Field descriptor; 0 if the set is 0. Refers to fields of descriptor_set." }, } },
-      { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "Whether the field is filtered." }, } },
+      { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "True if the field is filtered." }, } },
       { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "manual", type = "bool", size = 1, doc = "True uses `frequency`; false uses half the rate of the field in the message format." }, } },
       { kind = "group", first = 5, last = 5, body = { { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cutoff; a write ignores it if `manual` is false, a read returns the cutoff in use. Unit: Hz. Range: at least 0." }, } },
     } }, { { set = 0x0C, name = "3dm.low_pass_filter", title = "Low-Pass Anti-Aliasing Filter" }, })
@@ -1376,7 +1376,7 @@ field({ descriptor = 0x60, name = "3dm.data_stream_format", role = "command", ti
     doc = "Selects MIP data or the raw data of a sensor for a stream.", least = 1,
     required = { [1] = 2, [2] = 2, [3] = 2, [4] = 2, [5] = 2, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "stream", type = "u8", size = 1, enum = E["3dm.internal_sensor"], doc = "Stream whose format is set or read." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "format", type = "u8", size = 1, enum = E["3dm.stream_format"], doc = "Format of a data stream." }, } },
     } }, { { set = 0x0C, name = "3dm.data_stream_format", title = "Data stream format" }, })
@@ -1385,7 +1385,7 @@ field({ descriptor = 0x61, name = "3dm.device_power_state", role = "command", ti
     required = { [1] = 2, [2] = 1, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
     timeout = 5.0,
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "device", type = "u8", size = 1, enum = E["3dm.internal_sensor"], doc = "The sensor." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "state", type = "u8", size = 1, enum = E["3dm.sensor_power_state"], doc = "Power state of an internal sensor." }, } },
     } }, { { set = 0x0C, name = "3dm.device_power_state", title = "Device power state" }, })
@@ -1393,7 +1393,7 @@ field({ descriptor = 0x62, name = "3dm.gps_advanced_settings", role = "command",
     doc = "Saves, loads or resets the settings of the GNSS receiver that were made in direct mode.", least = 1,
     required = { [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
     } }, { { set = 0x0C, name = "3dm.gps_advanced_settings", title = "GPS advanced settings" }, })
 field({ descriptor = 0x64, name = "3dm.device_status", role = "command", title = "Device Status",
     doc = "Gets the state of the device, in basic form or with counters.", least = 3,
@@ -1440,7 +1440,7 @@ field({ descriptor = 0x85, name = "3dm.data_stream_control_response", role = "re
     always = 2,
     rows = {
       { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Stream given in the command. On the 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of legacy_data_stream. On the 3DM-GX5-15: values of legacy_data_stream; only imu and filter.", readings = { {device = "3dm-cl5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cl5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cl5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-35", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-dh3", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gq4-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-35", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-35", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-mv5-ar", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-rq1-45-lt", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-rq1-45-st", enum = E["3dm.legacy_data_stream"] }, } },
-      { kind = "scalar", name = "enabled", type = "bool", size = 1, doc = "Whether the stream is sent." },
+      { kind = "scalar", name = "enabled", type = "bool", size = 1, doc = "True if the stream is sent." },
     } }, { { set = 0x0C, name = "3dm.data_stream_control_response", title = "Data Stream Control response" }, })
 field({ descriptor = 0x86, name = "3dm.imu_signal_conditioning_response", role = "response", title = "IMU signal conditioning response",
     doc = "", least = 13,
@@ -1486,7 +1486,7 @@ field({ descriptor = 0x8B, name = "3dm.imu_low_pass_filter_response", role = "re
     always = 5,
     rows = {
       { kind = "scalar", name = "target_descriptor", type = "u8", size = 1, doc = "Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05, magnetic field 0x06 or pressure 0x17. Refers to fields of Sensor data." },
-      { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "Whether the quantity is filtered. Default: true." },
+      { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "True if the quantity is filtered. Default: true." },
       { kind = "scalar", name = "manual", type = "bool", size = 1, doc = "True uses `frequency`; false uses half the rate of the message format. Default: false." },
       { kind = "scalar", name = "frequency", type = "u16", size = 2, units = {"Hz", }, doc = "Cutoff (-3 dB). It has no meaning if `manual` is false. Unit: Hz." },
       { kind = "scalar", name = "reserved", type = "u8", size = 1, doc = "Reserved." },
@@ -1554,8 +1554,8 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_response", role 
       { kind = "scalar", name = "status_flags", type = "u32", size = 4, doc = "Reserved." },
       { kind = "scalar", name = "system_state", type = "u16", size = 2, doc = "State of the system; its values are not documented." },
       { kind = "scalar", name = "system_timer", type = "u32", size = 4, units = {"ms", }, doc = "Time since start-up. Unit: ms." },
-      { kind = "scalar", name = "imu_stream_enabled", type = "bool", size = 1, doc = "Whether sensor data is streamed." },
-      { kind = "scalar", name = "filter_stream_enabled", type = "bool", size = 1, doc = "Whether filter data is streamed." },
+      { kind = "scalar", name = "imu_stream_enabled", type = "bool", size = 1, doc = "True if sensor data is streamed." },
+      { kind = "scalar", name = "filter_stream_enabled", type = "bool", size = 1, doc = "True if filter data is streamed." },
       { kind = "scalar", name = "imu_dropped_packets", type = "u32", size = 4, doc = "Sensor data packets that were not sent. Unit: 1." },
       { kind = "scalar", name = "filter_dropped_packets", type = "u32", size = 4, doc = "Filter data packets that were not sent. Unit: 1." },
       { kind = "scalar", name = "comm_port_bytes_written", type = "u32", size = 4, units = {"byte", }, doc = "Bytes sent over the port. Unit: byte." },
@@ -1579,9 +1579,9 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gnss_response", 
       { kind = "scalar", name = "gnss_power_state", type = "u8", size = 1, doc = "Power state of the GNSS receiver." },
       { kind = "scalar", name = "pps_count", type = "u32", size = 4, doc = "Pulses per second that were counted. Unit: 1." },
       { kind = "scalar", name = "pps_last_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last pulse. Unit: ms." },
-      { kind = "scalar", name = "imu_stream_enabled", type = "bool", size = 1, doc = "Whether sensor data is streamed." },
-      { kind = "scalar", name = "gnss_stream_enabled", type = "bool", size = 1, doc = "Whether GNSS data is streamed." },
-      { kind = "scalar", name = "filter_stream_enabled", type = "bool", size = 1, doc = "Whether filter data is streamed." },
+      { kind = "scalar", name = "imu_stream_enabled", type = "bool", size = 1, doc = "True if sensor data is streamed." },
+      { kind = "scalar", name = "gnss_stream_enabled", type = "bool", size = 1, doc = "True if GNSS data is streamed." },
+      { kind = "scalar", name = "filter_stream_enabled", type = "bool", size = 1, doc = "True if filter data is streamed." },
       { kind = "scalar", name = "imu_dropped_packets", type = "u32", size = 4, doc = "Sensor data packets that were not sent. Unit: 1." },
       { kind = "scalar", name = "gnss_dropped_packets", type = "u32", size = 4, doc = "GNSS data packets that were not sent. Unit: 1." },
       { kind = "scalar", name = "filter_dropped_packets", type = "u32", size = 4, doc = "Filter data packets that were not sent. Unit: 1." },
@@ -1609,9 +1609,9 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gq4_45_response"
       { kind = "scalar", name = "gnss_power_state", type = "u8", size = 1, doc = "Power state of the GNSS receiver." },
       { kind = "scalar", name = "pps_count", type = "u32", size = 4, doc = "Pulses per second that were counted. Unit: 1." },
       { kind = "scalar", name = "pps_last_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last pulse. Unit: ms." },
-      { kind = "scalar", name = "imu_stream_enabled", type = "bool", size = 1, doc = "Whether sensor data is streamed." },
-      { kind = "scalar", name = "gnss_stream_enabled", type = "bool", size = 1, doc = "Whether GNSS data is streamed." },
-      { kind = "scalar", name = "filter_stream_enabled", type = "bool", size = 1, doc = "Whether filter data is streamed." },
+      { kind = "scalar", name = "imu_stream_enabled", type = "bool", size = 1, doc = "True if sensor data is streamed." },
+      { kind = "scalar", name = "gnss_stream_enabled", type = "bool", size = 1, doc = "True if GNSS data is streamed." },
+      { kind = "scalar", name = "filter_stream_enabled", type = "bool", size = 1, doc = "True if filter data is streamed." },
       { kind = "scalar", name = "imu_dropped_packets", type = "u32", size = 4, doc = "Sensor data packets that were not sent. Unit: 1." },
       { kind = "scalar", name = "gnss_dropped_packets", type = "u32", size = 4, doc = "GNSS data packets that were not sent. Unit: 1." },
       { kind = "scalar", name = "filter_dropped_packets", type = "u32", size = 4, doc = "Filter data packets that were not sent. Unit: 1." },
@@ -1625,9 +1625,9 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gq4_45_response"
       { kind = "scalar", name = "gnss_parser_errors", type = "u32", size = 4, doc = "Messages of the receiver that could not be parsed. Unit: 1." },
       { kind = "scalar", name = "gnss_message_count", type = "u32", size = 4, doc = "Messages of the receiver that were read. Unit: 1." },
       { kind = "scalar", name = "gnss_last_message_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last message of the receiver. Unit: ms." },
-      { kind = "scalar", name = "mag_init_failed", type = "bool", size = 1, doc = "Whether the magnetometer could not be started." },
-      { kind = "scalar", name = "pressure_init_failed", type = "bool", size = 1, doc = "Whether the pressure sensor could not be started." },
-      { kind = "scalar", name = "receiver_init_failed", type = "bool", size = 1, doc = "Whether the GNSS receiver could not be started." },
+      { kind = "scalar", name = "mag_init_failed", type = "bool", size = 1, doc = "True if the magnetometer could not be started." },
+      { kind = "scalar", name = "pressure_init_failed", type = "bool", size = 1, doc = "True if the pressure sensor could not be started." },
+      { kind = "scalar", name = "receiver_init_failed", type = "bool", size = 1, doc = "True if the GNSS receiver could not be started." },
     } }, { { set = 0x0C, name = "3dm.device_status_diagnostic_gq4_45_response", title = "Diagnostic Device Status of the 3DM-GQ4-45" }, })
 field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_rq1_45_response", role = "response", title = "Diagnostic Device Status of the 3DM-RQ1-45",
     doc = "The layout with GNSS, plus the temperature.", least = 86,
@@ -1640,14 +1640,14 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_rq1_45_response"
       { kind = "scalar", name = "system_state", type = "u16", size = 2, doc = "State of the system; its values are not documented." },
       { kind = "scalar", name = "system_timer", type = "u32", size = 4, units = {"ms", }, doc = "Time since start-up. Unit: ms." },
       { kind = "scalar", name = "gnss_power_state", type = "u8", size = 1, doc = "Power state of the GNSS receiver." },
-      { kind = "scalar", name = "cold_start_on_power_on", type = "u8", size = 1, doc = "Whether the receiver starts cold at power-on." },
+      { kind = "scalar", name = "cold_start_on_power_on", type = "u8", size = 1, doc = "True if the receiver starts cold at power-up." },
       { kind = "scalar", name = "temperature", type = "float", size = 4, units = {"degC", }, doc = "Temperature of the board. Unit: degC." },
       { kind = "scalar", name = "temperature_last_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last temperature. Unit: ms." },
       { kind = "scalar", name = "pps_count", type = "u32", size = 4, doc = "Pulses per second that were counted. Unit: 1." },
       { kind = "scalar", name = "pps_last_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last pulse. Unit: ms." },
-      { kind = "scalar", name = "imu_stream_enabled", type = "bool", size = 1, doc = "Whether sensor data is streamed." },
-      { kind = "scalar", name = "gnss_stream_enabled", type = "bool", size = 1, doc = "Whether GNSS data is streamed." },
-      { kind = "scalar", name = "filter_stream_enabled", type = "bool", size = 1, doc = "Whether filter data is streamed." },
+      { kind = "scalar", name = "imu_stream_enabled", type = "bool", size = 1, doc = "True if sensor data is streamed." },
+      { kind = "scalar", name = "gnss_stream_enabled", type = "bool", size = 1, doc = "True if GNSS data is streamed." },
+      { kind = "scalar", name = "filter_stream_enabled", type = "bool", size = 1, doc = "True if filter data is streamed." },
       { kind = "scalar", name = "imu_dropped_packets", type = "u32", size = 4, doc = "Sensor data packets that were not sent. Unit: 1." },
       { kind = "scalar", name = "gnss_dropped_packets", type = "u32", size = 4, doc = "GNSS data packets that were not sent. Unit: 1." },
       { kind = "scalar", name = "filter_dropped_packets", type = "u32", size = 4, doc = "Filter data packets that were not sent. Unit: 1." },
@@ -1673,8 +1673,8 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gx4_response", r
       { kind = "scalar", name = "system_timer", type = "u32", size = 4, units = {"ms", }, doc = "Time since start-up. Unit: ms." },
       { kind = "scalar", name = "pps_count", type = "u32", size = 4, doc = "Pulses per second that were counted. Unit: 1." },
       { kind = "scalar", name = "pps_last_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last pulse. Unit: ms." },
-      { kind = "scalar", name = "imu_stream_enabled", type = "bool", size = 1, doc = "Whether sensor data is streamed." },
-      { kind = "scalar", name = "filter_stream_enabled", type = "bool", size = 1, doc = "Whether filter data is streamed." },
+      { kind = "scalar", name = "imu_stream_enabled", type = "bool", size = 1, doc = "True if sensor data is streamed." },
+      { kind = "scalar", name = "filter_stream_enabled", type = "bool", size = 1, doc = "True if filter data is streamed." },
       { kind = "scalar", name = "imu_dropped_packets", type = "u32", size = 4, doc = "Sensor data packets that were not sent. Unit: 1." },
       { kind = "scalar", name = "filter_dropped_packets", type = "u32", size = 4, doc = "Filter data packets that were not sent. Unit: 1." },
       { kind = "scalar", name = "comm_port_bytes_written", type = "u32", size = 4, units = {"byte", }, doc = "Bytes sent over the port. Unit: byte." },
@@ -1698,8 +1698,8 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_imu_response", r
       { kind = "constant", name = "status_selector", type = "u8", size = 1, value = "\2", doc = "Diagnostic status." },
       { kind = "scalar", name = "status_flags", type = "u32", size = 4, doc = "Reserved." },
       { kind = "scalar", name = "system_timer", type = "u32", size = 4, units = {"ms", }, doc = "Time since start-up. Unit: ms." },
-      { kind = "scalar", name = "has_mag", type = "bool", size = 1, doc = "Whether it has a magnetometer." },
-      { kind = "scalar", name = "has_pressure", type = "bool", size = 1, doc = "Whether it has a pressure sensor." },
+      { kind = "scalar", name = "has_mag", type = "bool", size = 1, doc = "True if it has a magnetometer." },
+      { kind = "scalar", name = "has_pressure", type = "bool", size = 1, doc = "True if it has a pressure sensor." },
       { kind = "scalar", name = "power_state", type = "u8", size = 1, doc = "Power state of the sensors." },
       { kind = "scalar", name = "gyro_range", type = "u16", size = 2, doc = "Largest angular rate that can be measured." },
       { kind = "scalar", name = "accel_range", type = "u16", size = 2, doc = "Largest acceleration that can be measured." },
@@ -1709,7 +1709,7 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_imu_response", r
       { kind = "scalar", name = "temperature_error", type = "u8", size = 1, doc = "State of the temperature measurement." },
       { kind = "scalar", name = "pps_count", type = "u32", size = 4, doc = "Pulses per second that were counted. Unit: 1." },
       { kind = "scalar", name = "pps_last_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last pulse. Unit: ms." },
-      { kind = "scalar", name = "imu_stream_enabled", type = "bool", size = 1, doc = "Whether sensor data is streamed." },
+      { kind = "scalar", name = "imu_stream_enabled", type = "bool", size = 1, doc = "True if sensor data is streamed." },
       { kind = "scalar", name = "imu_dropped_packets", type = "u32", size = 4, doc = "Sensor data packets that were not sent. Unit: 1." },
       { kind = "scalar", name = "comm_port_bytes_written", type = "u32", size = 4, units = {"byte", }, doc = "Bytes sent over the port. Unit: byte." },
       { kind = "scalar", name = "comm_port_bytes_read", type = "u32", size = 4, units = {"byte", }, doc = "Bytes received over the port. Unit: byte." },
@@ -1725,8 +1725,8 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gx4_imu_response
       { kind = "constant", name = "status_selector", type = "u8", size = 1, value = "\2", doc = "Diagnostic status." },
       { kind = "scalar", name = "status_flags", type = "u32", size = 4, doc = "Reserved." },
       { kind = "scalar", name = "system_timer", type = "u32", size = 4, units = {"ms", }, doc = "Time since start-up. Unit: ms." },
-      { kind = "scalar", name = "has_mag", type = "bool", size = 1, doc = "Whether it has a magnetometer." },
-      { kind = "scalar", name = "has_pressure", type = "bool", size = 1, doc = "Whether it has a pressure sensor." },
+      { kind = "scalar", name = "has_mag", type = "bool", size = 1, doc = "True if it has a magnetometer." },
+      { kind = "scalar", name = "has_pressure", type = "bool", size = 1, doc = "True if it has a pressure sensor." },
       { kind = "scalar", name = "gyro_range", type = "u16", size = 2, doc = "Largest angular rate that can be measured." },
       { kind = "scalar", name = "accel_range", type = "u8", size = 1, doc = "Largest acceleration that can be measured." },
       { kind = "scalar", name = "mag_range", type = "float", size = 4, doc = "Largest magnetic field that can be measured." },
@@ -1736,7 +1736,7 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gx4_imu_response
       { kind = "scalar", name = "temperature_error", type = "u8", size = 1, doc = "State of the temperature measurement; 0 is normal." },
       { kind = "scalar", name = "pps_count", type = "u32", size = 4, doc = "Pulses per second that were counted. Unit: 1." },
       { kind = "scalar", name = "pps_last_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last pulse. Unit: ms." },
-      { kind = "scalar", name = "imu_stream_enabled", type = "bool", size = 1, doc = "Whether sensor data is streamed." },
+      { kind = "scalar", name = "imu_stream_enabled", type = "bool", size = 1, doc = "True if sensor data is streamed." },
       { kind = "scalar", name = "imu_dropped_packets", type = "u32", size = 4, doc = "Sensor data packets that were not sent. Unit: 1." },
       { kind = "scalar", name = "comm_port_bytes_written", type = "u32", size = 4, units = {"byte", }, doc = "Bytes sent over the port. Unit: byte." },
       { kind = "scalar", name = "comm_port_bytes_read", type = "u32", size = 4, units = {"byte", }, doc = "Bytes received over the port. Unit: byte." },
@@ -1754,12 +1754,12 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_rq1_imu_response
       { kind = "scalar", name = "system_timer", type = "u64", size = 8, units = {"us", }, doc = "Time since start-up. Unit: us." },
       { kind = "scalar", name = "temperature", type = "float", size = 4, units = {"degC", }, doc = "Temperature of the board. Unit: degC." },
       { kind = "scalar", name = "temperature_last_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last temperature. Unit: ms." },
-      { kind = "scalar", name = "bad_temperature_sensor_detected", type = "bool", size = 1, doc = "Whether a temperature sensor is faulty." },
-      { kind = "scalar", name = "cold_temperature_detected", type = "bool", size = 1, doc = "Whether the temperature is too low." },
-      { kind = "scalar", name = "bad_voltage_detected", type = "bool", size = 1, doc = "Whether a supply voltage is out of range." },
+      { kind = "scalar", name = "bad_temperature_sensor_detected", type = "bool", size = 1, doc = "True if a temperature sensor is faulty." },
+      { kind = "scalar", name = "cold_temperature_detected", type = "bool", size = 1, doc = "True if the temperature is too low." },
+      { kind = "scalar", name = "bad_voltage_detected", type = "bool", size = 1, doc = "True if a supply voltage is out of range." },
       { kind = "scalar", name = "pps_count", type = "u32", size = 4, doc = "Pulses per second that were counted. Unit: 1." },
       { kind = "scalar", name = "pps_last_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last pulse. Unit: ms." },
-      { kind = "scalar", name = "imu_stream_enabled", type = "bool", size = 1, doc = "Whether sensor data is streamed." },
+      { kind = "scalar", name = "imu_stream_enabled", type = "bool", size = 1, doc = "True if sensor data is streamed." },
       { kind = "scalar", name = "imu_dropped_packets", type = "u32", size = 4, doc = "Sensor data packets that were not sent. Unit: 1." },
       { kind = "scalar", name = "comm_port_state", type = "u16", size = 2, doc = "State of the port; its values are not known." },
       { kind = "scalar", name = "comm_port_baud_rate", type = "u32", size = 4, units = {"Bd", }, doc = "Present baud rate of the port. Unit: Bd." },
@@ -1829,7 +1829,7 @@ field({ descriptor = 0x93, name = "3dm.imu_timestamp_response", role = "response
     doc = "", least = 5,
     always = 2,
     rows = {
-      { kind = "scalar", name = "selector", type = "u8", size = 1, enum = E["3dm.imu_timestamp_selector"], doc = "Which counter." },
+      { kind = "scalar", name = "selector", type = "u8", size = 1, enum = E["3dm.imu_timestamp_selector"], doc = "Counter to set or read." },
       { kind = "scalar", name = "time", type = "u32", size = 4, doc = "Value of the counter, in the unit that `selector` states." },
     } }, { { set = 0x0C, name = "3dm.imu_timestamp_response", title = "IMU timestamp response" }, })
 field({ descriptor = 0x97, name = "3dm.complementary_filter_response", role = "response", title = "Complementary Filter Configuration response",
@@ -1869,7 +1869,7 @@ field({ descriptor = 0x9E, name = "3dm.coning_sculling_enable_response", role = 
     doc = "", least = 1,
     always = 1,
     rows = {
-      { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "Whether the compensation is on. Default: true." },
+      { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "True if the compensation is on. Default: true." },
     } }, { { set = 0x0C, name = "3dm.coning_sculling_enable_response", title = "Coning and Sculling Enable response" }, })
 field({ descriptor = 0xA0, name = "3dm.constellation_settings_response", role = "response", title = "Constellation Settings response",
     doc = "Tracking channels of the receiver and the setting of each constellation.", least = 5,
@@ -1885,7 +1885,7 @@ field({ descriptor = 0xA1, name = "3dm.gnss_sbas_settings_response", role = "res
     always = 4,
     rows = {
       { kind = "scalar", name = "enable_sbas", type = "u8", size = 1, doc = "1 switches SBAS on, 0 off. Range: 0 to 1." },
-      { kind = "scalar", name = "sbas_options", type = "u16", size = 2, flags = F["3dm.sbas_options"], doc = "What SBAS is used for." },
+      { kind = "scalar", name = "sbas_options", type = "u16", size = 2, flags = F["3dm.sbas_options"], doc = "Purposes of SBAS." },
       { kind = "counter", name = "num_included_prns", type = "u8", size = 1, doc = "Number of satellites listed; 0 searches for all." },
       { kind = "array", name = "included_prns", counter = "num_included_prns", capacity = 124, size = 2, doc = "PRN numbers of the SBAS satellites to search for.", item = { kind = "scalar", name = "item", type = "u16", size = 2 } },
     } }, { { set = 0x0C, name = "3dm.gnss_sbas_settings_response", title = "GNSS SBAS Settings response" }, })
@@ -1893,7 +1893,7 @@ field({ descriptor = 0xA2, name = "3dm.gnss_assisted_fix_response", role = "resp
     doc = "", least = 2,
     always = 2,
     rows = {
-      { kind = "scalar", name = "option", type = "u8", size = 1, enum = E["3dm.assisted_fix_option"], doc = "Whether the receiver keeps data for a faster first fix. Default: none." },
+      { kind = "scalar", name = "option", type = "u8", size = 1, enum = E["3dm.assisted_fix_option"], doc = "Storage of data for a faster first fix. Default: none." },
       { kind = "scalar", name = "flags", type = "u8", size = 1, doc = "Reserved." },
     } }, { { set = 0x0C, name = "3dm.gnss_assisted_fix_response", title = "GNSS Assisted Fix response" }, })
 field({ descriptor = 0xA3, name = "3dm.gnss_time_assistance_response", role = "response", title = "GNSS Time Assistance response",
@@ -1979,7 +1979,7 @@ field({ descriptor = 0xB9, name = "3dm.event_action_config_response", role = "re
       { kind = "scalar", name = "instance", type = "u8", size = 1, doc = "Number of the action." },
       { kind = "scalar", name = "trigger", type = "u8", size = 1, doc = "Trigger instance that the action follows." },
       { kind = "scalar", name = "type", type = "u8", size = 1, enum = E["event_action_type"], doc = "Kind of action. Default: none." },
-      { kind = "switch", name = "parameters", tag = "type", doc = "What the action does.", cases = {
+      { kind = "switch", name = "parameters", tag = "type", doc = "Effect of the action.", cases = {
       [0] = { label = "none" },
       [1] = { label = "gpio", item = { kind = "struct", name = "gpio", record = S["event_action_gpio"], doc = "" } },
       [2] = { label = "message", item = { kind = "struct", name = "message", record = S["event_action_message"], doc = "" } }, } },
@@ -2004,7 +2004,7 @@ field({ descriptor = 0xC3, name = "3dm.odometer_config_response", role = "respon
     doc = "", least = 9,
     always = 3,
     rows = {
-      { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["3dm.odometer_mode"], doc = "How the input works." },
+      { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["3dm.odometer_mode"], doc = "Operation of the input." },
       { kind = "scalar", name = "scaling", type = "float", size = 4, units = {"pulse/m", }, doc = "Pulses per distance travelled; negative if the encoder turns backwards. Unit: pulse/m." },
       { kind = "scalar", name = "uncertainty", type = "float", size = 4, doc = "Relative uncertainty of the scaling, 1 sigma. Unit: 1. Range: at least 0." },
     } }, { { set = 0x0C, name = "3dm.odometer_config_response", title = "Odometer Configuration response" }, })
@@ -2029,7 +2029,7 @@ field({ descriptor = 0xD4, name = "3dm.low_pass_filter_response", role = "respon
     rows = {
       { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Descriptor set of the field." },
       { kind = "scalar", name = "field_descriptor", type = "u8", size = 1, doc = "Descriptor of the field that is filtered. Refers to fields of descriptor_set." },
-      { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "Whether the field is filtered." },
+      { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "True if the field is filtered." },
       { kind = "scalar", name = "manual", type = "bool", size = 1, doc = "True uses `frequency`; false uses half the rate of the field in the message format." },
       { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cutoff in use. Unit: Hz. Range: at least 0." },
     } }, { { set = 0x0C, name = "3dm.low_pass_filter_response", title = "Low-Pass Anti-Aliasing Filter response" }, })
@@ -2039,7 +2039,7 @@ field({ descriptor = 0x01, name = "filter.reset", role = "command", title = "Res
     rows = {
     } }, { { set = 0x0D, name = "filter.reset", title = "Reset navigation filter" }, })
 field({ descriptor = 0x02, name = "filter.set_initial_attitude", role = "command", title = "Set initial attitude",
-    doc = "Gives the filter its initial attitude, the orientation of the sensor frame in the NED frame.", least = 12,
+    doc = "Sets the initial attitude of the filter, the orientation of the sensor frame in the NED frame.", least = 12,
     always = 3,
     rows = {
       { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Roll angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive: right side down." },
@@ -2047,7 +2047,7 @@ field({ descriptor = 0x02, name = "filter.set_initial_attitude", role = "command
       { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading (yaw) angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above." },
     } }, { { set = 0x0D, name = "filter.set_initial_attitude", title = "Set initial attitude" }, })
 field({ descriptor = 0x03, name = "filter.set_initial_heading", role = "command", title = "Set initial heading",
-    doc = "Gives the filter its initial heading; pitch and roll come from the accelerometers.", least = 4,
+    doc = "Sets the initial heading of the filter; pitch and roll come from the accelerometers.", least = 4,
     always = 1,
     rows = {
       { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Initial heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above." },
@@ -2067,48 +2067,48 @@ field({ descriptor = 0x10, name = "filter.vehicle_dynamics_mode", role = "comman
     doc = "Adapts the filter to the motion that it has to expect.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["filter.dynamics_mode"], doc = "Kind of vehicle. On the 3DM-GX3-45: only portable, automotive and airborne." }, } },
     } }, { { set = 0x0D, name = "filter.vehicle_dynamics_mode", title = "Vehicle dynamics mode" }, })
 field({ descriptor = 0x11, name = "filter.sensor_to_vehicle_rotation_euler", role = "command", title = "Sensor to vehicle frame transformation",
-    doc = "Euler angles of the rotation from the sensor frame to the vehicle frame (5-series).", least = 1,
+    doc = "Sets the rotation from the sensor frame to the vehicle frame as Euler angles (5-series).", least = 1,
     required = { [1] = 3, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Roll angle. Unit: rad." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "pitch", type = "float", size = 4, units = {"rad", }, doc = "Pitch angle. Unit: rad." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "yaw", type = "float", size = 4, units = {"rad", }, doc = "Yaw angle. Unit: rad." }, } },
     } }, { { set = 0x0D, name = "filter.sensor_to_vehicle_rotation_euler", title = "Sensor to vehicle frame transformation" }, })
 field({ descriptor = 0x12, name = "filter.sensor_to_vehicle_offset", role = "command", title = "Sensor to vehicle offset",
-    doc = "Origin of the vehicle frame, as seen from the sensor.", least = 1,
+    doc = "Sets the origin of the vehicle frame, as seen from the sensor.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "From the sensor to the origin of the vehicle frame. Unit: m. Frame: sensor. Range: magnitude at most 10.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
     } }, { { set = 0x0D, name = "filter.sensor_to_vehicle_offset", title = "Sensor to vehicle offset" }, })
 field({ descriptor = 0x13, name = "filter.antenna_offset", role = "command", title = "GNSS antenna offset",
-    doc = "Position of the GNSS antenna relative to the origin of the sensor.", least = 1,
+    doc = "Sets the position of the GNSS antenna relative to the origin of the sensor.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "From the sensor origin to the phase centre of the antenna. Unit: m. Frame: vehicle. Range: magnitude at most 10. On the 3DM-GX5-45: frame sensor.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
     } }, { { set = 0x0D, name = "filter.antenna_offset", title = "GNSS antenna offset" }, })
 field({ descriptor = 0x14, name = "filter.estimation_control", role = "command", title = "Estimation control flags",
-    doc = "Which states the filter estimates.", least = 1,
+    doc = "Selects the states that the filter estimates.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "flags", type = "u16", size = 2, flags = F["filter.estimated_states"], doc = "States to estimate. On the 3DM-CL5-15, 3DM-CV5-15, 3DM-CX5-15, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25 and 3DM-GX5-15: only gyro_bias. On the 3DM-CL5-25, 3DM-CV5-25, 3DM-CX5-25 and 3DM-GX5-25: only gyro_bias, auto_hard_iron and auto_soft_iron. On the 3DM-CV5-45: only gyro_bias, accel_bias, gyro_scale_factor, accel_scale_factor, antenna_offset, auto_hard_iron and auto_soft_iron. On the 3DM-GQ4-45, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only gyro_bias, accel_bias, gyro_scale_factor, accel_scale_factor and antenna_offset." }, } },
     } }, { { set = 0x0D, name = "filter.estimation_control", title = "Estimation control flags" }, })
 field({ descriptor = 0x15, name = "filter.gnss_source", role = "command", title = "GNSS aiding source",
-    doc = "Which GNSS receiver aids the filter.", least = 1,
+    doc = "Selects the GNSS receiver that aids the filter.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "source", type = "u8", size = 1, enum = E["filter.gnss_aiding_source"], doc = "Source of the GNSS data. On the 3DM-GX5-45: only all_internal and external." }, } },
     } }, { { set = 0x0D, name = "filter.gnss_source", title = "GNSS aiding source" }, })
 field({ descriptor = 0x16, name = "filter.external_gnss_update", role = "command", title = "External GNSS update",
-    doc = "One measurement of position and velocity by a GNSS receiver of the user.", least = 70,
+    doc = "Sends one measurement of position and velocity by a GNSS receiver of the user to the filter.", least = 70,
     always = 8,
     rows = {
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800." },
@@ -2121,7 +2121,7 @@ field({ descriptor = 0x16, name = "filter.external_gnss_update", role = "command
       { kind = "array", name = "velocity_uncertainty", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m/s", }, doc = "Standard deviation of the velocity. Unit: m/s. Frame: ned. Range: at least 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x0D, name = "filter.external_gnss_update", title = "External GNSS update" }, })
 field({ descriptor = 0x17, name = "filter.external_heading_update", role = "command", title = "External heading update",
-    doc = "Gives the filter one measurement of the heading of the sensor frame in the NED frame.", least = 9,
+    doc = "Sends one measurement of the heading of the sensor frame in the NED frame to the filter.", least = 9,
     always = 3,
     rows = {
       { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above." },
@@ -2129,46 +2129,46 @@ field({ descriptor = 0x17, name = "filter.external_heading_update", role = "comm
       { kind = "scalar", name = "type", type = "u8", size = 1, enum = E["filter.heading_type"], doc = "North that the heading refers to." },
     } }, { { set = 0x0D, name = "filter.external_heading_update", title = "External heading update" }, })
 field({ descriptor = 0x18, name = "filter.heading_source", role = "command", title = "Heading update control",
-    doc = "Source of the heading that aids the filter.", least = 1,
+    doc = "Selects the source of the heading that aids the filter.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "source", type = "u8", size = 1, enum = E["filter.heading_update_source"], doc = "Source of the heading. On the 3DM-CL5-15, 3DM-CV5-15, 3DM-CX5-15 and 3DM-GX5-15: only none and external. On the 3DM-CL5-25, 3DM-CV5-25, 3DM-CX5-25, 3DM-GX4-25 and 3DM-GX5-25: only none, mag and external. On the 3DM-CV5-45: only none, mag, gnss_velocity, external, gnss_velocity_and_mag, gnss_velocity_and_external, mag_and_external and all. On the 3DM-GQ4-45, 3DM-GX3-45 and 3DM-GX4-45: only none, mag, gnss_velocity and external. On the 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only none, gnss_velocity and external." }, } },
     } }, { { set = 0x0D, name = "filter.heading_source", title = "Heading update control" }, })
 field({ descriptor = 0x19, name = "filter.auto_initialization_control", role = "command", title = "Automatic initialization",
-    doc = "Whether the filter initializes by itself when the device starts.", least = 1,
+    doc = "Sets whether the filter initializes automatically at power-up.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "enable", type = "u8", size = 1, doc = "0 disables, 1 enables. Range: 0 to 1." }, } },
     } }, { { set = 0x0D, name = "filter.auto_initialization_control", title = "Automatic initialization" }, })
 field({ descriptor = 0x1A, name = "filter.accel_noise", role = "command", title = "Accelerometer noise",
-    doc = "Standard deviation of the accelerometer noise that the filter assumes (process noise).", least = 1,
+    doc = "Sets the standard deviation of the accelerometer noise that the filter assumes (process noise).", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "noise", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Standard deviation per axis. Unit: m/s^2. Range: greater than 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
     } }, { { set = 0x0D, name = "filter.accel_noise", title = "Accelerometer noise" }, })
 field({ descriptor = 0x1B, name = "filter.gyro_noise", role = "command", title = "Gyroscope noise",
-    doc = "Standard deviation of the gyroscope noise that the filter assumes (process noise).", least = 1,
+    doc = "Sets the standard deviation of the gyroscope noise that the filter assumes (process noise).", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "noise", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad/s", }, doc = "Standard deviation per axis. Unit: rad/s. Range: greater than 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
     } }, { { set = 0x0D, name = "filter.gyro_noise", title = "Gyroscope noise" }, })
 field({ descriptor = 0x1C, name = "filter.accel_bias_model", role = "command", title = "Accelerometer bias model",
-    doc = "Parameters of the model by which the accelerometer bias drifts.", least = 1,
+    doc = "Sets the parameters of the model by which the accelerometer bias drifts.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "beta", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"1/s", }, doc = "Reciprocal of the correlation time per axis. Unit: 1/s.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "array", name = "noise", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Standard deviation of the noise per axis. Unit: m/s^2. Range: greater than 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
     } }, { { set = 0x0D, name = "filter.accel_bias_model", title = "Accelerometer bias model" }, })
 field({ descriptor = 0x1D, name = "filter.gyro_bias_model", role = "command", title = "Gyroscope bias model",
-    doc = "Parameters of the model by which the gyroscope bias drifts.", least = 1,
+    doc = "Sets the parameters of the model by which the gyroscope bias drifts.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "beta", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"1/s", }, doc = "Reciprocal of the correlation time per axis. Unit: 1/s.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "array", name = "noise", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad/s", }, doc = "Standard deviation of the noise per axis. Unit: rad/s. Range: greater than 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
     } }, { { set = 0x0D, name = "filter.gyro_bias_model", title = "Gyroscope bias model" }, })
@@ -2176,12 +2176,12 @@ field({ descriptor = 0x1E, name = "filter.auto_zupt", role = "command", title = 
     doc = "Lets the filter assume that the device is at rest while its GNSS speed is low.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "enable", type = "u8", size = 1, doc = "0 disables, 1 enables. Range: 0 to 1." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "threshold", type = "float", size = 4, units = {"m/s", }, doc = "Highest speed that is treated as zero. Unit: m/s. Range: at least 0." }, } },
     } }, { { set = 0x0D, name = "filter.auto_zupt", title = "Automatic zero velocity update" }, })
 field({ descriptor = 0x1F, name = "filter.external_heading_update_with_time", role = "command", title = "External heading update with time",
-    doc = "Gives the filter one measurement of the heading of the sensor frame with its GPS time.", least = 19,
+    doc = "Sends one measurement of the heading of the sensor frame with its GPS time to the filter.", least = 19,
     always = 5,
     rows = {
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week of the measurement. Unit: s. Range: at least 0, less than 604800." },
@@ -2194,7 +2194,7 @@ field({ descriptor = 0x20, name = "filter.auto_angular_zupt", role = "command", 
     doc = "Lets the filter assume that the device is not rotating while its angular rate is low.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "enable", type = "u8", size = 1, doc = "0 disables, 1 enables. Range: 0 to 1." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "threshold", type = "float", size = 4, units = {"rad/s", }, doc = "Highest angular rate that is treated as zero. Unit: rad/s. Range: at least 0." }, } },
     } }, { { set = 0x0D, name = "filter.auto_angular_zupt", title = "Zero angular rate update" }, })
@@ -2202,7 +2202,7 @@ field({ descriptor = 0x21, name = "filter.tare_orientation", role = "command", t
     doc = "Makes the present orientation in the NED frame the sensor-to-vehicle transformation.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "axes", type = "u8", size = 1, flags = F["filter.tare_axes"], doc = "Axes to tare; 0 resets all axes." }, } },
     } }, { { set = 0x0D, name = "filter.tare_orientation", title = "Tare orientation" }, })
 field({ descriptor = 0x22, name = "filter.commanded_zupt", role = "command", title = "Commanded zero velocity update",
@@ -2216,76 +2216,76 @@ field({ descriptor = 0x23, name = "filter.commanded_angular_zupt", role = "comma
     rows = {
     } }, { { set = 0x0D, name = "filter.commanded_angular_zupt", title = "Commanded zero angular rate update" }, })
 field({ descriptor = 0x26, name = "filter.reference_position", role = "command", title = "Set reference position",
-    doc = "Position for which the device computes gravity (WGS84) and the magnetic field (WMM2015).", least = 1,
+    doc = "Sets the position for which the device computes gravity (WGS84) and the magnetic field (WMM2015).", least = 1,
     required = { [1] = 4, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "enable", type = "u8", size = 1, doc = "0 disables, 1 enables. Range: 0 to 1." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east." }, } },
       { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "altitude", type = "double", size = 8, units = {"m", }, doc = "Altitude of the reference position. Unit: m." }, } },
     } }, { { set = 0x0D, name = "filter.reference_position", title = "Set reference position" }, })
 field({ descriptor = 0x27, name = "filter.mag_capture_auto_calibration", role = "command", title = "Capture automatic magnetometer calibration",
-    doc = "Moves what the automatic magnetometer calibration has found into the fixed calibration.", least = 1,
+    doc = "Moves the result of the automatic magnetometer calibration into the fixed calibration.", least = 1,
     required = { [1] = 0, [3] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
     } }, { { set = 0x0D, name = "filter.mag_capture_auto_calibration", title = "Capture automatic magnetometer calibration" }, })
 field({ descriptor = 0x28, name = "filter.gravity_noise", role = "command", title = "Gravity noise",
-    doc = "Standard deviation of the gravity noise that the filter assumes (process noise).", least = 1,
+    doc = "Sets the standard deviation of the gravity noise that the filter assumes (process noise).", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "noise", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"g", }, doc = "Standard deviation per axis. Unit: g. Range: greater than 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
     } }, { { set = 0x0D, name = "filter.gravity_noise", title = "Gravity noise" }, })
 field({ descriptor = 0x29, name = "filter.pressure_altitude_noise", role = "command", title = "Pressure altitude noise",
-    doc = "Standard deviation of the noise of the pressure altitude model that the filter assumes.", least = 1,
+    doc = "Sets the standard deviation of the noise of the pressure altitude model that the filter assumes.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "noise", type = "float", size = 4, units = {"m", }, doc = "Standard deviation. Unit: m. Range: greater than 0." }, } },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
+      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "noise", type = "float", size = 4, units = {"m", }, doc = "Standard deviation of the pressure altitude noise. Unit: m. Range: greater than 0." }, } },
     } }, { { set = 0x0D, name = "filter.pressure_altitude_noise", title = "Pressure altitude noise" }, })
 field({ descriptor = 0x2B, name = "filter.hard_iron_offset_noise", role = "command", title = "Hard iron offset noise",
-    doc = "Standard deviation of the noise of the estimated hard iron offset (process noise).", least = 1,
+    doc = "Sets the standard deviation of the noise of the estimated hard iron offset (process noise).", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "noise", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Standard deviation per axis. Unit: gauss. Range: greater than 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
     } }, { { set = 0x0D, name = "filter.hard_iron_offset_noise", title = "Hard iron offset noise" }, })
 field({ descriptor = 0x2C, name = "filter.soft_iron_matrix_noise", role = "command", title = "Soft iron matrix noise",
-    doc = "Standard deviation of the noise of the estimated soft iron matrix (process noise).", least = 1,
+    doc = "Sets the standard deviation of the noise of the estimated soft iron matrix (process noise).", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "noise", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Standard deviation per element. Unit: 1. Range: greater than 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
     } }, { { set = 0x0D, name = "filter.soft_iron_matrix_noise", title = "Soft iron matrix noise" }, })
 field({ descriptor = 0x41, name = "filter.enable_measurements", role = "command", title = "Enable or disable measurements",
-    doc = "Which inertial measurements the filter uses.", least = 1,
+    doc = "Selects the inertial measurements that the filter uses.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "control", type = "u16", size = 2, flags = F["filter.measurement_flags"], doc = "Measurements to use. On the 3DM-GX5-15: only accel." }, } },
     } }, { { set = 0x0D, name = "filter.enable_measurements", title = "Enable or disable measurements" }, })
 field({ descriptor = 0x42, name = "filter.mag_noise", role = "command", title = "Magnetometer noise",
-    doc = "Standard deviation of the magnetometer noise that the filter assumes.", least = 1,
+    doc = "Sets the standard deviation of the magnetometer noise that the filter assumes.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "noise", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Standard deviation per axis. Unit: gauss. Range: greater than 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
     } }, { { set = 0x0D, name = "filter.mag_noise", title = "Magnetometer noise" }, })
 field({ descriptor = 0x43, name = "filter.magnetic_declination_source", role = "command", title = "Magnetic declination source",
-    doc = "Source of the local declination of the magnetic field.", least = 1,
+    doc = "Selects the source of the local declination of the magnetic field.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "source", type = "u8", size = 1, enum = E["filter.mag_parameter_source"], doc = "Source of the declination. On the 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: only none and manual. On the 3DM-GQ7-GNSS/INS: only wmm and manual." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "declination", type = "float", size = 4, units = {"rad", }, doc = "Declination; used only if `source` is manual. Unit: rad. Range: -3.141592653589793 to 3.141592653589793." }, } },
     } }, { { set = 0x0D, name = "filter.magnetic_declination_source", title = "Magnetic declination source" }, })
 field({ descriptor = 0x44, name = "filter.accel_magnitude_error_adaptive_measurement", role = "command", title = "Gravity magnitude error adaptive measurement",
-    doc = "How far the filter trusts gravity measurements whose magnitude is not that of gravity.", least = 1,
+    doc = "Sets how far the filter trusts gravity measurements whose magnitude is not that of gravity.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "adaptive_measurement", type = "u8", size = 1, enum = E["filter.adaptive_measurement_selector"], doc = "Kind of adaptation. On the 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only disabled and fixed." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "low_limit", type = "float", size = 4, units = {"m/s^2", }, doc = "Lower limit of the error. Unit: m/s^2." }, } },
@@ -2295,10 +2295,10 @@ field({ descriptor = 0x44, name = "filter.accel_magnitude_error_adaptive_measure
       { kind = "group", first = 7, last = 7, body = { { kind = "scalar", name = "minimum_uncertainty", type = "float", size = 4, units = {"m/s^2", }, doc = "Smallest standard deviation. Unit: m/s^2. Range: at least 0." }, } },
     } }, { { set = 0x0D, name = "filter.accel_magnitude_error_adaptive_measurement", title = "Gravity magnitude error adaptive measurement" }, })
 field({ descriptor = 0x45, name = "filter.mag_magnitude_error_adaptive_measurement", role = "command", title = "Magnetometer magnitude error adaptive measurement",
-    doc = "How far the filter trusts a magnetic field whose magnitude is not as expected.", least = 1,
+    doc = "Sets how far the filter trusts a magnetic field whose magnitude is not as expected.", least = 1,
     required = { [1] = 7, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "adaptive_measurement", type = "u8", size = 1, enum = E["filter.adaptive_measurement_selector"], doc = "Kind of adaptation. On the 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only disabled and fixed." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "low_limit", type = "float", size = 4, units = {"gauss", }, doc = "Lower limit of the error. Unit: gauss." }, } },
@@ -2308,84 +2308,84 @@ field({ descriptor = 0x45, name = "filter.mag_magnitude_error_adaptive_measureme
       { kind = "group", first = 7, last = 7, body = { { kind = "scalar", name = "minimum_uncertainty", type = "float", size = 4, units = {"gauss", }, doc = "Smallest standard deviation. Unit: gauss. Range: at least 0." }, } },
     } }, { { set = 0x0D, name = "filter.mag_magnitude_error_adaptive_measurement", title = "Magnetometer magnitude error adaptive measurement" }, })
 field({ descriptor = 0x46, name = "filter.mag_dip_angle_error_adaptive_measurement", role = "command", title = "Magnetometer dip angle error adaptive measurement",
-    doc = "How far the filter trusts a magnetic field whose dip angle is not as expected.", least = 1,
+    doc = "Sets how far the filter trusts a magnetic field whose dip angle is not as expected.", least = 1,
     required = { [1] = 5, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "Whether the adaptation is on." }, } },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
+      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "True if the adaptation is on." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "high_limit", type = "float", size = 4, units = {"rad", }, doc = "Upper limit of the error. Unit: rad." }, } },
       { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "high_limit_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation at the upper limit. Unit: rad. Range: at least 0." }, } },
       { kind = "group", first = 5, last = 5, body = { { kind = "scalar", name = "minimum_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Smallest standard deviation. Unit: rad. Range: at least 0." }, } },
     } }, { { set = 0x0D, name = "filter.mag_dip_angle_error_adaptive_measurement", title = "Magnetometer dip angle error adaptive measurement" }, })
 field({ descriptor = 0x47, name = "filter.altitude_aiding", role = "command", title = "Altitude aiding",
-    doc = "What aids the altitude in addition to GNSS.", least = 1,
+    doc = "Selects the source that aids the altitude in addition to GNSS.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "selector", type = "u8", size = 1, enum = E["filter.altitude_aiding_source"], doc = "Source of the aiding." }, } },
     } }, { { set = 0x0D, name = "filter.altitude_aiding", title = "Altitude aiding" }, })
 field({ descriptor = 0x4B, name = "filter.pitch_roll_aiding", role = "command", title = "Pitch and roll aiding",
-    doc = "What aids pitch and roll while the motion is gentle.", least = 1,
+    doc = "Selects the source that aids pitch and roll while the motion is gentle.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "aiding", type = "u8", size = 1, enum = E["filter.pitch_roll_aiding_source"], doc = "Source of the aiding." }, } },
     } }, { { set = 0x0D, name = "filter.pitch_roll_aiding", title = "Pitch and roll aiding" }, })
 field({ descriptor = 0x4C, name = "filter.magnetic_inclination_source", role = "command", title = "Magnetic inclination source",
-    doc = "Source of the local inclination (dip angle) of the magnetic field.", least = 1,
+    doc = "Selects the source of the local inclination (dip angle) of the magnetic field.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "source", type = "u8", size = 1, enum = E["filter.mag_parameter_source"], doc = "Source of the inclination." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "inclination", type = "float", size = 4, units = {"rad", }, doc = "Inclination; used only if `source` is manual. Unit: rad. Range: -1.5707963267948966 to 1.5707963267948966." }, } },
     } }, { { set = 0x0D, name = "filter.magnetic_inclination_source", title = "Magnetic inclination source" }, })
 field({ descriptor = 0x4D, name = "filter.magnetic_magnitude_source", role = "command", title = "Magnetic field magnitude source",
-    doc = "Source of the local magnitude of the magnetic field.", least = 1,
+    doc = "Selects the source of the local magnitude of the magnetic field.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "source", type = "u8", size = 1, enum = E["filter.mag_parameter_source"], doc = "Source of the magnitude." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "magnitude", type = "float", size = 4, units = {"gauss", }, doc = "Magnitude; used only if `source` is manual. Unit: gauss. Range: at least 0." }, } },
     } }, { { set = 0x0D, name = "filter.magnetic_magnitude_source", title = "Magnetic field magnitude source" }, })
 field({ descriptor = 0x4E, name = "filter.sensor_to_vehicle_rotation_dcm", role = "command", title = "Sensor to vehicle rotation, matrix",
-    doc = "Rotation from the sensor frame to the vehicle frame as a direction cosine matrix.", least = 1,
+    doc = "Sets the rotation from the sensor frame to the vehicle frame as a direction cosine matrix.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "dcm", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Rotation matrix in row-major order. Unit: 1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
     } }, { { set = 0x0D, name = "filter.sensor_to_vehicle_rotation_dcm", title = "Sensor to vehicle rotation, matrix" }, })
 field({ descriptor = 0x4F, name = "filter.sensor_to_vehicle_rotation_quaternion", role = "command", title = "Sensor to vehicle rotation, quaternion",
-    doc = "Rotation from the sensor frame to the vehicle frame as a quaternion.", least = 1,
+    doc = "Sets the rotation from the sensor frame to the vehicle frame as a quaternion.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "q", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Unit quaternion, scalar part first. Unit: 1. Range: magnitude 0.999 to 1.001.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
     } }, { { set = 0x0D, name = "filter.sensor_to_vehicle_rotation_quaternion", title = "Sensor to vehicle rotation, quaternion" }, })
 field({ descriptor = 0x50, name = "filter.aiding_measurement_enable", role = "command", title = "Aiding measurement control",
     doc = "Enables or disables one source of aiding measurements.", least = 1,
     required = { [1] = 2, [2] = 1, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "aiding_source", type = "u16", size = 2, enum = E["filter.aiding_source"], doc = "The source; `all` is for save, load and default. On the 3DM-CV7-AHRS, 3DM-CX7-AHRS and 3DM-GV7-AHRS: only mag, external_heading and all. On the 3DM-CV7-AR, 3DM-CX7-AR and 3DM-GV7-AR: only external_heading and all. On the 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS: only gnss_position_velocity, altimeter, mag, external_heading, external_altimeter, external_mag, body_frame_velocity and all. On the 3DM-GQ7-GNSS/INS: only gnss_position_velocity, gnss_heading, altimeter, speed, mag, external_heading and all." }, } },
-      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "Whether the filter uses the source." }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "True if the filter uses the source." }, } },
     } }, { { set = 0x0D, name = "filter.aiding_measurement_enable", title = "Aiding measurement control" }, })
 field({ descriptor = 0x51, name = "filter.kinematic_constraint", role = "command", title = "Kinematic constraint",
-    doc = "What the filter may take for granted about the motion, in place of measurements.", least = 1,
+    doc = "Sets the assumptions about the motion that the filter uses in place of measurements.", least = 1,
     required = { [1] = 3, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "accel_constraint", type = "u8", size = 1, enum = E["filter.accel_constraint"], doc = "Assumption about the acceleration. Default: none." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "velocity_constraint", type = "u8", size = 1, enum = E["filter.velocity_constraint"], doc = "Assumption about the velocity. Default: none." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "angular_constraint", type = "u8", size = 1, enum = E["filter.angular_constraint"], doc = "Assumption about the angular rate. Default: none." }, } },
     } }, { { set = 0x0D, name = "filter.kinematic_constraint", title = "Kinematic constraint" }, })
 field({ descriptor = 0x52, name = "filter.initialization_config", role = "command", title = "Navigation filter initialization",
-    doc = "Sources and values of the initial attitude, position and velocity of the filter.", least = 1,
+    doc = "Sets the sources and values of the initial attitude, position and velocity of the filter.", least = 1,
     required = { [1] = 9, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "wait_for_run_command", type = "u8", size = 1, doc = "1: the filter starts only after filter.run; 0: it starts as soon as it can. Range: 0 to 1." }, } },
-      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "initial_condition_source", type = "u8", size = 1, enum = E["filter.initial_condition_source"], doc = "Which initial conditions are automatic and which the user provides." }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "initial_condition_source", type = "u8", size = 1, enum = E["filter.initial_condition_source"], doc = "Initial conditions that the user provides instead of the device." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "auto_heading_alignment_selector", type = "u8", size = 1, flags = F["filter.heading_alignment"], doc = "Methods by which the initial heading may be determined. On the 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS: only kinematic, mag and external. On the 3DM-GQ7-GNSS/INS: only dual_antenna, kinematic and mag." }, } },
       { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "initial_heading", type = "float", size = 4, units = {"deg", }, doc = "Initial heading that the user provides. Unit: deg." }, } },
       { kind = "group", first = 5, last = 5, body = { { kind = "scalar", name = "initial_pitch", type = "float", size = 4, units = {"deg", }, doc = "Initial pitch that the user provides. Unit: deg." }, } },
@@ -2395,26 +2395,26 @@ field({ descriptor = 0x52, name = "filter.initialization_config", role = "comman
       { kind = "group", first = 9, last = 9, body = { { kind = "scalar", name = "reference_frame_selector", type = "u8", size = 1, enum = E["filter.reference_frame"], doc = "Frame of the initial position and velocity." }, } },
     } }, { { set = 0x0D, name = "filter.initialization_config", title = "Navigation filter initialization" }, })
 field({ descriptor = 0x53, name = "filter.adaptive_filter_options", role = "command", title = "Adaptive filter control",
-    doc = "How the filter adapts to measurements that do not fit its model.", least = 1,
+    doc = "Sets how the filter adapts to measurements that do not fit its model.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "level", type = "u8", size = 1, enum = E["filter.adaptive_level"], doc = "Strength of the adaptation. Default: 2. On the 3DM-CV5-45 and 3DM-GX5-45: only off and moderate." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "time_limit", type = "u16", size = 2, units = {"ms", }, doc = "Longest time for which measurements are rejected before the filter recovers. Unit: ms." }, } },
     } }, { { set = 0x0D, name = "filter.adaptive_filter_options", title = "Adaptive filter control" }, })
 field({ descriptor = 0x54, name = "filter.multi_antenna_offset", role = "command", title = "GNSS multi-antenna offset",
-    doc = "Position of the antenna of one receiver on devices with several antennas.", least = 1,
+    doc = "Sets the position of the antenna of one receiver on devices with several antennas.", least = 1,
     required = { [1] = 2, [2] = 1, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "receiver_id", type = "u8", size = 1, doc = "Number of the receiver, from 1. Range: at least 1." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "array", name = "antenna_offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "From the sensor to the antenna. Unit: m. Frame: vehicle. Range: magnitude at most 10.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
     } }, { { set = 0x0D, name = "filter.multi_antenna_offset", title = "GNSS multi-antenna offset" }, })
 field({ descriptor = 0x55, name = "filter.relative_position_config", role = "command", title = "Relative position configuration",
-    doc = "Reference point of the relative position that the filter reports.", least = 1,
+    doc = "Sets the reference point of the relative position that the filter reports.", least = 1,
     required = { [1] = 3, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "source", type = "u8", size = 1, enum = E["filter.relative_position_source"], doc = "Source of the reference point." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "reference_frame_selector", type = "u8", size = 1, enum = E["filter.reference_frame"], doc = "Frame of the coordinates." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "array", name = "reference_coordinates", count = 3, capacity = 3, size = 8, elements = {"x", "y", "z", }, doc = "Reference point. If reference_frame_selector is ecef: unit m; frame ecef. If reference_frame_selector is llh: elements latitude, longitude, height; unit deg, deg, m; frame llh.", item = { kind = "scalar", name = "item", type = "double", size = 8 } }, } },
@@ -2423,12 +2423,12 @@ field({ descriptor = 0x56, name = "filter.reference_point_lever_arm", role = "co
     doc = "Moves the point to which the position and the velocity of the filter refer.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "reference_point", type = "u8", size = 1, enum = E["filter.reference_point"], doc = "Point to move; it must be 1." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "array", name = "lever_arm_offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "From the sensor to the point. Unit: m. Frame: vehicle. Range: magnitude at most 10.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
     } }, { { set = 0x0D, name = "filter.reference_point_lever_arm", title = "Reference point lever arm" }, })
 field({ descriptor = 0x60, name = "filter.speed_measurement", role = "command", title = "Speed measurement",
-    doc = "Gives the filter one measurement of the forward speed of the vehicle (along its x axis).", least = 13,
+    doc = "Sends one measurement of the forward speed of the vehicle (along its x axis) to the filter.", least = 13,
     always = 4,
     rows = {
       { kind = "scalar", name = "source", type = "u8", size = 1, doc = "Send 1. Reserved: send 1." },
@@ -2437,10 +2437,10 @@ field({ descriptor = 0x60, name = "filter.speed_measurement", role = "command", 
       { kind = "scalar", name = "speed_uncertainty", type = "float", size = 4, units = {"m/s", }, doc = "Standard deviation of the speed. Unit: m/s. Range: at least 0." },
     } }, { { set = 0x0D, name = "filter.speed_measurement", title = "Speed measurement" }, })
 field({ descriptor = 0x61, name = "filter.speed_lever_arm", role = "command", title = "Speed measurement lever arm",
-    doc = "Position of the point whose speed is measured, such as the wheel that an odometer is on.", least = 1,
+    doc = "Sets the position of the point whose speed is measured, such as the wheel that an odometer is on.", least = 1,
     required = { [1] = 2, [2] = 1, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "source", type = "u8", size = 1, doc = "Reserved: send 1." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "array", name = "lever_arm_offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "From the sensor to the point of measurement. Unit: m. Frame: vehicle.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
     } }, { { set = 0x0D, name = "filter.speed_lever_arm", title = "Speed measurement lever arm" }, })
@@ -2448,21 +2448,21 @@ field({ descriptor = 0x62, name = "filter.vertical_gyro_constraint_control", rol
     doc = "Lets the filter maintain pitch and roll by the accelerometers while there is no GNSS.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "enable", type = "u8", size = 1, doc = "0 disables, 1 enables. Range: 0 to 1." }, } },
     } }, { { set = 0x0D, name = "filter.vertical_gyro_constraint_control", title = "Vertical gyro constraint" }, })
 field({ descriptor = 0x63, name = "filter.wheeled_vehicle_constraint_control", role = "command", title = "Wheeled vehicle constraint",
     doc = "Lets the filter assume that the vehicle moves only along its x axis.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "enable", type = "u8", size = 1, doc = "0 disables, 1 enables. Range: 0 to 1." }, } },
     } }, { { set = 0x0D, name = "filter.wheeled_vehicle_constraint_control", title = "Wheeled vehicle constraint" }, })
 field({ descriptor = 0x64, name = "filter.gnss_antenna_calibration_control", role = "command", title = "GNSS antenna offset calibration",
-    doc = "Lets the filter track the error of the antenna offset.", least = 1,
+    doc = "Enables antenna offset calibration.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "enable", type = "u8", size = 1, doc = "0 disables, 1 enables. Range: 0 to 1." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "max_offset", type = "float", size = 4, units = {"m", }, doc = "Largest absolute error that is tracked. Unit: m. Frame: vehicle. Range: at least 0. On the 3DM-CV7-GNSS/INS: range 0 to 0.5; default 0.1." }, } },
     } }, { { set = 0x0D, name = "filter.gnss_antenna_calibration_control", title = "GNSS antenna offset calibration" }, })
@@ -2575,7 +2575,7 @@ field({ descriptor = 0x94, name = "filter.pressure_altitude_noise_response", rol
     doc = "", least = 4,
     always = 1,
     rows = {
-      { kind = "scalar", name = "noise", type = "float", size = 4, units = {"m", }, doc = "Standard deviation. Unit: m. Range: greater than 0." },
+      { kind = "scalar", name = "noise", type = "float", size = 4, units = {"m", }, doc = "Standard deviation of the pressure altitude noise. Unit: m. Range: greater than 0." },
     } }, { { set = 0x0D, name = "filter.pressure_altitude_noise_response", title = "Pressure altitude noise response" }, })
 field({ descriptor = 0x96, name = "filter.hard_iron_offset_noise_response", role = "response", title = "Hard iron offset noise response",
     doc = "", least = 12,
@@ -2642,7 +2642,7 @@ field({ descriptor = 0xB5, name = "filter.mag_dip_angle_error_adaptive_measureme
     doc = "", least = 17,
     always = 5,
     rows = {
-      { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "Whether the adaptation is on." },
+      { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "True if the adaptation is on." },
       { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0." },
       { kind = "scalar", name = "high_limit", type = "float", size = 4, units = {"rad", }, doc = "Upper limit of the error. Unit: rad." },
       { kind = "scalar", name = "high_limit_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation at the upper limit. Unit: rad. Range: at least 0." },
@@ -2691,7 +2691,7 @@ field({ descriptor = 0xD0, name = "filter.aiding_measurement_enable_response", r
     always = 2,
     rows = {
       { kind = "scalar", name = "aiding_source", type = "u16", size = 2, enum = E["filter.aiding_source"], doc = "Aiding source that the setting is for." },
-      { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "Whether the filter uses the source." },
+      { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "True if the filter uses the source." },
     } }, { { set = 0x0D, name = "filter.aiding_measurement_enable_response", title = "Aiding measurement control response" }, })
 field({ descriptor = 0xD1, name = "filter.kinematic_constraint_response", role = "response", title = "Kinematic constraint response",
     doc = "", least = 3,
@@ -2706,7 +2706,7 @@ field({ descriptor = 0xD2, name = "filter.initialization_config_response", role 
     always = 9,
     rows = {
       { kind = "scalar", name = "wait_for_run_command", type = "u8", size = 1, doc = "1: the filter starts only after filter.run; 0: it starts as soon as it can. Range: 0 to 1." },
-      { kind = "scalar", name = "initial_condition_source", type = "u8", size = 1, enum = E["filter.initial_condition_source"], doc = "Which initial conditions are automatic and which the user provides." },
+      { kind = "scalar", name = "initial_condition_source", type = "u8", size = 1, enum = E["filter.initial_condition_source"], doc = "Initial conditions that the user provides instead of the device." },
       { kind = "scalar", name = "auto_heading_alignment_selector", type = "u8", size = 1, flags = F["filter.heading_alignment"], doc = "Methods by which the initial heading may be determined." },
       { kind = "scalar", name = "initial_heading", type = "float", size = 4, units = {"deg", }, doc = "Initial heading that the user provides. Unit: deg." },
       { kind = "scalar", name = "initial_pitch", type = "float", size = 4, units = {"deg", }, doc = "Initial pitch that the user provides. Unit: deg." },
@@ -2776,10 +2776,10 @@ field({ descriptor = 0x01, name = "gnss.receiver_info", role = "command", title 
     rows = {
     } }, { { set = 0x0E, name = "gnss.receiver_info", title = "Receiver info" }, })
 field({ descriptor = 0x02, name = "gnss.signal_config", role = "command", title = "Signal configuration",
-    doc = "GNSS signals that the device uses.", least = 1,
+    doc = "Selects the GNSS signals that the device uses.", least = 1,
     required = { [1] = 5, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "gps_enable", type = "u8", size = 1, flags = F["gnss.gps_signals"], doc = "GPS signals." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "glonass_enable", type = "u8", size = 1, flags = F["gnss.glonass_signals"], doc = "GLONASS signals." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "galileo_enable", type = "u8", size = 1, flags = F["gnss.galileo_signals"], doc = "Galileo signals." }, } },
@@ -2791,31 +2791,31 @@ field({ descriptor = 0x03, name = "gnss.receiver_reset", role = "command", title
     always = 2,
     rows = {
       { kind = "scalar", name = "receiver_id", type = "u8", size = 1, enum = E["gnss.receiver_id"], doc = "Receiver to reset." },
-      { kind = "scalar", name = "reset_type", type = "u8", size = 1, enum = E["gnss.receiver_reset_type"], doc = "How much restarts." },
+      { kind = "scalar", name = "reset_type", type = "u8", size = 1, enum = E["gnss.receiver_reset_type"], doc = "Extent of the restart." },
     } }, { { set = 0x0E, name = "gnss.receiver_reset", title = "Receiver reset" }, })
 field({ descriptor = 0x04, name = "gnss.rtk_config", role = "command", title = "RTK configuration",
     doc = "Sets how readily the device fixes the ambiguities of an RTK solution.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "ambiguity_fix_mode", type = "u8", size = 1, enum = E["gnss.ambiguity_fix_mode"], doc = "How readily ambiguities are fixed." }, } },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
+      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "ambiguity_fix_mode", type = "u8", size = 1, enum = E["gnss.ambiguity_fix_mode"], doc = "Readiness to fix ambiguities." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "array", name = "reserved", count = 4, capacity = 4, size = 1, doc = "Reserved: send 0.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } }, } },
     } }, { { set = 0x0E, name = "gnss.rtk_config", title = "RTK configuration" }, })
 field({ descriptor = 0x10, name = "gnss.rtk_dongle_config", role = "command", title = "RTK dongle configuration",
     doc = "Switches the communication with a connected RTK dongle on or off.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "enable", type = "u8", size = 1, doc = "1 enables the dongle, 0 disables it. Range: 0 to 1." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "array", name = "reserved", count = 3, capacity = 3, size = 1, doc = "Reserved: send 0.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } }, } },
     } }, { { set = 0x0E, name = "gnss.rtk_dongle_config", title = "RTK dongle configuration" }, })
 field({ descriptor = 0x20, name = "gnss.spartn_config", role = "command", title = "SPARTN configuration",
-    doc = "Source and keys of SPARTN corrections.", least = 1,
+    doc = "Sets the source and the keys of SPARTN corrections.", least = 1,
     required = { [1] = 8, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "enable", type = "u8", size = 1, doc = "1 enables SPARTN corrections, 0 disables them. Range: 0 to 1." }, } },
-      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "type", type = "u8", size = 1, enum = E["gnss.spartn_connection"], doc = "How the corrections are received." }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "type", type = "u8", size = 1, enum = E["gnss.spartn_connection"], doc = "Channel of the corrections." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "current_key_tow", type = "u32", size = 4, units = {"s", }, doc = "GPS time of week until which the current key is valid. Unit: s." }, } },
       { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "current_key_week", type = "u16", size = 2, units = {"week", }, doc = "GPS week number until which the current key is valid. Unit: week." }, } },
       { kind = "group", first = 5, last = 5, body = { { kind = "array", name = "current_key", count = 32, capacity = 32, size = 1, doc = "Current key in ASCII digits.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } }, } },
@@ -2844,7 +2844,7 @@ field({ descriptor = 0x84, name = "gnss.rtk_config_response", role = "response",
     doc = "", least = 5,
     always = 2,
     rows = {
-      { kind = "scalar", name = "ambiguity_fix_mode", type = "u8", size = 1, enum = E["gnss.ambiguity_fix_mode"], doc = "How readily ambiguities are fixed." },
+      { kind = "scalar", name = "ambiguity_fix_mode", type = "u8", size = 1, enum = E["gnss.ambiguity_fix_mode"], doc = "Readiness to fix ambiguities." },
       { kind = "array", name = "reserved", count = 4, capacity = 4, size = 1, doc = "Reserved.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
     } }, { { set = 0x0E, name = "gnss.rtk_config_response", title = "RTK configuration response" }, })
 field({ descriptor = 0x90, name = "gnss.rtk_dongle_config_response", role = "response", title = "RTK dongle configuration response",
@@ -2859,7 +2859,7 @@ field({ descriptor = 0xA0, name = "gnss.spartn_config_response", role = "respons
     always = 8,
     rows = {
       { kind = "scalar", name = "enable", type = "u8", size = 1, doc = "1 enables SPARTN corrections, 0 disables them. Range: 0 to 1." },
-      { kind = "scalar", name = "type", type = "u8", size = 1, enum = E["gnss.spartn_connection"], doc = "How the corrections are received." },
+      { kind = "scalar", name = "type", type = "u8", size = 1, enum = E["gnss.spartn_connection"], doc = "Channel of the corrections." },
       { kind = "scalar", name = "current_key_tow", type = "u32", size = 4, units = {"s", }, doc = "GPS time of week until which the current key is valid. Unit: s." },
       { kind = "scalar", name = "current_key_week", type = "u16", size = 2, units = {"week", }, doc = "GPS week number until which the current key is valid. Unit: week." },
       { kind = "array", name = "current_key", count = 32, capacity = 32, size = 1, doc = "Current key in ASCII digits.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
@@ -2893,10 +2893,10 @@ field({ descriptor = 0x05, name = "rtk.get_rssi", role = "command", title = "Get
     rows = {
     } }, { { set = 0x0F, name = "rtk.get_rssi", title = "Get RSSI" }, })
 field({ descriptor = 0x06, name = "rtk.connected_device_type", role = "command", title = "Connected device type",
-    doc = "The device that the modem serves.", least = 1,
+    doc = "Sets the device that the modem serves.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "device_type", type = "u8", size = 1, enum = E["rtk.connected_device"], doc = "Device that the modem is connected to." }, } },
     } }, { { set = 0x0F, name = "rtk.connected_device_type", title = "Connected device type" }, })
 field({ descriptor = 0x07, name = "rtk.get_activation_code", role = "command", title = "Get activation code",
@@ -2924,7 +2924,7 @@ field({ descriptor = 0x20, name = "rtk.erase_storage", role = "command", title =
       { kind = "scalar", name = "media", type = "u8", size = 1, enum = E["rtk.storage_medium"], doc = "The medium." },
     } }, { { set = 0x0F, name = "rtk.erase_storage", title = "Erase storage" }, })
 field({ descriptor = 0x21, name = "rtk.led_control", role = "command", title = "LED control",
-    doc = "Colours and pattern of the LED.", least = 11,
+    doc = "Sets the colours and the pattern of the LED.", least = 11,
     always = 4,
     rows = {
       { kind = "array", name = "primary_color", count = 3, capacity = 3, size = 1, doc = "First colour.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
@@ -2965,7 +2965,7 @@ field({ descriptor = 0x85, name = "rtk.get_rssi_response", role = "response", ti
     doc = "", least = 9,
     always = 3,
     rows = {
-      { kind = "scalar", name = "valid", type = "bool", size = 1, doc = "Whether the modem is connected." },
+      { kind = "scalar", name = "valid", type = "bool", size = 1, doc = "True if the modem is connected." },
       { kind = "scalar", name = "rssi", type = "s32", size = 4, doc = "Received signal strength. Valid if valid is true." },
       { kind = "scalar", name = "signal_quality", type = "s32", size = 4, doc = "Quality of the modem's radio signal. Valid if valid is true." },
     } }, { { set = 0x0F, name = "rtk.get_rssi_response", title = "Get RSSI response" }, })
@@ -2988,7 +2988,7 @@ field({ descriptor = 0x88, name = "rtk.get_modem_firmware_version_response", rol
       { kind = "text", name = "modem_firmware_version", count = 32, capacity = 32, doc = "Firmware version of the modem, not of the dongle." },
     } }, { { set = 0x0F, name = "rtk.get_modem_firmware_version_response", title = "Get modem firmware version response" }, })
 field({ descriptor = 0x8A, name = "rtk.service_status_response", role = "response", title = "Service status response",
-    doc = "What the server knows of the connection.", least = 17,
+    doc = "Connection status according to the server.", least = 17,
     always = 4,
     rows = {
       { kind = "scalar", name = "flags", type = "u8", size = 1, flags = F["rtk.service_flags"], doc = "State of the service." },
@@ -3005,13 +3005,13 @@ field({ descriptor = 0x02, name = "displacement.output_rate", role = "command", 
     doc = "Reads the rate at which displacement is measured.", least = 1,
     required = { [2] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
     } }, { { set = 0x11, name = "displacement.output_rate", title = "Displacement Output Data Rate" }, })
 field({ descriptor = 0x04, name = "displacement.device_time", role = "command", title = "Displacement Device Time",
     doc = "Sets the clock of the device, from which displacement_data.timestamp is taken.", least = 1,
     required = { [1] = 1, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "time", type = "u64", size = 8, units = {"ns", }, doc = "UTC since 1970-01-01, without leap seconds. Unit: ns." }, } },
     } }, { { set = 0x11, name = "displacement.device_time", title = "Displacement Device Time" }, })
 field({ descriptor = 0x81, name = "displacement.get_calibration_response", role = "response", title = "Get Analog to Displacement Calibration response",
@@ -3028,113 +3028,113 @@ field({ descriptor = 0x82, name = "displacement.output_rate_response", role = "r
       { kind = "scalar", name = "rate", type = "u32", size = 4, units = {"Hz", }, doc = "Rate of displacement data. Unit: Hz." },
     } }, { { set = 0x11, name = "displacement.output_rate_response", title = "Displacement Output Data Rate response" }, })
 field({ descriptor = 0x01, name = "aiding.frame_config", role = "command", title = "Frame configuration",
-    doc = "Where and how an external sensor is mounted on the vehicle.", least = 1,
+    doc = "Sets the position and the orientation of an external sensor on the vehicle.", least = 1,
     required = { [1] = 5, [2] = 2, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Number of the frame. Range: 1 to 4." }, } },
-      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "format", type = "u8", size = 1, enum = E["aiding.aiding_frame_format"], doc = "How the rotation is given." }, } },
-      { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "tracking_enabled", type = "bool", size = 1, doc = "Whether the filter estimates the errors of the frame." }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "format", type = "u8", size = 1, enum = E["aiding.aiding_frame_format"], doc = "Format of the rotation." }, } },
+      { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "tracking_enabled", type = "bool", size = 1, doc = "True if the filter estimates the errors of the frame." }, } },
       { kind = "group", first = 4, last = 4, body = { { kind = "array", name = "translation", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Origin of the frame in the vehicle. Unit: m. Frame: vehicle.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
       { kind = "group", first = 5, last = 5, body = { { kind = "switch", name = "rotation", tag = "format", doc = "Rotation from the frame to the vehicle.", cases = {
       [1] = { label = "euler", item = { kind = "array", name = "euler", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad", }, doc = "Roll, pitch and yaw. Unit: rad. Range: -3.141592653589793 to 3.141592653589793.", item = { kind = "scalar", name = "item", type = "float", size = 4 } } },
       [2] = { label = "quaternion", item = { kind = "array", name = "quaternion", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Quaternion, scalar part first. Unit: 1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } } }, } }, } },
     } }, { { set = 0x13, name = "aiding.frame_config", title = "Frame configuration" }, })
 field({ descriptor = 0x1F, name = "aiding.echo_control", role = "command", title = "Echo control",
-    doc = "How the device answers aiding measurements.", least = 1,
+    doc = "Sets how the device answers aiding measurements.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["aiding.aiding_echo_mode"], doc = "How the measurements are answered." }, } },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
+      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["aiding.aiding_echo_mode"], doc = "Answers to the measurements." }, } },
     } }, { { set = 0x13, name = "aiding.echo_control", title = "Echo control" }, })
 field({ descriptor = 0x21, name = "aiding.ecef_position", role = "command", title = "ECEF position",
-    doc = "A measured position in Earth-fixed coordinates.", least = 49,
+    doc = "Sends a measured position in Earth-fixed coordinates.", least = 49,
     always = 5,
     rows = {
-      { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "When the measurement was taken." },
+      { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "Time of the measurement." },
       { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Frame of the sensor, as aiding.frame_config defines it. Range: 1 to 4." },
       { kind = "array", name = "position", count = 3, capacity = 3, size = 8, elements = {"x", "y", "z", }, units = {"m", }, doc = "Position of the origin of the frame. Unit: m. Frame: ecef. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
       { kind = "array", name = "uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Uncertainty of the position. Unit: m. Frame: ecef. Range: greater than 0. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["aiding.axis_flags"], doc = "Which axes are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["aiding.axis_flags"], doc = "Valid axes." },
     } }, { { set = 0x13, name = "aiding.ecef_position", title = "ECEF position" }, })
 field({ descriptor = 0x22, name = "aiding.llh_position", role = "command", title = "LLH position",
-    doc = "A measured position as latitude, longitude and height.", least = 49,
+    doc = "Sends a measured position as latitude, longitude and height.", least = 49,
     always = 7,
     rows = {
-      { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "When the measurement was taken." },
+      { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "Time of the measurement." },
       { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Frame of the sensor, as aiding.frame_config defines it. Range: 1 to 4." },
       { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if valid_flags.latitude is set." },
       { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if valid_flags.longitude is set." },
       { kind = "scalar", name = "height", type = "double", size = 8, units = {"m", }, doc = "Height above the ellipsoid. Unit: m. Frame: llh. Valid if valid_flags.height is set." },
       { kind = "array", name = "uncertainty", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m", }, doc = "Uncertainty of the position. Unit: m. Frame: ned. Range: greater than 0. Each element has its own valid flag. north: valid_flags.latitude, east: valid_flags.longitude, down: valid_flags.height.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["aiding.llh_axis_flags"], doc = "Which coordinates are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["aiding.llh_axis_flags"], doc = "Valid coordinates." },
     } }, { { set = 0x13, name = "aiding.llh_position", title = "LLH position" }, })
 field({ descriptor = 0x23, name = "aiding.height_above_ellipsoid", role = "command", title = "Height above ellipsoid",
-    doc = "A measured height.", least = 21,
+    doc = "Sends a measured height above the ellipsoid.", least = 21,
     always = 5,
     rows = {
-      { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "When the measurement was taken." },
+      { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "Time of the measurement." },
       { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Frame of the sensor, as aiding.frame_config defines it. Range: 1 to 4." },
       { kind = "scalar", name = "height", type = "float", size = 4, units = {"m", }, doc = "Height above the ellipsoid. Unit: m. Frame: llh." },
       { kind = "scalar", name = "uncertainty", type = "float", size = 4, units = {"m", }, doc = "Uncertainty of the height. Unit: m. Range: at least 0." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, doc = "Not 0: the measurement is valid." },
     } }, { { set = 0x13, name = "aiding.height_above_ellipsoid", title = "Height above ellipsoid" }, })
 field({ descriptor = 0x28, name = "aiding.ecef_velocity", role = "command", title = "ECEF velocity",
-    doc = "A measured velocity in Earth-fixed coordinates.", least = 37,
+    doc = "Sends a measured velocity in Earth-fixed coordinates.", least = 37,
     always = 5,
     rows = {
-      { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "When the measurement was taken." },
+      { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "Time of the measurement." },
       { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Frame of the sensor, as aiding.frame_config defines it. Range: 1 to 4." },
       { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Velocity of the origin of the frame. Unit: m/s. Frame: ecef. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "array", name = "uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Uncertainty of the velocity. Unit: m/s. Frame: ecef. Range: greater than 0. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["aiding.axis_flags"], doc = "Which axes are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["aiding.axis_flags"], doc = "Valid axes." },
     } }, { { set = 0x13, name = "aiding.ecef_velocity", title = "ECEF velocity" }, })
 field({ descriptor = 0x29, name = "aiding.ned_velocity", role = "command", title = "NED velocity",
-    doc = "A measured velocity in the local level frame.", least = 37,
+    doc = "Sends a measured velocity in the local level frame.", least = 37,
     always = 5,
     rows = {
-      { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "When the measurement was taken." },
+      { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "Time of the measurement." },
       { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Frame of the sensor, as aiding.frame_config defines it. Range: 1 to 4." },
       { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m/s", }, doc = "Velocity of the origin of the frame. Unit: m/s. Frame: ned. Each element has its own valid flag. north: valid_flags.x, east: valid_flags.y, down: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "array", name = "uncertainty", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m/s", }, doc = "Uncertainty of the velocity. Unit: m/s. Frame: ned. Range: greater than 0. Each element has its own valid flag. north: valid_flags.x, east: valid_flags.y, down: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["aiding.axis_flags"], doc = "Which axes are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["aiding.axis_flags"], doc = "Valid axes." },
     } }, { { set = 0x13, name = "aiding.ned_velocity", title = "NED velocity" }, })
 field({ descriptor = 0x2A, name = "aiding.body_frame_velocity", role = "command", title = "Body frame velocity",
-    doc = "A measured velocity of the vehicle in the frame of the sensor.", least = 37,
+    doc = "Sends a measured velocity of the vehicle in the frame of the sensor.", least = 37,
     always = 5,
     rows = {
-      { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "When the measurement was taken." },
+      { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "Time of the measurement." },
       { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Frame of the sensor, as aiding.frame_config defines it. Range: 1 to 4." },
       { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Velocity of the origin of the frame. Unit: m/s. Frame: aiding. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "array", name = "uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Standard deviation of the velocity. Unit: m/s. Frame: aiding. Range: greater than 0. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["aiding.axis_flags"], doc = "Which axes are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["aiding.axis_flags"], doc = "Valid axes." },
     } }, { { set = 0x13, name = "aiding.body_frame_velocity", title = "Body frame velocity" }, })
 field({ descriptor = 0x31, name = "aiding.true_heading", role = "command", title = "True heading",
-    doc = "A measured heading relative to true north.", least = 21,
+    doc = "Sends a measured heading relative to true north.", least = 21,
     always = 5,
     rows = {
-      { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "When the measurement was taken." },
+      { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "Time of the measurement." },
       { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Frame of the sensor, as aiding.frame_config defines it. Range: 1 to 4." },
       { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading relative to true north. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above." },
       { kind = "scalar", name = "uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Uncertainty of the heading. Unit: rad. Range: greater than 0." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, doc = "Not 0: the measurement is valid." },
     } }, { { set = 0x13, name = "aiding.true_heading", title = "True heading" }, })
 field({ descriptor = 0x32, name = "aiding.magnetic_field", role = "command", title = "Magnetic field",
-    doc = "A magnetic field measured by an external magnetometer.", least = 37,
+    doc = "Sends a magnetic field measured by an external magnetometer.", least = 37,
     always = 5,
     rows = {
-      { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "When the measurement was taken." },
+      { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "Time of the measurement." },
       { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Frame of the sensor, as aiding.frame_config defines it. Range: 1 to 4." },
       { kind = "array", name = "magnetic_field", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Calibrated magnetic field. Unit: gauss. Frame: aiding. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "array", name = "uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Standard deviation of the magnetic field. Unit: gauss. Frame: aiding. Range: greater than 0. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["aiding.axis_flags"], doc = "Which axes are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["aiding.axis_flags"], doc = "Valid axes." },
     } }, { { set = 0x13, name = "aiding.magnetic_field", title = "Magnetic field" }, })
 field({ descriptor = 0x33, name = "aiding.pressure", role = "command", title = "Pressure",
-    doc = "A static air pressure measured by an external sensor.", least = 21,
+    doc = "Sends a static air pressure measured by an external sensor.", least = 21,
     always = 5,
     plain = true,
     rows = {
-      { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "When the measurement was taken." },
+      { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "Time of the measurement." },
       { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Frame of the sensor, as aiding.frame_config defines it. Range: 1 to 4." },
       { kind = "scalar", name = "pressure", type = "float", size = 4, units = {"mbar", }, doc = "Air pressure. Unit: mbar." },
       { kind = "scalar", name = "uncertainty", type = "float", size = 4, units = {"mbar", }, doc = "Standard deviation of the pressure. Unit: mbar. Range: greater than 0." },
@@ -3145,8 +3145,8 @@ field({ descriptor = 0x81, name = "aiding.frame_config_response", role = "respon
     always = 5,
     rows = {
       { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Number of the frame. Range: 1 to 4." },
-      { kind = "scalar", name = "format", type = "u8", size = 1, enum = E["aiding.aiding_frame_format"], doc = "How the rotation is given." },
-      { kind = "scalar", name = "tracking_enabled", type = "bool", size = 1, doc = "Whether the filter estimates the errors of the frame." },
+      { kind = "scalar", name = "format", type = "u8", size = 1, enum = E["aiding.aiding_frame_format"], doc = "Format of the rotation." },
+      { kind = "scalar", name = "tracking_enabled", type = "bool", size = 1, doc = "True if the filter estimates the errors of the frame." },
       { kind = "array", name = "translation", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Origin of the frame in the vehicle. Unit: m. Frame: vehicle.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "switch", name = "rotation", tag = "format", doc = "Rotation from the frame to the vehicle.", cases = {
       [1] = { label = "euler", item = { kind = "array", name = "euler", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad", }, doc = "Roll, pitch and yaw. Unit: rad. Range: -3.141592653589793 to 3.141592653589793.", item = { kind = "scalar", name = "item", type = "float", size = 4 } } },
@@ -3156,13 +3156,13 @@ field({ descriptor = 0x9F, name = "aiding.echo_control_response", role = "respon
     doc = "", least = 1,
     always = 1,
     rows = {
-      { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["aiding.aiding_echo_mode"], doc = "How the measurements are answered." },
+      { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["aiding.aiding_echo_mode"], doc = "Answers to the measurements." },
     } }, { { set = 0x13, name = "aiding.echo_control_response", title = "Echo control response" }, })
 field({ descriptor = 0x02, name = "system.interface_control", role = "command", title = "Interface control",
-    doc = "Protocols that a port receives and sends.", least = 1,
+    doc = "Sets the protocols that a port receives and sends.", least = 1,
     required = { [1] = 3, [2] = 1, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "port", type = "u8", size = 1, enum = E["comm_interface"], doc = "Port whose protocols are set or read." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "protocols_incoming", type = "u32", size = 4, flags = F["system.comm_protocols"], doc = "Protocols that it receives." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "protocols_outgoing", type = "u32", size = 4, flags = F["system.comm_protocols"], doc = "Protocols that it sends." }, } },
@@ -3171,7 +3171,7 @@ field({ descriptor = 0x10, name = "system.comm_mode", role = "command", title = 
     doc = "Switches the port between the device and one of its internal sensors.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["system.protocol_mode"], doc = "Communication mode. Default: standard. On the 3DM-GX5-35: default standard." }, } },
     } }, { { set = 0x7F, name = "system.comm_mode", title = "Communication mode" }, })
 field({ descriptor = 0x82, name = "system.interface_control_response", role = "response", title = "Interface control response",
@@ -3207,7 +3207,7 @@ field({ descriptor = 0x03, name = "sensor.raw_mag", role = "data", title = "Raw 
       { kind = "array", name = "raw_mag", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Magnetic field in counts. Unit: 1. Frame: vehicle.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x80, name = "sensor.raw_mag", title = "Raw mag" }, })
 field({ descriptor = 0x04, name = "sensor.scaled_accel", role = "data", title = "Scaled accel",
-    doc = "Measured acceleration, temperature compensated.", least = 12,
+    doc = "Specific force, temperature compensated: about -1 g on z when level and at rest.", least = 12,
     always = 1,
     rows = {
       { kind = "array", name = "scaled_accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"g", }, doc = "Specific force: acceleration minus gravity. Unit: g. Frame: vehicle. At rest and level: x 0, y 0, z -1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
@@ -3332,7 +3332,7 @@ field({ descriptor = 0x17, name = "sensor.scaled_pressure", role = "data", title
       { kind = "scalar", name = "scaled_pressure", type = "float", size = 4, units = {"mbar", }, doc = "Ambient pressure. Unit: mbar. Range: at least 0." },
     } }, { { set = 0x80, name = "sensor.scaled_pressure", title = "Scaled pressure" }, })
 field({ descriptor = 0x18, name = "sensor.overrange_status", role = "data", title = "Overrange status",
-    doc = "Which sensor axes are near or outside their range.", least = 2,
+    doc = "Sensor axes that are near or outside their range.", least = 2,
     always = 1,
     rows = {
       { kind = "scalar", name = "status", type = "u16", size = 2, flags = F["sensor.overrange_flags"], doc = "One bit for each axis." },
@@ -3343,7 +3343,7 @@ field({ descriptor = 0x40, name = "sensor.odometer", role = "data", title = "Odo
     rows = {
       { kind = "scalar", name = "speed", type = "float", size = 4, units = {"m/s", }, doc = "Average speed over the interval; negative values come from quadrature encoders only. Unit: m/s. Valid if valid_flags.odometer is set." },
       { kind = "scalar", name = "uncertainty", type = "float", size = 4, units = {"m/s", }, doc = "Uncertainty of the speed. Unit: m/s. Range: at least 0. Valid if valid_flags.odometer is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["sensor.odometer_flags"], doc = "Whether the values are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["sensor.odometer_flags"], doc = "Validity of the measured values." },
     } }, { { set = 0x80, name = "sensor.odometer", title = "Odometer data" }, })
 field({ descriptor = 0x03, name = "gnss_data.llh_position", role = "data", title = "GNSS LLH position",
     doc = "GNSS position as latitude, longitude and height.", least = 42,
@@ -3355,7 +3355,7 @@ field({ descriptor = 0x03, name = "gnss_data.llh_position", role = "data", title
       { kind = "scalar", name = "msl_height", type = "double", size = 8, units = {"m", }, doc = "Height above mean sea level. Unit: m. Valid if valid_flags.msl_height is set." },
       { kind = "scalar", name = "horizontal_accuracy", type = "float", size = 4, units = {"m", }, doc = "Estimated error of latitude and longitude. Unit: m. Range: at least 0. Valid if valid_flags.horizontal_accuracy is set." },
       { kind = "scalar", name = "vertical_accuracy", type = "float", size = 4, units = {"m", }, doc = "Estimated error of the heights. Unit: m. Range: at least 0. Valid if valid_flags.vertical_accuracy is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.llh_position_flags"], doc = "Which parts of the position are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.llh_position_flags"], doc = "Valid parts of the position." },
     } }, { { set = 0x81, name = "gnss_data.llh_position", title = "GNSS LLH position" }, { set = 0x91, name = "gnss_1.llh_position", title = "GNSS LLH position" }, { set = 0x92, name = "gnss_2.llh_position", title = "GNSS LLH position" }, { set = 0x93, name = "gnss_corrections.llh_position", title = "GNSS LLH position" }, { set = 0x94, name = "gnss_external.llh_position", title = "GNSS LLH position" }, { set = 0x95, name = "gnss_external_2.llh_position", title = "GNSS LLH position" }, })
 field({ descriptor = 0x04, name = "gnss_data.ecef_position", role = "data", title = "GNSS ECEF position",
     doc = "GNSS position in Earth-fixed coordinates.", least = 30,
@@ -3363,7 +3363,7 @@ field({ descriptor = 0x04, name = "gnss_data.ecef_position", role = "data", titl
     rows = {
       { kind = "array", name = "position", count = 3, capacity = 3, size = 8, elements = {"x", "y", "z", }, units = {"m", }, doc = "Position of the antenna. Unit: m. Frame: ecef. Valid if valid_flags.position is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
       { kind = "scalar", name = "position_accuracy", type = "float", size = 4, units = {"m", }, doc = "Estimated error of the position. Unit: m. Range: at least 0. Valid if valid_flags.position_accuracy is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.ecef_position_flags"], doc = "Which parts of the position are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.ecef_position_flags"], doc = "Valid parts of the position." },
     } }, { { set = 0x81, name = "gnss_data.ecef_position", title = "GNSS ECEF position" }, { set = 0x91, name = "gnss_1.ecef_position", title = "GNSS ECEF position" }, { set = 0x92, name = "gnss_2.ecef_position", title = "GNSS ECEF position" }, { set = 0x93, name = "gnss_corrections.ecef_position", title = "GNSS ECEF position" }, { set = 0x94, name = "gnss_external.ecef_position", title = "GNSS ECEF position" }, { set = 0x95, name = "gnss_external_2.ecef_position", title = "GNSS ECEF position" }, })
 field({ descriptor = 0x05, name = "gnss_data.ned_velocity", role = "data", title = "NED velocity",
     doc = "GNSS velocity in the local level frame.", least = 34,
@@ -3375,7 +3375,7 @@ field({ descriptor = 0x05, name = "gnss_data.ned_velocity", role = "data", title
       { kind = "scalar", name = "heading", type = "float", size = 4, units = {"deg", }, doc = "Direction of the motion over ground. Unit: deg. Frame: ned. Positive: clockwise seen from above. Valid if valid_flags.heading is set." },
       { kind = "scalar", name = "speed_accuracy", type = "float", size = 4, units = {"m/s", }, doc = "Estimated error of the speed. Unit: m/s. Range: at least 0. Valid if valid_flags.speed_accuracy is set." },
       { kind = "scalar", name = "heading_accuracy", type = "float", size = 4, units = {"deg", }, doc = "Estimated error of the heading. Unit: deg. Range: at least 0. Valid if valid_flags.heading_accuracy is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.ned_velocity_flags"], doc = "Which parts of the velocity are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.ned_velocity_flags"], doc = "Valid parts of the velocity." },
     } }, { { set = 0x81, name = "gnss_data.ned_velocity", title = "NED velocity" }, { set = 0x91, name = "gnss_1.ned_velocity", title = "NED velocity" }, { set = 0x92, name = "gnss_2.ned_velocity", title = "NED velocity" }, { set = 0x93, name = "gnss_corrections.ned_velocity", title = "NED velocity" }, { set = 0x94, name = "gnss_external.ned_velocity", title = "NED velocity" }, { set = 0x95, name = "gnss_external_2.ned_velocity", title = "NED velocity" }, })
 field({ descriptor = 0x06, name = "gnss_data.ecef_velocity", role = "data", title = "GNSS ECEF velocity",
     doc = "GNSS velocity in Earth-fixed coordinates.", least = 18,
@@ -3383,7 +3383,7 @@ field({ descriptor = 0x06, name = "gnss_data.ecef_velocity", role = "data", titl
     rows = {
       { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Velocity of the antenna. Unit: m/s. Frame: ecef. At rest and level: x 0, y 0, z 0. Valid if valid_flags.velocity is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "velocity_accuracy", type = "float", size = 4, units = {"m/s", }, doc = "Estimated error of the velocity. Unit: m/s. Range: at least 0. Valid if valid_flags.velocity_accuracy is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.ecef_velocity_flags"], doc = "Which parts of the velocity are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.ecef_velocity_flags"], doc = "Valid parts of the velocity." },
     } }, { { set = 0x81, name = "gnss_data.ecef_velocity", title = "GNSS ECEF velocity" }, { set = 0x91, name = "gnss_1.ecef_velocity", title = "GNSS ECEF velocity" }, { set = 0x92, name = "gnss_2.ecef_velocity", title = "GNSS ECEF velocity" }, { set = 0x93, name = "gnss_corrections.ecef_velocity", title = "GNSS ECEF velocity" }, { set = 0x94, name = "gnss_external.ecef_velocity", title = "GNSS ECEF velocity" }, { set = 0x95, name = "gnss_external_2.ecef_velocity", title = "GNSS ECEF velocity" }, })
 field({ descriptor = 0x07, name = "gnss_data.dop", role = "data", title = "DOP",
     doc = "Dilution of precision of the satellite geometry.", least = 30,
@@ -3396,7 +3396,7 @@ field({ descriptor = 0x07, name = "gnss_data.dop", role = "data", title = "DOP",
       { kind = "scalar", name = "tdop", type = "float", size = 4, doc = "Time dilution. Unit: 1. Range: at least 0. Valid if valid_flags.tdop is set." },
       { kind = "scalar", name = "ndop", type = "float", size = 4, doc = "Northing dilution. Unit: 1. Range: at least 0. Valid if valid_flags.ndop is set." },
       { kind = "scalar", name = "edop", type = "float", size = 4, doc = "Easting dilution. Unit: 1. Range: at least 0. Valid if valid_flags.edop is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.dop_flags"], doc = "Which dilutions of precision are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.dop_flags"], doc = "Valid dilutions of precision." },
     } }, { { set = 0x81, name = "gnss_data.dop", title = "DOP" }, { set = 0x91, name = "gnss_1.dop", title = "DOP" }, { set = 0x92, name = "gnss_2.dop", title = "DOP" }, { set = 0x93, name = "gnss_corrections.dop", title = "DOP" }, { set = 0x94, name = "gnss_external.dop", title = "DOP" }, { set = 0x95, name = "gnss_external_2.dop", title = "DOP" }, })
 field({ descriptor = 0x08, name = "gnss_data.utc_time", role = "data", title = "UTC time",
     doc = "Coordinated universal time as the receiver knows it.", least = 13,
@@ -3409,7 +3409,7 @@ field({ descriptor = 0x08, name = "gnss_data.utc_time", role = "data", title = "
       { kind = "scalar", name = "min", type = "u8", size = 1, doc = "Minute. Range: 0 to 59. Valid if valid_flags.gnss_date_time is set." },
       { kind = "scalar", name = "sec", type = "u8", size = 1, units = {"s", }, doc = "Second. Unit: s. Range: 0 to 59. Valid if valid_flags.gnss_date_time is set." },
       { kind = "scalar", name = "msec", type = "u32", size = 4, units = {"ms", }, doc = "Fraction of the second. Unit: ms. Range: 0 to 999. Valid if valid_flags.gnss_date_time is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.utc_time_flags"], doc = "Which parts of the time are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.utc_time_flags"], doc = "Valid parts of the time." },
     } }, { { set = 0x81, name = "gnss_data.utc_time", title = "UTC time" }, { set = 0x91, name = "gnss_1.utc_time", title = "UTC time" }, { set = 0x92, name = "gnss_2.utc_time", title = "UTC time" }, { set = 0x93, name = "gnss_corrections.utc_time", title = "UTC time" }, { set = 0x94, name = "gnss_external.utc_time", title = "UTC time" }, { set = 0x95, name = "gnss_external_2.utc_time", title = "UTC time" }, })
 field({ descriptor = 0x09, name = "gnss_data.gps_time", role = "data", title = "GPS time",
     doc = "GPS time as the receiver knows it.", least = 12,
@@ -3417,7 +3417,7 @@ field({ descriptor = 0x09, name = "gnss_data.gps_time", role = "data", title = "
     rows = {
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow is set." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.gps_time_flags"], doc = "Which parts of the time are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.gps_time_flags"], doc = "Valid parts of the time." },
     } }, { { set = 0x81, name = "gnss_data.gps_time", title = "GPS time" }, { set = 0x91, name = "gnss_1.gps_time", title = "GPS time" }, { set = 0x92, name = "gnss_2.gps_time", title = "GPS time" }, { set = 0x93, name = "gnss_corrections.gps_time", title = "GPS time" }, { set = 0x94, name = "gnss_external.gps_time", title = "GPS time" }, { set = 0x95, name = "gnss_external_2.gps_time", title = "GPS time" }, })
 field({ descriptor = 0x0A, name = "gnss_data.clock_info", role = "data", title = "Clock info",
     doc = "Bias and drift of the receiver clock.", least = 26,
@@ -3426,16 +3426,16 @@ field({ descriptor = 0x0A, name = "gnss_data.clock_info", role = "data", title =
       { kind = "scalar", name = "bias", type = "double", size = 8, units = {"s", }, doc = "Bias of the clock. Unit: s. Valid if valid_flags.bias is set." },
       { kind = "scalar", name = "drift", type = "double", size = 8, units = {"s/s", }, doc = "Drift of the clock. Unit: s/s. Valid if valid_flags.drift is set." },
       { kind = "scalar", name = "accuracy_estimate", type = "double", size = 8, units = {"s", }, doc = "Estimated error of the bias. Unit: s. Range: at least 0. Valid if valid_flags.accuracy_estimate is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.clock_info_flags"], doc = "Which clock parameters are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.clock_info_flags"], doc = "Valid clock parameters." },
     } }, { { set = 0x81, name = "gnss_data.clock_info", title = "Clock info" }, { set = 0x91, name = "gnss_1.clock_info", title = "Clock info" }, { set = 0x92, name = "gnss_2.clock_info", title = "Clock info" }, { set = 0x93, name = "gnss_corrections.clock_info", title = "Clock info" }, { set = 0x94, name = "gnss_external.clock_info", title = "Clock info" }, { set = 0x95, name = "gnss_external_2.clock_info", title = "Clock info" }, })
 field({ descriptor = 0x0B, name = "gnss_data.fix_info", role = "data", title = "Fix info",
     doc = "Type of the position fix and what it is based on.", least = 6,
     always = 4,
     rows = {
-      { kind = "scalar", name = "fix_type", type = "u8", size = 1, enum = E["gnss_fix_type"], doc = "What the receiver can determine at present. Valid if valid_flags.fix_type is set." },
+      { kind = "scalar", name = "fix_type", type = "u8", size = 1, enum = E["gnss_fix_type"], doc = "Quantities that the receiver can determine at present. Valid if valid_flags.fix_type is set." },
       { kind = "scalar", name = "num_sv", type = "u8", size = 1, doc = "Number of satellites used in the fix. Unit: 1. Valid if valid_flags.num_sv is set." },
-      { kind = "scalar", name = "fix_flags", type = "u16", size = 2, flags = F["gnss_data.fix_flags"], doc = "What the fix uses. Valid if valid_flags.fix_flags is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.fix_info_flags"], doc = "Which parts of the fix information are valid." },
+      { kind = "scalar", name = "fix_flags", type = "u16", size = 2, flags = F["gnss_data.fix_flags"], doc = "Corrections and satellite systems of the fix. Valid if valid_flags.fix_flags is set." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.fix_info_flags"], doc = "Valid parts of the fix information." },
     } }, { { set = 0x81, name = "gnss_data.fix_info", title = "Fix info" }, { set = 0x91, name = "gnss_1.fix_info", title = "Fix info" }, { set = 0x92, name = "gnss_2.fix_info", title = "Fix info" }, { set = 0x93, name = "gnss_corrections.fix_info", title = "Fix info" }, { set = 0x94, name = "gnss_external.fix_info", title = "Fix info" }, { set = 0x95, name = "gnss_external_2.fix_info", title = "Fix info" }, })
 field({ descriptor = 0x0C, name = "gnss_data.sv_info", role = "data", title = "Satellite info",
     doc = "One satellite that is tracked.", least = 12,
@@ -3447,16 +3447,16 @@ field({ descriptor = 0x0C, name = "gnss_data.sv_info", role = "data", title = "S
       { kind = "scalar", name = "azimuth", type = "s16", size = 2, units = {"deg", }, doc = "Direction of the satellite, from north. Unit: deg. Valid if valid_flags.azimuth is set." },
       { kind = "scalar", name = "elevation", type = "s16", size = 2, units = {"deg", }, doc = "Angle of the satellite above the horizon. Unit: deg. Range: -90 to 90. Valid if valid_flags.elevation is set." },
       { kind = "scalar", name = "sv_flags", type = "u16", size = 2, flags = F["gnss_data.sv_flags"], doc = "State of the satellite. Valid if valid_flags.sv_flags is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.sv_info_flags"], doc = "Which parts of the satellite info are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.sv_info_flags"], doc = "Valid parts of the satellite info." },
     } }, { { set = 0x81, name = "gnss_data.sv_info", title = "Satellite info" }, { set = 0x91, name = "gnss_1.sv_info", title = "Satellite info" }, { set = 0x92, name = "gnss_2.sv_info", title = "Satellite info" }, { set = 0x93, name = "gnss_corrections.sv_info", title = "Satellite info" }, { set = 0x94, name = "gnss_external.sv_info", title = "Satellite info" }, { set = 0x95, name = "gnss_external_2.sv_info", title = "Satellite info" }, })
 field({ descriptor = 0x0D, name = "gnss_data.hardware_status", role = "data", title = "GNSS hardware status",
     doc = "State of the receiver and of its antenna.", least = 5,
     always = 4,
     rows = {
-      { kind = "scalar", name = "receiver_state", type = "u8", size = 1, enum = E["gnss_data.receiver_state"], doc = "Whether the receiver is powered and works. Valid if valid_flags.sensor_state is set." },
+      { kind = "scalar", name = "receiver_state", type = "u8", size = 1, enum = E["gnss_data.receiver_state"], doc = "Power and operation of the receiver. Valid if valid_flags.sensor_state is set." },
       { kind = "scalar", name = "antenna_state", type = "u8", size = 1, enum = E["gnss_data.antenna_state"], doc = "Electrical condition of the antenna. Valid if valid_flags.antenna_state is set." },
       { kind = "scalar", name = "antenna_power", type = "u8", size = 1, enum = E["gnss_data.antenna_power"], doc = "Supply of the antenna. Valid if valid_flags.antenna_power is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.hardware_status_flags"], doc = "Which parts of the hardware status are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.hardware_status_flags"], doc = "Valid parts of the hardware status." },
     } }, { { set = 0x81, name = "gnss_data.hardware_status", title = "GNSS hardware status" }, { set = 0x91, name = "gnss_1.hardware_status", title = "GNSS hardware status" }, { set = 0x92, name = "gnss_2.hardware_status", title = "GNSS hardware status" }, { set = 0x93, name = "gnss_corrections.hardware_status", title = "GNSS hardware status" }, { set = 0x94, name = "gnss_external.hardware_status", title = "GNSS hardware status" }, { set = 0x95, name = "gnss_external_2.hardware_status", title = "GNSS hardware status" }, })
 field({ descriptor = 0x0E, name = "gnss_data.dgps_info", role = "data", title = "DGPS info",
     doc = "State of the differential corrections.", least = 12,
@@ -3466,7 +3466,7 @@ field({ descriptor = 0x0E, name = "gnss_data.dgps_info", role = "data", title = 
       { kind = "scalar", name = "base_station_id", type = "s16", size = 2, doc = "Number of the base station. Valid if valid_flags.base_station_id is set." },
       { kind = "scalar", name = "base_station_status", type = "s16", size = 2, doc = "State of the base station: 0 to 5 are factors of the user differential range error, which are 1.0, 0.75, 0.5, 0.3, 0.2 and 0.1; 6 is not monitored, 7 not working. Valid if valid_flags.base_station_status is set." },
       { kind = "scalar", name = "num_channels", type = "u16", size = 2, doc = "Number of channels that have corrections. Unit: 1. Valid if valid_flags.num_channels is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.dgps_info_flags"], doc = "Which parts of the state of the corrections are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.dgps_info_flags"], doc = "Valid parts of the state of the corrections." },
     } }, { { set = 0x81, name = "gnss_data.dgps_info", title = "DGPS info" }, { set = 0x91, name = "gnss_1.dgps_info", title = "DGPS info" }, { set = 0x92, name = "gnss_2.dgps_info", title = "DGPS info" }, { set = 0x93, name = "gnss_corrections.dgps_info", title = "DGPS info" }, { set = 0x94, name = "gnss_external.dgps_info", title = "DGPS info" }, { set = 0x95, name = "gnss_external_2.dgps_info", title = "DGPS info" }, })
 field({ descriptor = 0x0E, name = "gnss_data.dgps_info_satellite", role = "data", title = "DGPS info with a satellite",
     doc = "Differential correction for one satellite, in the layout that the SDK states for DGPS info.", least = 15,
@@ -3475,8 +3475,8 @@ field({ descriptor = 0x0E, name = "gnss_data.dgps_info_satellite", role = "data"
       { kind = "scalar", name = "satellite_id", type = "u8", size = 1, doc = "Number of the satellite." },
       { kind = "scalar", name = "age", type = "float", size = 4, units = {"s", }, doc = "Age of the correction. Unit: s. Range: at least 0. Valid if valid_flags.age is set." },
       { kind = "scalar", name = "range_correction", type = "float", size = 4, units = {"m", }, doc = "Differential correction of the pseudorange. Unit: m." },
-      { kind = "scalar", name = "range_rate_correction", type = "float", size = 4, units = {"m/s", }, doc = "How fast the correction changes. Unit: m/s." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.dgps_info_flags"], doc = "Which parts of the state of the corrections are valid." },
+      { kind = "scalar", name = "range_rate_correction", type = "float", size = 4, units = {"m/s", }, doc = "Rate of change of the correction. Unit: m/s." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.dgps_info_flags"], doc = "Valid parts of the state of the corrections." },
     } }, { { set = 0x81, name = "gnss_data.dgps_info_satellite", title = "DGPS info with a satellite" }, { set = 0x91, name = "gnss_1.dgps_info_satellite", title = "DGPS info with a satellite" }, { set = 0x92, name = "gnss_2.dgps_info_satellite", title = "DGPS info with a satellite" }, { set = 0x93, name = "gnss_corrections.dgps_info_satellite", title = "DGPS info with a satellite" }, { set = 0x94, name = "gnss_external.dgps_info_satellite", title = "DGPS info with a satellite" }, { set = 0x95, name = "gnss_external_2.dgps_info_satellite", title = "DGPS info with a satellite" }, })
 field({ descriptor = 0x0F, name = "gnss_data.dgps_channel", role = "data", title = "DGPS channel",
     doc = "Differential correction for one satellite.", least = 15,
@@ -3485,8 +3485,8 @@ field({ descriptor = 0x0F, name = "gnss_data.dgps_channel", role = "data", title
       { kind = "scalar", name = "satellite_id", type = "u8", size = 1, doc = "Number of the satellite. Valid if valid_flags.satellite_id is set." },
       { kind = "scalar", name = "age", type = "float", size = 4, units = {"s", }, doc = "Age of the correction. Unit: s. Range: at least 0. Valid if valid_flags.age is set." },
       { kind = "scalar", name = "range_correction", type = "float", size = 4, units = {"m", }, doc = "Differential correction of the pseudorange. Unit: m. Valid if valid_flags.range_correction is set." },
-      { kind = "scalar", name = "range_rate_correction", type = "float", size = 4, units = {"m/s", }, doc = "How fast the correction changes. Unit: m/s. Valid if valid_flags.range_rate_correction is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.dgps_channel_flags"], doc = "Which parts of a differential correction are valid." },
+      { kind = "scalar", name = "range_rate_correction", type = "float", size = 4, units = {"m/s", }, doc = "Rate of change of the correction. Unit: m/s. Valid if valid_flags.range_rate_correction is set." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.dgps_channel_flags"], doc = "Valid parts of a differential correction." },
     } }, { { set = 0x81, name = "gnss_data.dgps_channel", title = "DGPS channel" }, { set = 0x91, name = "gnss_1.dgps_channel", title = "DGPS channel" }, { set = 0x92, name = "gnss_2.dgps_channel", title = "DGPS channel" }, { set = 0x93, name = "gnss_corrections.dgps_channel", title = "DGPS channel" }, { set = 0x94, name = "gnss_external.dgps_channel", title = "DGPS channel" }, { set = 0x95, name = "gnss_external_2.dgps_channel", title = "DGPS channel" }, })
 field({ descriptor = 0x10, name = "gnss_data.clock_info_2", role = "data", title = "Clock info 2",
     doc = "Bias and drift of the receiver clock.", least = 34,
@@ -3496,14 +3496,14 @@ field({ descriptor = 0x10, name = "gnss_data.clock_info_2", role = "data", title
       { kind = "scalar", name = "drift", type = "double", size = 8, units = {"s/s", }, doc = "Drift of the clock. Unit: s/s. Valid if valid_flags.drift is set." },
       { kind = "scalar", name = "bias_accuracy_estimate", type = "double", size = 8, units = {"s", }, doc = "Estimated error of the bias. Unit: s. Range: at least 0. Valid if valid_flags.bias_accuracy is set." },
       { kind = "scalar", name = "drift_accuracy_estimate", type = "double", size = 8, units = {"s/s", }, doc = "Estimated error of the drift. Unit: s/s. Range: at least 0. Valid if valid_flags.drift_accuracy is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.clock_info_2_flags"], doc = "Which clock parameters are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.clock_info_2_flags"], doc = "Valid clock parameters." },
     } }, { { set = 0x81, name = "gnss_data.clock_info_2", title = "Clock info 2" }, { set = 0x91, name = "gnss_1.clock_info_2", title = "Clock info 2" }, { set = 0x92, name = "gnss_2.clock_info_2", title = "Clock info 2" }, { set = 0x93, name = "gnss_corrections.clock_info_2", title = "Clock info 2" }, { set = 0x94, name = "gnss_external.clock_info_2", title = "Clock info 2" }, { set = 0x95, name = "gnss_external_2.clock_info_2", title = "Clock info 2" }, })
 field({ descriptor = 0x11, name = "gnss_data.gps_leap_seconds", role = "data", title = "GPS leap seconds",
     doc = "Difference between GPS time and UTC.", least = 3,
     always = 2,
     rows = {
       { kind = "scalar", name = "leap_seconds", type = "u8", size = 1, units = {"s", }, doc = "GPS time minus UTC. Unit: s. Valid if valid_flags.leap_seconds is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.gps_leap_seconds_flags"], doc = "Whether the value is valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.gps_leap_seconds_flags"], doc = "Validity of the leap seconds." },
     } }, { { set = 0x81, name = "gnss_data.gps_leap_seconds", title = "GPS leap seconds" }, { set = 0x91, name = "gnss_1.gps_leap_seconds", title = "GPS leap seconds" }, { set = 0x92, name = "gnss_2.gps_leap_seconds", title = "GPS leap seconds" }, { set = 0x93, name = "gnss_corrections.gps_leap_seconds", title = "GPS leap seconds" }, { set = 0x94, name = "gnss_external.gps_leap_seconds", title = "GPS leap seconds" }, { set = 0x95, name = "gnss_external_2.gps_leap_seconds", title = "GPS leap seconds" }, })
 field({ descriptor = 0x12, name = "gnss_data.sbas_info", role = "data", title = "SBAS info",
     doc = "Status of the satellite based augmentation.", least = 16,
@@ -3515,14 +3515,14 @@ field({ descriptor = 0x12, name = "gnss_data.sbas_info", role = "data", title = 
       { kind = "scalar", name = "sbas_id", type = "u8", size = 1, doc = "SBAS satellite. Valid if valid_flags.sbas_id is set." },
       { kind = "scalar", name = "count", type = "u8", size = 1, doc = "Number of SBAS corrections. Unit: 1. Valid if valid_flags.count is set." },
       { kind = "scalar", name = "sbas_status", type = "u8", size = 1, flags = F["gnss_data.sbas_status"], doc = "Status of the service. Valid if valid_flags.sbas_status is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.sbas_info_flags"], doc = "Which parts of the SBAS status are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.sbas_info_flags"], doc = "Valid parts of the SBAS status." },
     } }, { { set = 0x81, name = "gnss_data.sbas_info", title = "SBAS info" }, { set = 0x91, name = "gnss_1.sbas_info", title = "SBAS info" }, { set = 0x92, name = "gnss_2.sbas_info", title = "SBAS info" }, { set = 0x93, name = "gnss_corrections.sbas_info", title = "SBAS info" }, { set = 0x94, name = "gnss_external.sbas_info", title = "SBAS info" }, { set = 0x95, name = "gnss_external_2.sbas_info", title = "SBAS info" }, })
 field({ descriptor = 0x13, name = "gnss_data.sbas_correction", role = "data", title = "SBAS correction",
     doc = "SBAS correction for one satellite.", least = 25,
     always = 10,
     rows = {
       { kind = "scalar", name = "index", type = "u8", size = 1, doc = "Number of this field within the epoch." },
-      { kind = "scalar", name = "count", type = "u8", size = 1, doc = "How many of these fields the epoch has." },
+      { kind = "scalar", name = "count", type = "u8", size = 1, doc = "Number of these fields in the epoch." },
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week of the reception. Unit: s. Range: at least 0, less than 604800." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week." },
       { kind = "scalar", name = "gnss_id", type = "u8", size = 1, enum = E["gnss_constellation"], doc = "Constellation." },
@@ -3530,18 +3530,18 @@ field({ descriptor = 0x13, name = "gnss_data.sbas_correction", role = "data", ti
       { kind = "scalar", name = "udrei", type = "u8", size = 1, doc = "Indicator of the range error that remains after fast and long-term corrections, not counting the atmosphere; 14 is not monitored, 15 not usable. Range: 0 to 15. Valid if valid_flags.udrei is set." },
       { kind = "scalar", name = "pseudorange_correction", type = "float", size = 4, units = {"m", }, doc = "Correction of the pseudorange by the augmentation system. Unit: m. Valid if valid_flags.pseudorange_correction is set." },
       { kind = "scalar", name = "iono_correction", type = "float", size = 4, units = {"m", }, doc = "Correction of the ionospheric delay. Unit: m. Valid if valid_flags.iono_correction is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.sbas_correction_flags"], doc = "Which parts of an SBAS correction are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.sbas_correction_flags"], doc = "Valid parts of an SBAS correction." },
     } }, { { set = 0x81, name = "gnss_data.sbas_correction", title = "SBAS correction" }, { set = 0x91, name = "gnss_1.sbas_correction", title = "SBAS correction" }, { set = 0x92, name = "gnss_2.sbas_correction", title = "SBAS correction" }, { set = 0x93, name = "gnss_corrections.sbas_correction", title = "SBAS correction" }, { set = 0x94, name = "gnss_external.sbas_correction", title = "SBAS correction" }, { set = 0x95, name = "gnss_external_2.sbas_correction", title = "SBAS correction" }, })
 field({ descriptor = 0x14, name = "gnss_data.rf_error_detection", role = "data", title = "RF error detection",
     doc = "Jamming and spoofing that the receiver detects in one band.", least = 9,
     always = 6,
     rows = {
       { kind = "scalar", name = "rf_band", type = "u8", size = 1, enum = E["gnss_data.rf_band"], doc = "Band that the states are about. Valid if valid_flags.rf_band is set." },
-      { kind = "scalar", name = "jamming_state", type = "u8", size = 1, enum = E["gnss_data.jamming_state"], doc = "Whether signals are jammed in this band. Valid if valid_flags.jamming_state is set." },
-      { kind = "scalar", name = "spoofing_state", type = "u8", size = 1, enum = E["gnss_data.spoofing_state"], doc = "Whether false signals are detected in this band. Valid if valid_flags.spoofing_state is set." },
+      { kind = "scalar", name = "jamming_state", type = "u8", size = 1, enum = E["gnss_data.jamming_state"], doc = "State of jamming in this band. Valid if valid_flags.jamming_state is set." },
+      { kind = "scalar", name = "spoofing_state", type = "u8", size = 1, enum = E["gnss_data.spoofing_state"], doc = "State of spoofing in this band. Valid if valid_flags.spoofing_state is set." },
       { kind = "scalar", name = "frequency", type = "u16", size = 2, units = {"MHz", }, doc = "Centre frequency of the band. Unit: MHz. Valid if valid_flags.frequency is set." },
       { kind = "array", name = "reserved", count = 2, capacity = 2, size = 1, doc = "Reserved.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.rf_error_detection_flags"], doc = "Which parts of the detection are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.rf_error_detection_flags"], doc = "Valid parts of the detection." },
     } }, { { set = 0x81, name = "gnss_data.rf_error_detection", title = "RF error detection" }, { set = 0x91, name = "gnss_1.rf_error_detection", title = "RF error detection" }, { set = 0x92, name = "gnss_2.rf_error_detection", title = "RF error detection" }, { set = 0x93, name = "gnss_corrections.rf_error_detection", title = "RF error detection" }, { set = 0x94, name = "gnss_external.rf_error_detection", title = "RF error detection" }, { set = 0x95, name = "gnss_external_2.rf_error_detection", title = "RF error detection" }, })
 field({ descriptor = 0x15, name = "gnss_data.heading", role = "data", title = "GNSS heading",
     doc = "Heading that the receiver computes from its antennas.", least = 11,
@@ -3551,29 +3551,29 @@ field({ descriptor = 0x15, name = "gnss_data.heading", role = "data", title = "G
       { kind = "scalar", name = "heading", type = "float", size = 4, units = {"deg", }, doc = "Heading of the baseline between the antennas. Unit: deg. Valid if valid_flags.heading is set." },
       { kind = "scalar", name = "uncertainty", type = "float", size = 4, units = {"deg", }, doc = "Uncertainty of the heading. Unit: deg. Range: at least 0. Valid if valid_flags.uncertainty is set." },
       { kind = "scalar", name = "fix_type", type = "u8", size = 1, enum = E["gnss_data.heading_fix_type"], doc = "Kind of the fix. Valid if valid_flags.fix_type is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.heading_flags"], doc = "Which parts of the heading are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.heading_flags"], doc = "Valid parts of the heading." },
     } }, { { set = 0x81, name = "gnss_data.heading", title = "GNSS heading" }, { set = 0x91, name = "gnss_1.heading", title = "GNSS heading" }, { set = 0x92, name = "gnss_2.heading", title = "GNSS heading" }, { set = 0x93, name = "gnss_corrections.heading", title = "GNSS heading" }, { set = 0x94, name = "gnss_external.heading", title = "GNSS heading" }, { set = 0x95, name = "gnss_external_2.heading", title = "GNSS heading" }, })
 field({ descriptor = 0x20, name = "gnss_data.satellite_status", role = "data", title = "Satellite status",
     doc = "Direction to one satellite, and its health.", least = 25,
     always = 10,
     rows = {
       { kind = "scalar", name = "index", type = "u8", size = 1, doc = "Number of this field within the epoch." },
-      { kind = "scalar", name = "count", type = "u8", size = 1, doc = "How many of these fields the epoch has." },
+      { kind = "scalar", name = "count", type = "u8", size = 1, doc = "Number of these fields in the epoch." },
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow is set." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set." },
       { kind = "scalar", name = "gnss_id", type = "u8", size = 1, enum = E["gnss_constellation"], doc = "Constellation. Valid if valid_flags.gnss_id is set." },
       { kind = "scalar", name = "satellite_id", type = "u8", size = 1, doc = "Satellite within the constellation. Valid if valid_flags.satellite_id is set." },
       { kind = "scalar", name = "elevation", type = "float", size = 4, units = {"deg", }, doc = "Elevation, as seen from the rover. Unit: deg. Range: -90 to 90. Valid if valid_flags.elevation is set." },
       { kind = "scalar", name = "azimuth", type = "float", size = 4, units = {"deg", }, doc = "Azimuth, as seen from the rover. Unit: deg. Valid if valid_flags.azimuth is set." },
-      { kind = "scalar", name = "health", type = "bool", size = 1, doc = "Whether the satellite is healthy. Valid if valid_flags.health is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.satellite_status_flags"], doc = "Which parts of the satellite status are valid." },
+      { kind = "scalar", name = "health", type = "bool", size = 1, doc = "True if the satellite is healthy. Valid if valid_flags.health is set." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.satellite_status_flags"], doc = "Valid parts of the satellite status." },
     } }, { { set = 0x81, name = "gnss_data.satellite_status", title = "Satellite status" }, { set = 0x91, name = "gnss_1.satellite_status", title = "Satellite status" }, { set = 0x92, name = "gnss_2.satellite_status", title = "Satellite status" }, { set = 0x93, name = "gnss_corrections.satellite_status", title = "Satellite status" }, { set = 0x94, name = "gnss_external.satellite_status", title = "Satellite status" }, { set = 0x95, name = "gnss_external_2.satellite_status", title = "Satellite status" }, })
 field({ descriptor = 0x22, name = "gnss_data.raw", role = "data", title = "Raw",
     doc = "Raw observation of one signal of one satellite.", least = 61,
     always = 19,
     rows = {
       { kind = "scalar", name = "index", type = "u8", size = 1, doc = "Number of this field within the epoch." },
-      { kind = "scalar", name = "count", type = "u8", size = 1, doc = "How many of these fields the epoch has." },
+      { kind = "scalar", name = "count", type = "u8", size = 1, doc = "Number of these fields in the epoch." },
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow is set." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set." },
       { kind = "scalar", name = "receiver_id", type = "u16", size = 2, doc = "Receiver, counted from 1; for a measurement from RTCM, the reference station. Valid if valid_flags.receiver_id is set." },
@@ -3582,7 +3582,7 @@ field({ descriptor = 0x22, name = "gnss_data.raw", role = "data", title = "Raw",
       { kind = "scalar", name = "satellite_id", type = "u8", size = 1, doc = "Satellite within the constellation. Valid if valid_flags.satellite_id is set." },
       { kind = "scalar", name = "signal_id", type = "u8", size = 1, enum = E["gnss_signal"], doc = "Signal of the satellite that was tracked. Valid if valid_flags.signal_id is set." },
       { kind = "scalar", name = "signal_strength", type = "float", size = 4, units = {"dB-Hz", }, doc = "Carrier to noise density ratio. Unit: dB-Hz. Valid if valid_flags.signal_strength is set." },
-      { kind = "scalar", name = "quality", type = "u8", size = 1, enum = E["gnss_data.signal_quality"], doc = "How well the signal is tracked. Valid if valid_flags.quality is set." },
+      { kind = "scalar", name = "quality", type = "u8", size = 1, enum = E["gnss_data.signal_quality"], doc = "Quality of the tracking of the signal. Valid if valid_flags.quality is set." },
       { kind = "scalar", name = "pseudorange", type = "double", size = 8, units = {"m", }, doc = "Measured distance, with the clock errors of receiver and satellite. Unit: m. Range: at least 0. Valid if valid_flags.pseudorange is set." },
       { kind = "scalar", name = "carrier_phase", type = "double", size = 8, units = {"cycle", }, doc = "Accumulated phase of the carrier; its initial number of cycles is arbitrary. Unit: cycle. Valid if valid_flags.carrier_phase is set." },
       { kind = "scalar", name = "doppler", type = "float", size = 4, units = {"Hz", }, doc = "Doppler shift. Unit: Hz. Valid if valid_flags.doppler is set." },
@@ -3590,7 +3590,7 @@ field({ descriptor = 0x22, name = "gnss_data.raw", role = "data", title = "Raw",
       { kind = "scalar", name = "phase_uncertainty", type = "float", size = 4, units = {"cycle", }, doc = "Uncertainty of the carrier phase. Unit: cycle. Range: at least 0. Valid if valid_flags.carrier_phase_uncertainty is set." },
       { kind = "scalar", name = "doppler_uncertainty", type = "float", size = 4, units = {"Hz", }, doc = "Uncertainty of the Doppler shift. Unit: Hz. Range: at least 0. Valid if valid_flags.doppler_uncertainty is set." },
       { kind = "scalar", name = "lock_time", type = "float", size = 4, units = {"s", }, doc = "Lower limit of the time that the carrier phase has been locked. Unit: s. Range: at least 0. Valid if valid_flags.lock_time is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.raw_flags"], doc = "Which parts of the observation are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.raw_flags"], doc = "Valid parts of the observation." },
     } }, { { set = 0x81, name = "gnss_data.raw", title = "Raw" }, { set = 0x91, name = "gnss_1.raw", title = "Raw" }, { set = 0x92, name = "gnss_2.raw", title = "Raw" }, { set = 0x93, name = "gnss_corrections.raw", title = "Raw" }, { set = 0x94, name = "gnss_external.raw", title = "Raw" }, { set = 0x95, name = "gnss_external_2.raw", title = "Raw" }, })
 field({ descriptor = 0x30, name = "gnss_data.base_station_info", role = "data", title = "Base station info",
     doc = "The base station of the corrections, from an RTCM message 1005 or 1006.", least = 44,
@@ -3602,10 +3602,10 @@ field({ descriptor = 0x30, name = "gnss_data.base_station_info", role = "data", 
       { kind = "scalar", name = "height", type = "float", size = 4, units = {"m", }, doc = "Height of the antenna above the marker that was surveyed. Unit: m. Valid if valid_flags.height is set." },
       { kind = "scalar", name = "station_id", type = "u16", size = 2, doc = "Number of the station. Range: 0 to 4095. Valid if valid_flags.station_id is set." },
       { kind = "scalar", name = "indicators", type = "u16", size = 2, flags = F["gnss_data.base_station_indicators"], doc = "Properties of the station. Valid if valid_flags.indicators is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.base_station_info_flags"], doc = "Which values are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.base_station_info_flags"], doc = "Valid values." },
     } }, { { set = 0x81, name = "gnss_data.base_station_info", title = "Base station info" }, { set = 0x91, name = "gnss_1.base_station_info", title = "Base station info" }, { set = 0x92, name = "gnss_2.base_station_info", title = "Base station info" }, { set = 0x93, name = "gnss_corrections.base_station_info", title = "Base station info" }, { set = 0x94, name = "gnss_external.base_station_info", title = "Base station info" }, { set = 0x95, name = "gnss_external_2.base_station_info", title = "Base station info" }, })
 field({ descriptor = 0x31, name = "gnss_data.rtk_corrections_status", role = "data", title = "RTK corrections status",
-    doc = "Which corrections are received, and how old they are.", least = 50,
+    doc = "Received corrections and their age.", least = 50,
     always = 10,
     rows = {
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow is set." },
@@ -3617,14 +3617,14 @@ field({ descriptor = 0x31, name = "gnss_data.rtk_corrections_status", role = "da
       { kind = "scalar", name = "galileo_correction_latency", type = "float", size = 4, units = {"s", }, doc = "Latency of the last Galileo correction. Unit: s. Range: at least 0. Valid if valid_flags.galileo_latency is set." },
       { kind = "scalar", name = "beidou_correction_latency", type = "float", size = 4, units = {"s", }, doc = "Latency of the last BeiDou correction. Unit: s. Range: at least 0. Valid if valid_flags.beidou_latency is set." },
       { kind = "array", name = "reserved", count = 4, capacity = 4, size = 4, doc = "Reserved.", item = { kind = "scalar", name = "item", type = "u32", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.rtk_corrections_status_flags"], doc = "Which values are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.rtk_corrections_status_flags"], doc = "Valid values." },
     } }, { { set = 0x81, name = "gnss_data.rtk_corrections_status", title = "RTK corrections status" }, { set = 0x91, name = "gnss_1.rtk_corrections_status", title = "RTK corrections status" }, { set = 0x92, name = "gnss_2.rtk_corrections_status", title = "RTK corrections status" }, { set = 0x93, name = "gnss_corrections.rtk_corrections_status", title = "RTK corrections status" }, { set = 0x94, name = "gnss_external.rtk_corrections_status", title = "RTK corrections status" }, { set = 0x95, name = "gnss_external_2.rtk_corrections_status", title = "RTK corrections status" }, })
 field({ descriptor = 0x61, name = "gnss_data.gps_ephemeris", role = "data", title = "GPS ephemeris",
     doc = "Broadcast orbit and clock of one GPS satellite.", least = 218,
     always = 34,
     rows = {
       { kind = "scalar", name = "index", type = "u8", size = 1, doc = "Number of this field within the epoch." },
-      { kind = "scalar", name = "count", type = "u8", size = 1, doc = "How many of these fields the epoch has." },
+      { kind = "scalar", name = "count", type = "u8", size = 1, doc = "Number of these fields in the epoch." },
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week." },
       { kind = "scalar", name = "satellite_id", type = "u8", size = 1, doc = "Satellite within the constellation." },
@@ -3656,14 +3656,14 @@ field({ descriptor = 0x61, name = "gnss_data.gps_ephemeris", role = "data", titl
       { kind = "scalar", name = "c_us", type = "double", size = 8, units = {"rad", }, doc = "Sine harmonic correction of the argument of latitude. Unit: rad. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "c_rc", type = "double", size = 8, units = {"m", }, doc = "Cosine harmonic correction of the orbit radius. Unit: m. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "c_rs", type = "double", size = 8, units = {"m", }, doc = "Sine harmonic correction of the orbit radius. Unit: m. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.ephemeris_flags"], doc = "What the ephemeris holds." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.ephemeris_flags"], doc = "Contents of the ephemeris." },
     } }, { { set = 0x81, name = "gnss_data.gps_ephemeris", title = "GPS ephemeris" }, { set = 0x91, name = "gnss_1.gps_ephemeris", title = "GPS ephemeris" }, { set = 0x92, name = "gnss_2.gps_ephemeris", title = "GPS ephemeris" }, { set = 0x93, name = "gnss_corrections.gps_ephemeris", title = "GPS ephemeris" }, { set = 0x94, name = "gnss_external.gps_ephemeris", title = "GPS ephemeris" }, { set = 0x95, name = "gnss_external_2.gps_ephemeris", title = "GPS ephemeris" }, })
 field({ descriptor = 0x62, name = "gnss_data.glonass_ephemeris", role = "data", title = "GLONASS ephemeris",
     doc = "Broadcast orbit and clock of one GLONASS satellite.", least = 102,
     always = 25,
     rows = {
       { kind = "scalar", name = "index", type = "u8", size = 1, doc = "Number of this field within the epoch." },
-      { kind = "scalar", name = "count", type = "u8", size = 1, doc = "How many of these fields the epoch has." },
+      { kind = "scalar", name = "count", type = "u8", size = 1, doc = "Number of these fields in the epoch." },
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week." },
       { kind = "scalar", name = "satellite_id", type = "u8", size = 1, doc = "Satellite within the constellation." },
@@ -3685,15 +3685,15 @@ field({ descriptor = 0x62, name = "gnss_data.glonass_ephemeris", role = "data", 
       { kind = "scalar", name = "p1", type = "u8", size = 1, units = {"min", }, doc = "Time between adjacent values of tb. Unit: min. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "p2", type = "u8", size = 1, doc = "1 if tb is odd, 0 if it is even. Range: 0 to 1. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "p3", type = "u8", size = 1, doc = "Number of satellites in the almanac of the frame. Unit: 1. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "p4", type = "u8", size = 1, doc = "Whether ephemeris parameters are present. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.glonass_ephemeris_flags"], doc = "Whether the ephemeris is valid." },
+      { kind = "scalar", name = "p4", type = "u8", size = 1, doc = "Presence of ephemeris parameters. Valid if valid_flags.ephemeris is set." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.glonass_ephemeris_flags"], doc = "Validity of the ephemeris." },
     } }, { { set = 0x81, name = "gnss_data.glonass_ephemeris", title = "GLONASS ephemeris" }, { set = 0x91, name = "gnss_1.glonass_ephemeris", title = "GLONASS ephemeris" }, { set = 0x92, name = "gnss_2.glonass_ephemeris", title = "GLONASS ephemeris" }, { set = 0x93, name = "gnss_corrections.glonass_ephemeris", title = "GLONASS ephemeris" }, { set = 0x94, name = "gnss_external.glonass_ephemeris", title = "GLONASS ephemeris" }, { set = 0x95, name = "gnss_external_2.glonass_ephemeris", title = "GLONASS ephemeris" }, })
 field({ descriptor = 0x63, name = "gnss_data.galileo_ephemeris", role = "data", title = "Galileo ephemeris",
     doc = "Broadcast orbit and clock of one Galileo satellite.", least = 218,
     always = 34,
     rows = {
       { kind = "scalar", name = "index", type = "u8", size = 1, doc = "Number of this field within the epoch." },
-      { kind = "scalar", name = "count", type = "u8", size = 1, doc = "How many of these fields the epoch has." },
+      { kind = "scalar", name = "count", type = "u8", size = 1, doc = "Number of these fields in the epoch." },
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week." },
       { kind = "scalar", name = "satellite_id", type = "u8", size = 1, doc = "Satellite within the constellation." },
@@ -3725,14 +3725,14 @@ field({ descriptor = 0x63, name = "gnss_data.galileo_ephemeris", role = "data", 
       { kind = "scalar", name = "c_us", type = "double", size = 8, units = {"rad", }, doc = "Sine harmonic correction of the argument of latitude. Unit: rad. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "c_rc", type = "double", size = 8, units = {"m", }, doc = "Cosine harmonic correction of the orbit radius. Unit: m. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "c_rs", type = "double", size = 8, units = {"m", }, doc = "Sine harmonic correction of the orbit radius. Unit: m. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.ephemeris_flags"], doc = "What the ephemeris holds." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.ephemeris_flags"], doc = "Contents of the ephemeris." },
     } }, { { set = 0x81, name = "gnss_data.galileo_ephemeris", title = "Galileo ephemeris" }, { set = 0x91, name = "gnss_1.galileo_ephemeris", title = "Galileo ephemeris" }, { set = 0x92, name = "gnss_2.galileo_ephemeris", title = "Galileo ephemeris" }, { set = 0x93, name = "gnss_corrections.galileo_ephemeris", title = "Galileo ephemeris" }, { set = 0x94, name = "gnss_external.galileo_ephemeris", title = "Galileo ephemeris" }, { set = 0x95, name = "gnss_external_2.galileo_ephemeris", title = "Galileo ephemeris" }, })
 field({ descriptor = 0x64, name = "gnss_data.beidou_ephemeris", role = "data", title = "BeiDou ephemeris",
     doc = "Broadcast orbit and clock of one BeiDou satellite.", least = 218,
     always = 34,
     rows = {
       { kind = "scalar", name = "index", type = "u8", size = 1, doc = "Number of this field within the epoch." },
-      { kind = "scalar", name = "count", type = "u8", size = 1, doc = "How many of these fields the epoch has." },
+      { kind = "scalar", name = "count", type = "u8", size = 1, doc = "Number of these fields in the epoch." },
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week." },
       { kind = "scalar", name = "satellite_id", type = "u8", size = 1, doc = "Satellite within the constellation." },
@@ -3764,7 +3764,7 @@ field({ descriptor = 0x64, name = "gnss_data.beidou_ephemeris", role = "data", t
       { kind = "scalar", name = "c_us", type = "double", size = 8, units = {"rad", }, doc = "Sine harmonic correction of the argument of latitude. Unit: rad. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "c_rc", type = "double", size = 8, units = {"m", }, doc = "Cosine harmonic correction of the orbit radius. Unit: m. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "c_rs", type = "double", size = 8, units = {"m", }, doc = "Sine harmonic correction of the orbit radius. Unit: m. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.ephemeris_flags"], doc = "What the ephemeris holds." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.ephemeris_flags"], doc = "Contents of the ephemeris." },
     } }, { { set = 0x81, name = "gnss_data.beidou_ephemeris", title = "BeiDou ephemeris" }, { set = 0x91, name = "gnss_1.beidou_ephemeris", title = "BeiDou ephemeris" }, { set = 0x92, name = "gnss_2.beidou_ephemeris", title = "BeiDou ephemeris" }, { set = 0x93, name = "gnss_corrections.beidou_ephemeris", title = "BeiDou ephemeris" }, { set = 0x94, name = "gnss_external.beidou_ephemeris", title = "BeiDou ephemeris" }, { set = 0x95, name = "gnss_external_2.beidou_ephemeris", title = "BeiDou ephemeris" }, })
 field({ descriptor = 0x71, name = "gnss_data.gps_iono_correction", role = "data", title = "GPS ionospheric correction",
     doc = "Model of the ionosphere that GPS broadcasts.", least = 76,
@@ -3774,7 +3774,7 @@ field({ descriptor = 0x71, name = "gnss_data.gps_iono_correction", role = "data"
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set." },
       { kind = "array", name = "alpha", count = 4, capacity = 4, size = 8, doc = "Coefficients alpha 0 to 3. Valid if valid_flags.alpha is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
       { kind = "array", name = "beta", count = 4, capacity = 4, size = 8, doc = "Coefficients beta 0 to 3. Valid if valid_flags.beta is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.gps_iono_correction_flags"], doc = "Which parts of the model are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.gps_iono_correction_flags"], doc = "Valid parts of the model." },
     } }, { { set = 0x81, name = "gnss_data.gps_iono_correction", title = "GPS ionospheric correction" }, { set = 0x91, name = "gnss_1.gps_iono_correction", title = "GPS ionospheric correction" }, { set = 0x92, name = "gnss_2.gps_iono_correction", title = "GPS ionospheric correction" }, { set = 0x93, name = "gnss_corrections.gps_iono_correction", title = "GPS ionospheric correction" }, { set = 0x94, name = "gnss_external.gps_iono_correction", title = "GPS ionospheric correction" }, { set = 0x95, name = "gnss_external_2.gps_iono_correction", title = "GPS ionospheric correction" }, })
 field({ descriptor = 0x73, name = "gnss_data.galileo_iono_correction", role = "data", title = "Galileo ionospheric correction",
     doc = "Model of the ionosphere that Galileo broadcasts.", least = 37,
@@ -3784,7 +3784,7 @@ field({ descriptor = 0x73, name = "gnss_data.galileo_iono_correction", role = "d
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set." },
       { kind = "array", name = "alpha", count = 3, capacity = 3, size = 8, doc = "The three coefficients of the model. Valid if valid_flags.alpha is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
       { kind = "scalar", name = "disturbance_flags", type = "u8", size = 1, doc = "Ionospheric storms, one bit (1 to 5) for each of five regions. Valid if valid_flags.disturbance_flags is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.galileo_iono_correction_flags"], doc = "Which parts of the model are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.galileo_iono_correction_flags"], doc = "Valid parts of the model." },
     } }, { { set = 0x81, name = "gnss_data.galileo_iono_correction", title = "Galileo ionospheric correction" }, { set = 0x91, name = "gnss_1.galileo_iono_correction", title = "Galileo ionospheric correction" }, { set = 0x92, name = "gnss_2.galileo_iono_correction", title = "Galileo ionospheric correction" }, { set = 0x93, name = "gnss_corrections.galileo_iono_correction", title = "Galileo ionospheric correction" }, { set = 0x94, name = "gnss_external.galileo_iono_correction", title = "Galileo ionospheric correction" }, { set = 0x95, name = "gnss_external_2.galileo_iono_correction", title = "Galileo ionospheric correction" }, })
 field({ descriptor = 0x74, name = "gnss_data.beidou_iono_correction", role = "data", title = "BeiDou ionospheric correction",
     doc = "Model of the ionosphere that BeiDou broadcasts.", least = 148,
@@ -3795,7 +3795,7 @@ field({ descriptor = 0x74, name = "gnss_data.beidou_iono_correction", role = "da
       { kind = "array", name = "alpha", count = 4, capacity = 4, size = 8, doc = "Coefficients alpha 0 to 3. Valid if valid_flags.alpha is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
       { kind = "array", name = "beta", count = 4, capacity = 4, size = 8, doc = "Coefficients beta 0 to 3. Valid if valid_flags.beta is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
       { kind = "array", name = "alpha_correction", count = 9, capacity = 9, size = 8, doc = "Nine further coefficients of the delay. Valid if valid_flags.alpha_correction is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.beidou_iono_correction_flags"], doc = "Which parts of the model are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.beidou_iono_correction_flags"], doc = "Valid parts of the model." },
     } }, { { set = 0x81, name = "gnss_data.beidou_iono_correction", title = "BeiDou ionospheric correction" }, { set = 0x91, name = "gnss_1.beidou_iono_correction", title = "BeiDou ionospheric correction" }, { set = 0x92, name = "gnss_2.beidou_iono_correction", title = "BeiDou ionospheric correction" }, { set = 0x93, name = "gnss_corrections.beidou_iono_correction", title = "BeiDou ionospheric correction" }, { set = 0x94, name = "gnss_external.beidou_iono_correction", title = "BeiDou ionospheric correction" }, { set = 0x95, name = "gnss_external_2.beidou_iono_correction", title = "BeiDou ionospheric correction" }, })
 field({ descriptor = 0x01, name = "filter_data.llh_position", role = "data", title = "LLH position",
     doc = "Estimated position.", least = 26,
@@ -3804,7 +3804,7 @@ field({ descriptor = 0x01, name = "filter_data.llh_position", role = "data", tit
       { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "ellipsoid_height", type = "double", size = 8, units = {"m", }, doc = "Height above the ellipsoid. Unit: m. Frame: llh. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.llh_position", title = "LLH position" }, })
 field({ descriptor = 0x02, name = "filter_data.ned_velocity", role = "data", title = "NED velocity",
     doc = "Estimated velocity.", least = 14,
@@ -3813,21 +3813,21 @@ field({ descriptor = 0x02, name = "filter_data.ned_velocity", role = "data", tit
       { kind = "scalar", name = "north", type = "float", size = 4, units = {"m/s", }, doc = "Velocity north. Unit: m/s. Frame: ned. At rest and level: 0. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "east", type = "float", size = 4, units = {"m/s", }, doc = "Velocity east. Unit: m/s. Frame: ned. At rest and level: 0. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "down", type = "float", size = 4, units = {"m/s", }, doc = "Velocity down. Unit: m/s. Frame: ned. At rest and level: 0. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.ned_velocity", title = "NED velocity" }, })
 field({ descriptor = 0x03, name = "filter_data.attitude_quaternion", role = "data", title = "Attitude quaternion",
     doc = "Estimated orientation of the vehicle frame in the NED frame as a quaternion.", least = 18,
     always = 2,
     rows = {
       { kind = "array", name = "q", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Quaternion, scalar part first. Unit: 1. Frame: ned. At rest and level: x 0, y 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.attitude_quaternion", title = "Attitude quaternion" }, })
 field({ descriptor = 0x04, name = "filter_data.attitude_dcm", role = "data", title = "Attitude direction cosine matrix",
     doc = "Estimated orientation of the vehicle frame in the NED frame as a rotation matrix.", least = 38,
     always = 2,
     rows = {
       { kind = "array", name = "dcm", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Rotation matrix in row-major order. Unit: 1. Frame: ned. At rest and level: m13 0, m23 0, m31 0, m32 0, m33 1. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.attitude_dcm", title = "Attitude direction cosine matrix" }, })
 field({ descriptor = 0x05, name = "filter_data.euler_angles", role = "data", title = "Euler angles",
     doc = "Estimated orientation of the vehicle frame in the NED frame as Euler angles.", least = 14,
@@ -3836,21 +3836,21 @@ field({ descriptor = 0x05, name = "filter_data.euler_angles", role = "data", tit
       { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Rotation about the x axis of the vehicle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. At rest and level: 0. Positive: right side down. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "pitch", type = "float", size = 4, units = {"rad", }, doc = "Rotation about the y axis. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. At rest and level: 0. Positive: nose up. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "yaw", type = "float", size = 4, units = {"rad", }, doc = "Rotation about the z axis: the heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.euler_angles", title = "Euler angles" }, })
 field({ descriptor = 0x06, name = "filter_data.gyro_bias", role = "data", title = "Gyroscope bias",
     doc = "Estimated bias of the gyroscope.", least = 14,
     always = 2,
     rows = {
       { kind = "array", name = "bias", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad/s", }, doc = "Bias that the filter subtracts. Unit: rad/s. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.gyro_bias", title = "Gyroscope bias" }, })
 field({ descriptor = 0x07, name = "filter_data.accel_bias", role = "data", title = "Accelerometer bias",
     doc = "Estimated bias of the accelerometer.", least = 14,
     always = 2,
     rows = {
       { kind = "array", name = "bias", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Bias that the filter subtracts. Unit: m/s^2. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.accel_bias", title = "Accelerometer bias" }, })
 field({ descriptor = 0x08, name = "filter_data.llh_position_uncertainty", role = "data", title = "Position uncertainty",
     doc = "Standard deviation of the estimated position, in the NED frame.", least = 14,
@@ -3859,7 +3859,7 @@ field({ descriptor = 0x08, name = "filter_data.llh_position_uncertainty", role =
       { kind = "scalar", name = "north", type = "float", size = 4, units = {"m", }, doc = "Standard deviation north. Unit: m. Frame: ned. Range: at least 0. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "east", type = "float", size = 4, units = {"m", }, doc = "Standard deviation east. Unit: m. Frame: ned. Range: at least 0. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "down", type = "float", size = 4, units = {"m", }, doc = "Standard deviation down. Unit: m. Frame: ned. Range: at least 0. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.llh_position_uncertainty", title = "Position uncertainty" }, })
 field({ descriptor = 0x09, name = "filter_data.ned_velocity_uncertainty", role = "data", title = "NED velocity uncertainty",
     doc = "Standard deviation of the estimated velocity.", least = 14,
@@ -3868,7 +3868,7 @@ field({ descriptor = 0x09, name = "filter_data.ned_velocity_uncertainty", role =
       { kind = "scalar", name = "north", type = "float", size = 4, units = {"m/s", }, doc = "Standard deviation north. Unit: m/s. Frame: ned. Range: at least 0. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "east", type = "float", size = 4, units = {"m/s", }, doc = "Standard deviation east. Unit: m/s. Frame: ned. Range: at least 0. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "down", type = "float", size = 4, units = {"m/s", }, doc = "Standard deviation down. Unit: m/s. Frame: ned. Range: at least 0. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.ned_velocity_uncertainty", title = "NED velocity uncertainty" }, })
 field({ descriptor = 0x0A, name = "filter_data.euler_angles_uncertainty", role = "data", title = "Euler angles uncertainty",
     doc = "Standard deviation of the estimated Euler angles.", least = 14,
@@ -3877,48 +3877,48 @@ field({ descriptor = 0x0A, name = "filter_data.euler_angles_uncertainty", role =
       { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation of roll. Unit: rad. Range: at least 0. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "pitch", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation of pitch. Unit: rad. Range: at least 0. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "yaw", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation of yaw. Unit: rad. Range: at least 0. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.euler_angles_uncertainty", title = "Euler angles uncertainty" }, })
 field({ descriptor = 0x0B, name = "filter_data.gyro_bias_uncertainty", role = "data", title = "Gyroscope bias uncertainty",
     doc = "Standard deviation of the estimated gyroscope bias.", least = 14,
     always = 2,
     rows = {
       { kind = "array", name = "bias_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad/s", }, doc = "Standard deviation per axis. Unit: rad/s. Frame: sensor. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.gyro_bias_uncertainty", title = "Gyroscope bias uncertainty" }, })
 field({ descriptor = 0x0C, name = "filter_data.accel_bias_uncertainty", role = "data", title = "Accelerometer bias uncertainty",
     doc = "Standard deviation of the estimated accelerometer bias.", least = 14,
     always = 2,
     rows = {
       { kind = "array", name = "bias_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Standard deviation per axis. Unit: m/s^2. Frame: sensor. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.accel_bias_uncertainty", title = "Accelerometer bias uncertainty" }, })
 field({ descriptor = 0x0D, name = "filter_data.linear_accel", role = "data", title = "Linear acceleration",
     doc = "Rate of change of the velocity, with the effect of gravity removed.", least = 14,
     always = 2,
     rows = {
       { kind = "array", name = "accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Zero while the velocity is constant. Unit: m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.linear_accel", title = "Linear acceleration" }, })
 field({ descriptor = 0x0E, name = "filter_data.comp_angular_rate", role = "data", title = "Compensated angular rate",
     doc = "Angular rate without the estimated bias.", least = 14,
     always = 2,
     rows = {
       { kind = "array", name = "gyro", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad/s", }, doc = "Angular rate. Unit: rad/s. Frame: vehicle. At rest and level: x 0, y 0, z 0. Positive: right side down, nose up, clockwise seen from above. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.comp_angular_rate", title = "Compensated angular rate" }, })
 field({ descriptor = 0x0F, name = "filter_data.wgs84_gravity_magnitude", role = "data", title = "WGS84 local gravity magnitude",
     doc = "Magnitude of gravity at the position of the device according to the WGS84 model.", least = 6,
     always = 2,
     rows = {
       { kind = "scalar", name = "gravity_magnitude", type = "float", size = 4, units = {"m/s^2", }, doc = "Gravity at this position according to the model. Unit: m/s^2. Range: at least 0. At rest and level: 9.8. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.wgs84_gravity_magnitude", title = "WGS84 local gravity magnitude" }, })
 field({ descriptor = 0x10, name = "filter_data.status", role = "data", title = "Filter status",
     doc = "State, dynamics mode, condition and warnings of the filter.", least = 6,
     always = 3,
     rows = {
-      { kind = "scalar", name = "filter_state", type = "u16", size = 2, doc = "How far the filter has come, from start-up to its full solution. On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45: values of gx5_filter_state. Inferred: The 3DM-GX5-15 has them, and the SDK gives the same states for all generations up to the fifth. On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of cv7_filter_state. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK gives the same states for its generation. On the 3DM-CV7-GNSS/INS: values of cv7_filter_state. On the 3DM-GX5-15: values of gx5_filter_state.", readings = { {device = "3dm-cl5-15", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-cl5-25", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-cv5-15", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-cv5-25", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-cv5-45", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-cv7-ahrs", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-cv7-ar", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-cv7-gnss-ins", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-cv7-ins", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-cx5-15", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-cx5-25", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-cx5-45", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-cx7-ahrs", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-cx7-ar", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-cx7-ins", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-gq7", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-gv7-ahrs", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-gv7-ar", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-gv7-ins", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-gx4-15", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-gx4-25", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-gx4-45", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-gx5-15", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-gx5-25", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-gx5-45", enum = E["filter_data.gx5_filter_state"] }, } },
+      { kind = "scalar", name = "filter_state", type = "u16", size = 2, doc = "Progress of the filter from start-up to its full solution. On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45: values of gx5_filter_state. Inferred: The 3DM-GX5-15 has them, and the SDK gives the same states for all generations up to the fifth. On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of cv7_filter_state. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK gives the same states for its generation. On the 3DM-CV7-GNSS/INS: values of cv7_filter_state. On the 3DM-GX5-15: values of gx5_filter_state.", readings = { {device = "3dm-cl5-15", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-cl5-25", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-cv5-15", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-cv5-25", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-cv5-45", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-cv7-ahrs", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-cv7-ar", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-cv7-gnss-ins", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-cv7-ins", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-cx5-15", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-cx5-25", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-cx5-45", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-cx7-ahrs", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-cx7-ar", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-cx7-ins", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-gq7", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-gv7-ahrs", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-gv7-ar", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-gv7-ins", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-gx4-15", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-gx4-25", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-gx4-45", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-gx5-15", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-gx5-25", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-gx5-45", enum = E["filter_data.gx5_filter_state"] }, } },
       { kind = "scalar", name = "dynamics_mode", type = "u16", size = 2, doc = "Motion for which the filter is configured. On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45: values of gx5_dynamics_mode. Inferred: The 3DM-GX5-15 has them, and the SDK gives the same states for all generations up to the fifth. On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of cv7_dynamics_mode. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK gives the same states for its generation. On the 3DM-CV7-GNSS/INS: values of cv7_dynamics_mode. On the 3DM-GX5-15: values of gx5_dynamics_mode.", readings = { {device = "3dm-cl5-15", enum = E["filter_data.gx5_dynamics_mode"] }, {device = "3dm-cl5-25", enum = E["filter_data.gx5_dynamics_mode"] }, {device = "3dm-cv5-15", enum = E["filter_data.gx5_dynamics_mode"] }, {device = "3dm-cv5-25", enum = E["filter_data.gx5_dynamics_mode"] }, {device = "3dm-cv5-45", enum = E["filter_data.gx5_dynamics_mode"] }, {device = "3dm-cv7-ahrs", enum = E["filter_data.cv7_dynamics_mode"] }, {device = "3dm-cv7-ar", enum = E["filter_data.cv7_dynamics_mode"] }, {device = "3dm-cv7-gnss-ins", enum = E["filter_data.cv7_dynamics_mode"] }, {device = "3dm-cv7-ins", enum = E["filter_data.cv7_dynamics_mode"] }, {device = "3dm-cx5-15", enum = E["filter_data.gx5_dynamics_mode"] }, {device = "3dm-cx5-25", enum = E["filter_data.gx5_dynamics_mode"] }, {device = "3dm-cx5-45", enum = E["filter_data.gx5_dynamics_mode"] }, {device = "3dm-cx7-ahrs", enum = E["filter_data.cv7_dynamics_mode"] }, {device = "3dm-cx7-ar", enum = E["filter_data.cv7_dynamics_mode"] }, {device = "3dm-cx7-ins", enum = E["filter_data.cv7_dynamics_mode"] }, {device = "3dm-gq7", enum = E["filter_data.cv7_dynamics_mode"] }, {device = "3dm-gv7-ahrs", enum = E["filter_data.cv7_dynamics_mode"] }, {device = "3dm-gv7-ar", enum = E["filter_data.cv7_dynamics_mode"] }, {device = "3dm-gv7-ins", enum = E["filter_data.cv7_dynamics_mode"] }, {device = "3dm-gx4-15", enum = E["filter_data.gx5_dynamics_mode"] }, {device = "3dm-gx4-25", enum = E["filter_data.gx5_dynamics_mode"] }, {device = "3dm-gx4-45", enum = E["filter_data.gx5_dynamics_mode"] }, {device = "3dm-gx5-15", enum = E["filter_data.gx5_dynamics_mode"] }, {device = "3dm-gx5-25", enum = E["filter_data.gx5_dynamics_mode"] }, {device = "3dm-gx5-45", enum = E["filter_data.gx5_dynamics_mode"] }, } },
       { kind = "scalar", name = "status_flags", type = "u16", size = 2, doc = "Condition and warnings. On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45: values of gx5_status_flags. Inferred: The 3DM-GX5-15 has them, and the SDK gives the same states for all generations up to the fifth. On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of cv7_status_flags. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK gives the same states for its generation. On the 3DM-CV7-GNSS/INS: values of cv7_status_flags. On the 3DM-GX5-15: values of gx5_status_flags.", readings = { {device = "3dm-cl5-15", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-cl5-25", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-cv5-15", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-cv5-25", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-cv5-45", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-cv7-ahrs", flags = F["filter_data.cv7_status_flags"] }, {device = "3dm-cv7-ar", flags = F["filter_data.cv7_status_flags"] }, {device = "3dm-cv7-gnss-ins", flags = F["filter_data.cv7_status_flags"] }, {device = "3dm-cv7-ins", flags = F["filter_data.cv7_status_flags"] }, {device = "3dm-cx5-15", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-cx5-25", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-cx5-45", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-cx7-ahrs", flags = F["filter_data.cv7_status_flags"] }, {device = "3dm-cx7-ar", flags = F["filter_data.cv7_status_flags"] }, {device = "3dm-cx7-ins", flags = F["filter_data.cv7_status_flags"] }, {device = "3dm-gq7", flags = F["filter_data.cv7_status_flags"] }, {device = "3dm-gv7-ahrs", flags = F["filter_data.cv7_status_flags"] }, {device = "3dm-gv7-ar", flags = F["filter_data.cv7_status_flags"] }, {device = "3dm-gv7-ins", flags = F["filter_data.cv7_status_flags"] }, {device = "3dm-gx4-15", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-gx4-25", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-gx4-45", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-gx5-15", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-gx5-25", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-gx5-45", flags = F["filter_data.gx5_status_flags"] }, } },
     } }, { { set = 0x82, name = "filter_data.status", title = "Filter status" }, })
@@ -3928,21 +3928,21 @@ field({ descriptor = 0x11, name = "filter_data.timestamp", role = "data", title 
     rows = {
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week, counted from 1980. Unit: week. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.timestamp", title = "Filter timestamp" }, })
 field({ descriptor = 0x12, name = "filter_data.quaternion_attitude_uncertainty", role = "data", title = "Quaternion uncertainty",
     doc = "Standard deviation of the elements of the estimated attitude quaternion.", least = 18,
     always = 2,
     rows = {
       { kind = "array", name = "q", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Standard deviation per element. Unit: 1. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.quaternion_attitude_uncertainty", title = "Quaternion uncertainty" }, })
 field({ descriptor = 0x13, name = "filter_data.gravity_vector", role = "data", title = "Gravity vector",
     doc = "Estimated gravity.", least = 14,
     always = 2,
     rows = {
       { kind = "array", name = "gravity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Gravity, which points down. Unit: m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z 9.8. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.gravity_vector", title = "Gravity vector" }, })
 field({ descriptor = 0x14, name = "filter_data.heading_update_state", role = "data", title = "Heading update source state",
     doc = "The last heading that updated the filter and where it came from.", least = 12,
@@ -3951,7 +3951,7 @@ field({ descriptor = 0x14, name = "filter_data.heading_update_state", role = "da
       { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading of the sensor frame relative to true north. Unit: rad. Positive: clockwise seen from above. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "heading_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation of the heading. Unit: rad. Range: at least 0. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "source", type = "u16", size = 2, flags = F["filter_data.heading_source_flags"], doc = "Sources of the heading. On the 3DM-GX5-15: only external." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.heading_update_state", title = "Heading update source state" }, })
 field({ descriptor = 0x15, name = "filter_data.magnetic_model", role = "data", title = "Magnetic model",
     doc = "Magnetic field at the position of the device according to the World Magnetic Model.", least = 22,
@@ -3962,56 +3962,56 @@ field({ descriptor = 0x15, name = "filter_data.magnetic_model", role = "data", t
       { kind = "scalar", name = "intensity_down", type = "float", size = 4, units = {"gauss", }, doc = "Downward part of the field. Unit: gauss. Frame: ned. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "inclination", type = "float", size = 4, units = {"rad", }, doc = "Angle of the field below the horizontal plane. Unit: rad. Range: -1.5707963267948966 to 1.5707963267948966. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "declination", type = "float", size = 4, units = {"rad", }, doc = "Angle from true north to magnetic north. Unit: rad. Range: -3.141592653589793 to 3.141592653589793. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.magnetic_model", title = "Magnetic model" }, })
 field({ descriptor = 0x16, name = "filter_data.gyro_scale_factor", role = "data", title = "Gyroscope scale factor",
     doc = "Estimated scale factor of the gyroscope.", least = 14,
     always = 2,
     rows = {
       { kind = "array", name = "scale_factor", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Scale factor per axis. Unit: 1. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.gyro_scale_factor", title = "Gyroscope scale factor" }, })
 field({ descriptor = 0x17, name = "filter_data.accel_scale_factor", role = "data", title = "Accelerometer scale factor",
     doc = "Estimated scale factor of the accelerometer.", least = 14,
     always = 2,
     rows = {
       { kind = "array", name = "scale_factor", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Scale factor per axis. Unit: 1. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.accel_scale_factor", title = "Accelerometer scale factor" }, })
 field({ descriptor = 0x18, name = "filter_data.gyro_scale_factor_uncertainty", role = "data", title = "Gyroscope scale factor uncertainty",
     doc = "Standard deviation of the estimated scale factor of the gyroscope.", least = 14,
     always = 2,
     rows = {
       { kind = "array", name = "scale_factor_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Standard deviation per axis. Unit: 1. Frame: sensor. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.gyro_scale_factor_uncertainty", title = "Gyroscope scale factor uncertainty" }, })
 field({ descriptor = 0x19, name = "filter_data.accel_scale_factor_uncertainty", role = "data", title = "Accelerometer scale factor uncertainty",
     doc = "Standard deviation of the estimated scale factor of the accelerometer.", least = 14,
     always = 2,
     rows = {
       { kind = "array", name = "scale_factor_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Standard deviation per axis. Unit: 1. Frame: sensor. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.accel_scale_factor_uncertainty", title = "Accelerometer scale factor uncertainty" }, })
 field({ descriptor = 0x1A, name = "filter_data.mag_bias", role = "data", title = "Magnetometer bias",
     doc = "Estimated bias of the magnetometer.", least = 14,
     always = 2,
     rows = {
       { kind = "array", name = "bias", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Estimated bias of the magnetometer. Unit: gauss. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.mag_bias", title = "Magnetometer bias" }, })
 field({ descriptor = 0x1B, name = "filter_data.mag_bias_uncertainty", role = "data", title = "Magnetometer bias uncertainty",
     doc = "Standard deviation of the estimated bias of the magnetometer.", least = 14,
     always = 2,
     rows = {
       { kind = "array", name = "bias_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Standard deviation per axis. Unit: gauss. Frame: sensor. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.mag_bias_uncertainty", title = "Magnetometer bias uncertainty" }, })
 field({ descriptor = 0x1C, name = "filter_data.comp_accel", role = "data", title = "Compensated acceleration",
     doc = "Acceleration without the estimated bias; it includes gravity.", least = 14,
     always = 2,
     rows = {
       { kind = "array", name = "accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Acceleration with the estimated bias removed; gravity is included. Unit: m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z -9.8. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.comp_accel", title = "Compensated acceleration" }, })
 field({ descriptor = 0x20, name = "filter_data.standard_atmosphere", role = "data", title = "Standard atmosphere",
     doc = "US Standard Atmosphere of 1976 at the altitude of the device.", least = 22,
@@ -4022,7 +4022,7 @@ field({ descriptor = 0x20, name = "filter_data.standard_atmosphere", role = "dat
       { kind = "scalar", name = "standard_temperature", type = "float", size = 4, units = {"degC", }, doc = "Temperature that the model has at this altitude. Unit: degC. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "standard_pressure", type = "float", size = 4, units = {"mbar", }, doc = "Pressure that the model has at this altitude. Unit: mbar. Range: at least 0. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "standard_density", type = "float", size = 4, units = {"kg/m^3", }, doc = "Air density that the model has at this altitude. Unit: kg/m^3. Range: at least 0. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.standard_atmosphere", title = "Standard atmosphere" }, })
 field({ descriptor = 0x21, name = "filter_data.pressure_altitude", role = "data", title = "Pressure altitude",
     doc = "Altitude that the US Standard Atmosphere of 1976 gives for the measured pressure.", least = 6,
@@ -4030,7 +4030,7 @@ field({ descriptor = 0x21, name = "filter_data.pressure_altitude", role = "data"
     plain = true,
     rows = {
       { kind = "scalar", name = "pressure_altitude", type = "float", size = 4, units = {"m", }, doc = "Altitude in the standard atmosphere that has the measured pressure. Unit: m. Range: at most 84852. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.pressure_altitude", title = "Pressure altitude" }, })
 field({ descriptor = 0x22, name = "filter_data.density_altitude", role = "data", title = "Density altitude",
     doc = "The density of the surrounding air, as the altitude at which the standard atmosphere is as dense.", least = 6,
@@ -4038,63 +4038,63 @@ field({ descriptor = 0x22, name = "filter_data.density_altitude", role = "data",
     plain = true,
     rows = {
       { kind = "scalar", name = "density_altitude", type = "float", size = 4, units = {"m", }, doc = "Altitude in the standard atmosphere that has the present air density. Unit: m. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.density_altitude", title = "Density altitude" }, })
 field({ descriptor = 0x25, name = "filter_data.mag_offset", role = "data", title = "Magnetometer offset",
     doc = "Estimated hard iron offset of the magnetometer.", least = 14,
     always = 2,
     rows = {
       { kind = "array", name = "hard_iron", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Estimated constant field of magnetized parts near the magnetometer. Unit: gauss. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.mag_offset", title = "Magnetometer offset" }, })
 field({ descriptor = 0x26, name = "filter_data.mag_matrix", role = "data", title = "Magnetometer matrix",
     doc = "Estimated soft iron matrix of the magnetometer.", least = 38,
     always = 2,
     rows = {
       { kind = "array", name = "soft_iron", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Soft iron matrix in row-major order. Unit: 1. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.mag_matrix", title = "Magnetometer matrix" }, })
 field({ descriptor = 0x28, name = "filter_data.mag_offset_uncertainty", role = "data", title = "Magnetometer offset uncertainty",
     doc = "Standard deviation of the estimated hard iron offset.", least = 14,
     always = 2,
     rows = {
       { kind = "array", name = "hard_iron_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Standard deviation per axis. Unit: gauss. Frame: sensor. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.mag_offset_uncertainty", title = "Magnetometer offset uncertainty" }, })
 field({ descriptor = 0x29, name = "filter_data.mag_matrix_uncertainty", role = "data", title = "Magnetometer matrix uncertainty",
     doc = "Standard deviation of the estimated soft iron matrix.", least = 38,
     always = 2,
     rows = {
       { kind = "array", name = "soft_iron_uncertainty", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Standard deviation per element. Unit: 1. Frame: sensor. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.mag_matrix_uncertainty", title = "Magnetometer matrix uncertainty" }, })
 field({ descriptor = 0x2A, name = "filter_data.mag_covariance_matrix", role = "data", title = "Magnetometer covariance matrix",
     doc = "Covariance of the magnetometer measurement.", least = 38,
     always = 2,
     rows = {
       { kind = "array", name = "covariance", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Covariance matrix in row-major order. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.mag_covariance_matrix", title = "Magnetometer covariance matrix" }, })
 field({ descriptor = 0x2C, name = "filter_data.mag_residual_vector", role = "data", title = "Magnetometer residual vector",
     doc = "Residual of the magnetometer measurement.", least = 14,
     always = 2,
     rows = {
       { kind = "array", name = "residual", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Difference between the measured magnetic field and the one that the filter expects. Unit: gauss. Frame: vehicle. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.mag_residual_vector", title = "Magnetometer residual vector" }, })
 field({ descriptor = 0x30, name = "filter_data.antenna_offset_correction", role = "data", title = "Antenna offset correction",
     doc = "Estimated error of the offset of the GNSS antenna.", least = 14,
     always = 2,
     rows = {
       { kind = "array", name = "offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Estimated correction of the antenna offset that was set. Unit: m. Frame: vehicle. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.antenna_offset_correction", title = "Antenna offset correction" }, })
 field({ descriptor = 0x31, name = "filter_data.antenna_offset_correction_uncertainty", role = "data", title = "Antenna offset correction uncertainty",
     doc = "Standard deviation of the estimated error of the offset of the GNSS antenna.", least = 14,
     always = 2,
     rows = {
       { kind = "array", name = "offset_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Standard deviation per axis. Unit: m. Frame: vehicle. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.antenna_offset_correction_uncertainty", title = "Antenna offset correction uncertainty" }, })
 field({ descriptor = 0x32, name = "filter_data.clock_correction", role = "data", title = "Clock correction",
     doc = "Estimated clock error of one GNSS receiver.", least = 11,
@@ -4103,7 +4103,7 @@ field({ descriptor = 0x32, name = "filter_data.clock_correction", role = "data",
       { kind = "scalar", name = "receiver_id", type = "u8", size = 1, doc = "Receiver, counted from 1. Range: at least 1." },
       { kind = "scalar", name = "bias", type = "float", size = 4, units = {"s", }, doc = "Bias of the clock. Unit: s. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "bias_drift", type = "float", size = 4, units = {"s/s", }, doc = "Drift of the clock. Unit: s/s. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.clock_correction", title = "Clock correction" }, })
 field({ descriptor = 0x33, name = "filter_data.clock_correction_uncertainty", role = "data", title = "Clock correction uncertainty",
     doc = "Standard deviation of the estimated clock error of one GNSS receiver.", least = 11,
@@ -4112,7 +4112,7 @@ field({ descriptor = 0x33, name = "filter_data.clock_correction_uncertainty", ro
       { kind = "scalar", name = "receiver_id", type = "u8", size = 1, doc = "Receiver, counted from 1. Range: at least 1." },
       { kind = "scalar", name = "bias_uncertainty", type = "float", size = 4, units = {"s", }, doc = "Standard deviation of the bias. Unit: s. Range: at least 0. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "bias_drift_uncertainty", type = "float", size = 4, units = {"s/s", }, doc = "Standard deviation of the drift. Unit: s/s. Range: at least 0. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.clock_correction_uncertainty", title = "Clock correction uncertainty" }, })
 field({ descriptor = 0x34, name = "filter_data.multi_antenna_offset_correction", role = "data", title = "Multi-antenna offset correction",
     doc = "Estimated error of the offset of one GNSS antenna.", least = 15,
@@ -4120,7 +4120,7 @@ field({ descriptor = 0x34, name = "filter_data.multi_antenna_offset_correction",
     rows = {
       { kind = "scalar", name = "receiver_id", type = "u8", size = 1, doc = "Receiver that the antenna belongs to." },
       { kind = "array", name = "offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Estimated correction of the antenna offset that was set. Unit: m. Frame: vehicle. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.multi_antenna_offset_correction", title = "Multi-antenna offset correction" }, })
 field({ descriptor = 0x35, name = "filter_data.multi_antenna_offset_correction_uncertainty", role = "data", title = "Multi-antenna offset correction uncertainty",
     doc = "Standard deviation of the estimated error of the offset of one GNSS antenna.", least = 15,
@@ -4128,50 +4128,50 @@ field({ descriptor = 0x35, name = "filter_data.multi_antenna_offset_correction_u
     rows = {
       { kind = "scalar", name = "receiver_id", type = "u8", size = 1, doc = "Receiver that the antenna belongs to." },
       { kind = "array", name = "offset_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Standard deviation per axis. Unit: m. Frame: vehicle. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.multi_antenna_offset_correction_uncertainty", title = "Multi-antenna offset correction uncertainty" }, })
 field({ descriptor = 0x36, name = "filter_data.ecef_position_uncertainty", role = "data", title = "ECEF position uncertainty",
     doc = "Standard deviation of the estimated position.", least = 14,
     always = 2,
     rows = {
       { kind = "array", name = "position_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Standard deviation per axis. Unit: m. Frame: ecef. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.ecef_position_uncertainty", title = "ECEF position uncertainty" }, })
 field({ descriptor = 0x37, name = "filter_data.ecef_velocity_uncertainty", role = "data", title = "ECEF velocity uncertainty",
     doc = "Standard deviation of the estimated velocity.", least = 14,
     always = 2,
     rows = {
       { kind = "array", name = "velocity_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Standard deviation per axis. Unit: m/s. Frame: ecef. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.ecef_velocity_uncertainty", title = "ECEF velocity uncertainty" }, })
 field({ descriptor = 0x40, name = "filter_data.ecef_position", role = "data", title = "ECEF position",
     doc = "Estimated position.", least = 26,
     always = 2,
     rows = {
       { kind = "array", name = "position", count = 3, capacity = 3, size = 8, elements = {"x", "y", "z", }, units = {"m", }, doc = "Position of the reference point. Unit: m. Frame: ecef. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.ecef_position", title = "ECEF position" }, })
 field({ descriptor = 0x41, name = "filter_data.ecef_velocity", role = "data", title = "ECEF velocity",
     doc = "Estimated velocity.", least = 14,
     always = 2,
     rows = {
       { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Velocity of the reference point. Unit: m/s. Frame: ecef. At rest and level: x 0, y 0, z 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.ecef_velocity", title = "ECEF velocity" }, })
 field({ descriptor = 0x42, name = "filter_data.ned_relative_position", role = "data", title = "NED relative position",
     doc = "Estimated position relative to the point that filter.relative_position_config sets.", least = 26,
     always = 2,
     rows = {
       { kind = "array", name = "relative_position", count = 3, capacity = 3, size = 8, elements = {"north", "east", "down", }, units = {"m", }, doc = "From the reference point to the device. Unit: m. Frame: ned. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.ned_relative_position", title = "NED relative position" }, })
 field({ descriptor = 0x43, name = "filter_data.gnss_position_aiding_status", role = "data", title = "GNSS position aiding status",
-    doc = "How the filter uses the position measurements of one GNSS receiver.", least = 15,
+    doc = "Use of the position measurements of one GNSS receiver by the filter.", least = 15,
     always = 4,
     rows = {
       { kind = "scalar", name = "receiver_id", type = "u8", size = 1, doc = "Number of the receiver." },
       { kind = "scalar", name = "tow", type = "float", size = 4, units = {"s", }, doc = "GPS time of week of the last measurement. Unit: s. Range: 0 to 604800." },
-      { kind = "scalar", name = "status", type = "u16", size = 2, flags = F["filter_data.gnss_aiding_status"], doc = "How the measurements are used." },
+      { kind = "scalar", name = "status", type = "u16", size = 2, flags = F["filter_data.gnss_aiding_status"], doc = "Use of the measurements." },
       { kind = "array", name = "reserved", count = 8, capacity = 8, size = 1, doc = "Reserved.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
     } }, { { set = 0x82, name = "filter_data.gnss_position_aiding_status", title = "GNSS position aiding status" }, })
 field({ descriptor = 0x44, name = "filter_data.gnss_attitude_aiding_status", role = "data", title = "GNSS attitude aiding status",
@@ -4179,7 +4179,7 @@ field({ descriptor = 0x44, name = "filter_data.gnss_attitude_aiding_status", rol
     always = 3,
     rows = {
       { kind = "scalar", name = "tow", type = "float", size = 4, units = {"s", }, doc = "GPS time of week of the last valid measurement. Unit: s. Range: 0 to 604800." },
-      { kind = "scalar", name = "status", type = "u16", size = 2, flags = F["filter_data.gnss_aiding_status"], doc = "How the measurements are used." },
+      { kind = "scalar", name = "status", type = "u16", size = 2, flags = F["filter_data.gnss_aiding_status"], doc = "Use of the measurements." },
       { kind = "array", name = "reserved", count = 8, capacity = 8, size = 1, doc = "Reserved. Reserved.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
     } }, { { set = 0x82, name = "filter_data.gnss_attitude_aiding_status", title = "GNSS attitude aiding status" }, })
 field({ descriptor = 0x45, name = "filter_data.heading_aiding_status", role = "data", title = "Heading aiding status",
@@ -4191,27 +4191,27 @@ field({ descriptor = 0x45, name = "filter_data.heading_aiding_status", role = "d
       { kind = "array", name = "reserved", count = 2, capacity = 2, size = 4, doc = "Reserved. Reserved.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x82, name = "filter_data.heading_aiding_status", title = "Heading aiding status" }, })
 field({ descriptor = 0x46, name = "filter_data.aiding_measurement_summary", role = "data", title = "Aiding measurement summary",
-    doc = "What the filter did with one kind of aiding measurement in the last measurement interval.", least = 7,
+    doc = "Use of one kind of aiding measurement in the last measurement interval.", least = 7,
     always = 4,
     rows = {
       { kind = "scalar", name = "tow", type = "float", size = 4, units = {"s", }, doc = "GPS time of week at the end of the interval. Unit: s. Range: 0 to 604800." },
       { kind = "scalar", name = "source", type = "u8", size = 1, doc = "Number of the source of the measurement." },
       { kind = "scalar", name = "type", type = "u8", size = 1, enum = E["filter_data.aiding_measurement_type"], doc = "Kind of measurement." },
-      { kind = "scalar", name = "indicator", type = "u8", size = 1, flags = F["filter_data.aiding_measurement_indicator"], doc = "What the filter did with it." },
+      { kind = "scalar", name = "indicator", type = "u8", size = 1, flags = F["filter_data.aiding_measurement_indicator"], doc = "Use of the measurement by the filter." },
     } }, { { set = 0x82, name = "filter_data.aiding_measurement_summary", title = "Aiding measurement summary" }, })
 field({ descriptor = 0x47, name = "filter_data.odometer_scale_factor_error", role = "data", title = "Odometer scale factor error",
     doc = "Estimated relative error of the odometer scale factor.", least = 6,
     always = 2,
     rows = {
       { kind = "scalar", name = "scale_factor_error", type = "float", size = 4, doc = "Relative error. Unit: 1. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.odometer_scale_factor_error", title = "Odometer scale factor error" }, })
 field({ descriptor = 0x48, name = "filter_data.odometer_scale_factor_error_uncertainty", role = "data", title = "Odometer scale factor error uncertainty",
     doc = "Uncertainty of the estimated error of the odometer scale factor.", least = 6,
     always = 2,
     rows = {
       { kind = "scalar", name = "scale_factor_error_uncertainty", type = "float", size = 4, doc = "Uncertainty of the relative error. Unit: 1. Range: at least 0. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.odometer_scale_factor_error_uncertainty", title = "Odometer scale factor error uncertainty" }, })
 field({ descriptor = 0x49, name = "filter_data.gnss_dual_antenna_status", role = "data", title = "GNSS dual antenna status",
     doc = "Heading that two GNSS antennas give.", least = 17,
@@ -4222,7 +4222,7 @@ field({ descriptor = 0x49, name = "filter_data.gnss_dual_antenna_status", role =
       { kind = "scalar", name = "heading_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation of the heading. Unit: rad. Range: at least 0. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "fix_type", type = "u8", size = 1, enum = E["filter_data.dual_antenna_fix_type"], doc = "Kind of solution." },
       { kind = "scalar", name = "status_flags", type = "u16", size = 2, flags = F["filter_data.dual_antenna_status_flags"], doc = "Inputs available to the solution." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.gnss_dual_antenna_status", title = "GNSS dual antenna status" }, })
 field({ descriptor = 0x50, name = "filter_data.aiding_frame_config_error", role = "data", title = "Aiding frame configuration error",
     doc = "Estimated error of a frame that aiding.frame_config defines; it is corrected for.", least = 29,
@@ -4257,7 +4257,7 @@ field({ descriptor = 0x04, name = "displacement_data.timestamp", role = "data", 
     doc = "Time of the measurement by the clock of the device.", least = 9,
     always = 2,
     rows = {
-      { kind = "scalar", name = "flags", type = "u8", size = 1, flags = F["displacement_data.timestamp_flags"], doc = "Whether the time of displacement data is valid." },
+      { kind = "scalar", name = "flags", type = "u8", size = 1, flags = F["displacement_data.timestamp_flags"], doc = "Validity of the time of displacement data." },
       { kind = "scalar", name = "time", type = "u64", size = 8, units = {"ns", }, doc = "UTC since 1970-01-01, without leap seconds, if the clock was set so. Unit: ns. Valid if flags.time is set." },
     } }, { { set = 0x90, name = "displacement_data.timestamp", title = "Displacement Device Timestamp" }, })
 field({ descriptor = 0x01, name = "system_data.built_in_test", role = "data", title = "Built-in test",
@@ -4267,7 +4267,7 @@ field({ descriptor = 0x01, name = "system_data.built_in_test", role = "data", ti
       { kind = "array", name = "result", count = 16, capacity = 16, size = 1, doc = "Flags, defined by each device, least significant byte first: bit 8 is bit 0 of the second byte. On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of cv7_inertial_continuous_built_in_test. On the 3DM-CV7-GNSS/INS: values of cv7_continuous_built_in_test.", readings = { {device = "3dm-cv7-ahrs", flags = F["cv7_inertial_continuous_built_in_test"] }, {device = "3dm-cv7-ar", flags = F["cv7_inertial_continuous_built_in_test"] }, {device = "3dm-cv7-gnss-ins", flags = F["cv7_continuous_built_in_test"] }, {device = "3dm-cv7-ins", flags = F["cv7_inertial_continuous_built_in_test"] }, {device = "3dm-cx7-ahrs", flags = F["cv7_inertial_continuous_built_in_test"] }, {device = "3dm-cx7-ar", flags = F["cv7_inertial_continuous_built_in_test"] }, {device = "3dm-cx7-ins", flags = F["cv7_inertial_continuous_built_in_test"] }, {device = "3dm-gq7", flags = F["cv7_inertial_continuous_built_in_test"] }, {device = "3dm-gv7-ahrs", flags = F["cv7_inertial_continuous_built_in_test"] }, {device = "3dm-gv7-ar", flags = F["cv7_inertial_continuous_built_in_test"] }, {device = "3dm-gv7-ins", flags = F["cv7_inertial_continuous_built_in_test"] }, }, item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
     } }, { { set = 0xA0, name = "system_data.built_in_test", title = "Built-in test" }, })
 field({ descriptor = 0x02, name = "system_data.time_sync_status", role = "data", title = "Time sync status",
-    doc = "Whether the device time is locked to the pulse per second.", least = 2,
+    doc = "Synchronization of the device time with the pulse per second.", least = 2,
     always = 2,
     rows = {
       { kind = "scalar", name = "time_sync", type = "bool", size = 1, doc = "True while the lock is valid; false if the PPS is disabled or no pulse is found." },
@@ -4311,7 +4311,7 @@ field({ descriptor = 0xD3, name = "shared.gps_timestamp", role = "data", title =
     rows = {
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow is set." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["shared.gps_timestamp_flags"], doc = "Which parts are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["shared.gps_timestamp_flags"], doc = "Valid parts of the timestamp." },
     } }, { { set = 0xFF, name = "shared.gps_timestamp", title = "GPS timestamp" }, })
 field({ descriptor = 0xD4, name = "shared.delta_time", role = "data", title = "Delta time",
     doc = "External time since this field was last sent in the same set and event instance.", least = 8,
@@ -4336,14 +4336,14 @@ field({ descriptor = 0xD7, name = "shared.external_timestamp", role = "data", ti
     always = 2,
     rows = {
       { kind = "scalar", name = "nanoseconds", type = "u64", size = 8, units = {"ns", }, doc = "External time. Unit: ns. Valid if valid_flags.nanoseconds is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["shared.external_timestamp_flags"], doc = "Whether the time is valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["shared.external_timestamp_flags"], doc = "Validity of the time." },
     } }, { { set = 0xFF, name = "shared.external_timestamp", title = "External timestamp" }, })
 field({ descriptor = 0xD8, name = "shared.external_time_delta", role = "data", title = "External time delta",
     doc = "External time since this field was last sent in the same set and event instance.", least = 10,
     always = 2,
     rows = {
       { kind = "scalar", name = "dt_nanos", type = "u64", size = 8, units = {"ns", }, doc = "Time since the last output. Unit: ns. Valid if valid_flags.dt_nanos is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["shared.external_time_delta_flags"], doc = "Whether the difference is valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["shared.external_time_delta_flags"], doc = "Validity of the difference." },
     } }, { { set = 0xFF, name = "shared.external_time_delta", title = "External time delta" }, })
 
 local DEVICES = {

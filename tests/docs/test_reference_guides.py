@@ -121,7 +121,7 @@ def test_a_migration_names_all_that_is_lost(manual: Manual) -> None:
         if guide.migration is None:
             continue
         had, has = ({s.field.full_name for s in d.supports} for d in (guide.migration.before, guide.migration.after))
-        told = page_of(manual, guide).partition("## What takes the place of what")[2].partition("\n## ")[0]
+        told = page_of(manual, guide).partition("## Replacement commands")[2].partition("\n## ")[0]
         assert {f"#{name})" for name in had - has} <= set(re.findall(r"#[\w.]+\)", told))
 
 
@@ -139,7 +139,7 @@ def test_a_migration_names_what_is_not_the_same(manual: Manual) -> None:
         ]
         rows = {
             re.findall(r"#([\w.]+)\)", row["Command"])[0]: set(re.findall(r"`(\w+)`", row["Functions"]))
-            for t in tables(section(page, "What is no longer taken"))
+            for t in tables(section(page, "Functions no longer supported"))
             for row in t
         }
         both = taken[0].keys() & taken[1].keys()

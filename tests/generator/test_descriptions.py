@@ -73,3 +73,31 @@ def test_no_description_repeats_its_name() -> None:
         if text and words(text) <= words(name) and name != "reserved" and not text.endswith(" valid.")
     }
     assert repeated == NAMES_ONLY
+
+
+#: First words of commands that do several things.
+LISTS = re.compile(r"[A-Z][a-z]+s,")
+
+
+def test_commands_say_what_they_do() -> None:
+    """The summary of a command begins with a verb in the third person."""
+    first = {f.full_name: f.description.split()[0] for f in model("real").fields if f.role == m.COMMAND}
+    verbs = {
+        "Acknowledges", "Adapts", "Averages", "Checks", "Clears", "Configures", "Enables", "Ends", "Gets",
+        "Initializes", "Lets", "Makes", "Moves", "Queries", "Reads", "Requests", "Resets", "Returns", "Runs", "Selects",
+        "Sends", "Sets", "Starts", "Stops", "Switches", "Tells",
+    }  # fmt: skip
+    assert {name: word for name, word in first.items() if word not in verbs and not LISTS.fullmatch(word)} == {}
+
+
+def test_no_description_is_a_question() -> None:
+    question = re.compile("(What|Where|Which|Whether|How|When) ")
+    assert [(place, text) for place, _, text in texts(model("real")) if question.match(text)] == []
+
+
+def test_each_filter_warning_names_what_it_concerns() -> None:
+    """Nothing but the condition of the filter as a whole is without fields or commands."""
+    status = [t for t in model("real").all_types if t.name in ("gx5_status_flags", "cv7_status_flags")]
+    assert len(status) == 2
+    bits = [b for t in status if isinstance(t, m.Bitfield) for b in t.bits]
+    assert {b.name for b in bits if not b.concerns} == {"filter_condition"}

@@ -30,6 +30,12 @@ TURNS = {
     r"\bdata are\b(?! listed)": "data is",
     r"\b(?:name|names|describe|call) (?:\w+ ){0,3}so\.": "use these names, describe it this way",
     r"\bgives? up (?:the|an?) (?:incomplete|pending)\b": "discards",
+    r"\bleave room for (?:the )?answers\b": "allow headroom for replies",
+    r"\bThe rest is an example\b": "other values will differ",
+    r"\bPrograms that read the data\b": "to read this data",
+    r"\b(?:lead|leads) corrections\b": "route corrections",
+    r"\bas far as is known\b": "is believed to",
+    r"\bnames? nothing like\b": "has no equivalent",
 }
 #: Turns that only texts about programs may use.
 REFERENCE = {r"\bprints?\b": "gives, says, shows"}

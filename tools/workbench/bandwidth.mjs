@@ -141,7 +141,7 @@ function report(device, rows) {
             `${round(bytes)} byte${round(bytes) === 1 ? "" : "s"}/s; over a UART at least ${round(baud)} Bd.`,
         ),
         ports.length > 0 && element("table", {}, element("thead", {}, element("tr", {}, heads)), element("tbody", {}, ports)),
-        element("p", {}, "Leave room for the answers to commands. A device drops the packets that do not fit."),
+        element("p", {}, "Allow headroom for replies to commands. A device drops the packets that do not fit."),
     ].filter(Boolean);
 }
 

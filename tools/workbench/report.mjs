@@ -55,7 +55,7 @@ function programs(protocol, field, values) {
             ? "Each assumes an open `device`."
             : "C has a `field` of a packet, Python an open `device`, Rust a `packet`.";
     return [
-        element("h3", {}, field.role === "command" ? "Programs that send it" : "Programs that read it"),
+        element("h3", {}, field.role === "command" ? "To send it" : "To read it"),
         element("p", {}, given.replaceAll("`", "")),
         ...shown,
     ];

@@ -18,7 +18,7 @@ from .protocol import FunctionSelector
 
 
 class AidingFrameFormat(codec.OpenEnum):
-    """How the rotation of an aiding frame is given.
+    """Format of the rotation of an aiding frame.
 
     - 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01)
     """
@@ -30,7 +30,7 @@ class AidingFrameFormat(codec.OpenEnum):
 
 
 class AidingEchoMode(codec.OpenEnum):
-    """How the device answers aiding measurements.
+    """Answers of the device to aiding measurements.
 
     - 3dm-cv7-gnss-ins: Echo Control (0x13,0x1F)
     """
@@ -58,7 +58,7 @@ _MEASUREMENT_TIME_0 = codec.Block("BBQ", "timebase", "reserved", "nanoseconds")
 
 
 class MeasurementTime(Structure):
-    """When a measurement was taken."""
+    """Time at which a measurement was taken."""
 
     __slots__ = ("timebase", "reserved", "nanoseconds")
     __match_args__ = ("timebase", "nanoseconds")
@@ -91,7 +91,7 @@ class MeasurementTime(Structure):
 
 @codec.open_flag(16)
 class AxisFlags(IntFlag):
-    """Which axes of a measurement are valid; the others are ignored."""
+    """Valid axes of a measurement; the others are ignored."""
 
     X = 1 << 0
     """First axis. Bit 0."""
@@ -103,7 +103,7 @@ class AxisFlags(IntFlag):
 
 @codec.open_flag(16)
 class LlhAxisFlags(IntFlag):
-    """Which coordinates of a position are valid; the others are ignored."""
+    """Valid coordinates of a position; the others are ignored."""
 
     LATITUDE = 1 << 0
     """Latitude and its uncertainty are valid. Bit 0."""
@@ -144,9 +144,9 @@ class FrameConfigResponse(Response):
     frame_id: int
     """Number of the frame. Range: 1 to 4."""
     format: AidingFrameFormat
-    """How the rotation is given."""
+    """Format of the rotation."""
     tracking_enabled: bool
-    """Whether the filter estimates the errors of the frame."""
+    """True if the filter estimates the errors of the frame."""
     translation: types.Vector3f
     """Origin of the frame in the vehicle. Elements: x, y, z. Unit: m. Frame: vehicle."""
     rotation: types.Vector3f | types.Quatf | None
@@ -236,7 +236,7 @@ class EchoControlResponse(Response):
     _LAYOUT = (("mode", "B", AidingEchoMode),)
 
     mode: AidingEchoMode
-    """How the measurements are answered."""
+    """Answers to the measurements."""
 
     def __init__(self, mode: AidingEchoMode) -> None:
         self.mode = mode
@@ -272,7 +272,7 @@ _FRAME_CONFIG_GROUPS = (
 class FrameConfig(Command[R]):
     """Frame configuration (0x13,0x01).
 
-    Where and how an external sensor is mounted on the vehicle.
+    Sets the position and the orientation of an external sensor on the vehicle.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `FrameConfigResponse`.
     Changes `filter_data.AidingFrameConfigError`. Probably changes
@@ -309,13 +309,13 @@ class FrameConfig(Command[R]):
     _VECTORS = {"translation": (types.Vector3f,), "rotation": (types.Vector3f, types.Quatf)}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     frame_id: int | None
     """Number of the frame. Range: 1 to 4."""
     format: AidingFrameFormat | None
-    """How the rotation is given. Required for `write` and `read`."""
+    """Format of the rotation. Required for `write` and `read`."""
     tracking_enabled: bool | None
-    """Whether the filter estimates the errors of the frame. Required for `write`."""
+    """True if the filter estimates the errors of the frame. Required for `write`."""
     translation: types.Vector3f | None
     """Origin of the frame in the vehicle. Elements: x, y, z. Unit: m. Frame: vehicle. Required for
     `write`.
@@ -480,7 +480,7 @@ _ECHO_CONTROL_GROUPS = ((1, ("mode",), False),)
 class EchoControl(Command[R]):
     """Echo control (0x13,0x1F).
 
-    How the device answers aiding measurements.
+    Sets how the device answers aiding measurements.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `EchoControlResponse`.
     Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS,
@@ -505,9 +505,9 @@ class EchoControl(Command[R]):
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     mode: AidingEchoMode | None
-    """How the measurements are answered. Required for `write`."""
+    """Answers to the measurements. Required for `write`."""
 
     def __init__(self, function: FunctionSelector, mode: AidingEchoMode | None = None) -> None:
         self.function = function
@@ -582,7 +582,7 @@ _ECEF_POSITION_0 = codec.Block(
 class EcefPosition(Command[None]):
     """ECEF position (0x13,0x21).
 
-    A measured position in Earth-fixed coordinates.
+    Sends a measured position in Earth-fixed coordinates.
 
     Also called `pos_ecef`. Not acknowledged if `mode` of `EchoControl` is
     `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS,
@@ -607,7 +607,7 @@ class EcefPosition(Command[None]):
     _VECTORS = {"position": (types.Vector3d,), "uncertainty": (types.Vector3f,)}
 
     time: MeasurementTime
-    """When the measurement was taken."""
+    """Time of the measurement."""
     frame_id: int
     """Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4."""
     position: types.Vector3d
@@ -621,7 +621,7 @@ class EcefPosition(Command[None]):
     `valid_flags`, z: `AxisFlags.Z` of `valid_flags`.
     """
     valid_flags: AxisFlags
-    """Which axes are valid."""
+    """Valid axes."""
 
     def __init__(
         self,
@@ -667,7 +667,7 @@ _LLH_POSITION_0 = codec.Block(
 class LlhPosition(Command[None]):
     """LLH position (0x13,0x22).
 
-    A measured position as latitude, longitude and height.
+    Sends a measured position as latitude, longitude and height.
 
     Also called `pos_llh`. Not acknowledged if `mode` of `EchoControl` is
     `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS,
@@ -710,7 +710,7 @@ class LlhPosition(Command[None]):
     _VECTORS = {"uncertainty": (types.Ned3f,)}
 
     time: MeasurementTime
-    """When the measurement was taken."""
+    """Time of the measurement."""
     frame_id: int
     """Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4."""
     latitude: float
@@ -731,7 +731,7 @@ class LlhPosition(Command[None]):
     east: `LlhAxisFlags.LONGITUDE` of `valid_flags`, down: `LlhAxisFlags.HEIGHT` of `valid_flags`.
     """
     valid_flags: LlhAxisFlags
-    """Which coordinates are valid."""
+    """Valid coordinates."""
 
     def __init__(
         self,
@@ -783,7 +783,7 @@ _HEIGHT_ABOVE_ELLIPSOID_0 = codec.Block("BffH", "frame_id", "height", "uncertain
 class HeightAboveEllipsoid(Command[None]):
     """Height above ellipsoid (0x13,0x23).
 
-    A measured height.
+    Sends a measured height above the ellipsoid.
 
     Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by
     3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS.
@@ -805,7 +805,7 @@ class HeightAboveEllipsoid(Command[None]):
     SILENCED_BY = ((0x13, 0x1F, "mode", 0),)
 
     time: MeasurementTime
-    """When the measurement was taken."""
+    """Time of the measurement."""
     frame_id: int
     """Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4."""
     height: float
@@ -856,7 +856,7 @@ _ECEF_VELOCITY_0 = codec.Block(
 class EcefVelocity(Command[None]):
     """ECEF velocity (0x13,0x28).
 
-    A measured velocity in Earth-fixed coordinates.
+    Sends a measured velocity in Earth-fixed coordinates.
 
     Also called `vel_ecef`. Not acknowledged if `mode` of `EchoControl` is
     `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS,
@@ -882,7 +882,7 @@ class EcefVelocity(Command[None]):
     _VECTORS = {"velocity": (types.Vector3f,), "uncertainty": (types.Vector3f,)}
 
     time: MeasurementTime
-    """When the measurement was taken."""
+    """Time of the measurement."""
     frame_id: int
     """Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4."""
     velocity: types.Vector3f
@@ -896,7 +896,7 @@ class EcefVelocity(Command[None]):
     `valid_flags`, z: `AxisFlags.Z` of `valid_flags`.
     """
     valid_flags: AxisFlags
-    """Which axes are valid."""
+    """Valid axes."""
 
     def __init__(
         self,
@@ -942,7 +942,7 @@ _NED_VELOCITY_0 = codec.Block(
 class NedVelocity(Command[None]):
     """NED velocity (0x13,0x29).
 
-    A measured velocity in the local level frame.
+    Sends a measured velocity in the local level frame.
 
     Also called `vel_ned`. Not acknowledged if `mode` of `EchoControl` is
     `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS,
@@ -968,7 +968,7 @@ class NedVelocity(Command[None]):
     _VECTORS = {"velocity": (types.Ned3f,), "uncertainty": (types.Ned3f,)}
 
     time: MeasurementTime
-    """When the measurement was taken."""
+    """Time of the measurement."""
     frame_id: int
     """Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4."""
     velocity: types.Ned3f
@@ -982,7 +982,7 @@ class NedVelocity(Command[None]):
     east: `AxisFlags.Y` of `valid_flags`, down: `AxisFlags.Z` of `valid_flags`.
     """
     valid_flags: AxisFlags
-    """Which axes are valid."""
+    """Valid axes."""
 
     def __init__(
         self,
@@ -1028,7 +1028,7 @@ _BODY_FRAME_VELOCITY_0 = codec.Block(
 class BodyFrameVelocity(Command[None]):
     """Body frame velocity (0x13,0x2A).
 
-    A measured velocity of the vehicle in the frame of the sensor.
+    Sends a measured velocity of the vehicle in the frame of the sensor.
 
     Also called `vel_body_frame`. Not acknowledged if `mode` of `EchoControl` is
     `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS,
@@ -1057,7 +1057,7 @@ class BodyFrameVelocity(Command[None]):
     _VECTORS = {"velocity": (types.Vector3f,), "uncertainty": (types.Vector3f,)}
 
     time: MeasurementTime
-    """When the measurement was taken."""
+    """Time of the measurement."""
     frame_id: int
     """Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4."""
     velocity: types.Vector3f
@@ -1071,7 +1071,7 @@ class BodyFrameVelocity(Command[None]):
     `AxisFlags.Y` of `valid_flags`, z: `AxisFlags.Z` of `valid_flags`.
     """
     valid_flags: AxisFlags
-    """Which axes are valid."""
+    """Valid axes."""
 
     def __init__(
         self,
@@ -1115,7 +1115,7 @@ _TRUE_HEADING_0 = codec.Block("BffH", "frame_id", "heading", "uncertainty", "val
 class TrueHeading(Command[None]):
     """True heading (0x13,0x31).
 
-    A measured heading relative to true north.
+    Sends a measured heading relative to true north.
 
     Also called `heading_true`. Not acknowledged if `mode` of `EchoControl` is
     `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
@@ -1140,7 +1140,7 @@ class TrueHeading(Command[None]):
     SILENCED_BY = ((0x13, 0x1F, "mode", 0),)
 
     time: MeasurementTime
-    """When the measurement was taken."""
+    """Time of the measurement."""
     frame_id: int
     """Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4."""
     heading: float
@@ -1193,7 +1193,7 @@ _MAGNETIC_FIELD_0 = codec.Block(
 class MagneticField(Command[None]):
     """Magnetic field (0x13,0x32).
 
-    A magnetic field measured by an external magnetometer.
+    Sends a magnetic field measured by an external magnetometer.
 
     Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by
     3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS,
@@ -1218,7 +1218,7 @@ class MagneticField(Command[None]):
     _VECTORS = {"magnetic_field": (types.Vector3f,), "uncertainty": (types.Vector3f,)}
 
     time: MeasurementTime
-    """When the measurement was taken."""
+    """Time of the measurement."""
     frame_id: int
     """Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4."""
     magnetic_field: types.Vector3f
@@ -1232,7 +1232,7 @@ class MagneticField(Command[None]):
     y: `AxisFlags.Y` of `valid_flags`, z: `AxisFlags.Z` of `valid_flags`.
     """
     valid_flags: AxisFlags
-    """Which axes are valid."""
+    """Valid axes."""
 
     def __init__(
         self,
@@ -1276,7 +1276,7 @@ _PRESSURE_0 = codec.Block("BffH", "frame_id", "pressure", "uncertainty", "valid_
 class Pressure(Command[None]):
     """Pressure (0x13,0x33).
 
-    A static air pressure measured by an external sensor.
+    Sends a static air pressure measured by an external sensor.
 
     Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by
     3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS.
@@ -1299,7 +1299,7 @@ class Pressure(Command[None]):
     SILENCED_BY = ((0x13, 0x1F, "mode", 0),)
 
     time: MeasurementTime
-    """When the measurement was taken."""
+    """Time of the measurement."""
     frame_id: int
     """Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4."""
     pressure: float

@@ -46,7 +46,7 @@ class BaseDeviceInfo(Structure):
     firmware_version: int
     """Firmware version as one decimal number: 1202 means 1.2.02."""
     model_name: str
-    """What the model is called, such as 3DM-GQ7."""
+    """Product name, such as 3DM-GQ7."""
     model_number: str
     """Part number of the model."""
     serial_number: str
@@ -793,7 +793,7 @@ _COMM_SPEED_GROUPS = ((1, ("port",), False), (2, ("baud",), False))
 class CommSpeed(Command[R]):
     """Comm port speed (0x01,0x09).
 
-    Baud rate of one communication port.
+    Sets the baud rate of one communication port.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `CommSpeedResponse`.
     Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported
@@ -819,7 +819,7 @@ class CommSpeed(Command[R]):
     REQUIRED = {1: 2, 2: 1, 3: 1, 4: 1, 5: 1}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     port: int | None
     """Port id of the device; 0 means all ports, and is for save, load and default only.
 
@@ -960,7 +960,7 @@ class GpsTimeUpdate(Command[R]):
     REQUIRED = {1: 2, 2: 1, 6: 2}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     field_id: GpsTimeField | None
     """Meaning of the value."""
     value: int | None

@@ -154,7 +154,7 @@ class OutputRate(Command[OutputRateResponse]):
     REQUIRED = {2: 0}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
 
     def __init__(self, function: FunctionSelector) -> None:
         self.function = function
@@ -210,7 +210,7 @@ class DeviceTime(Command[None]):
     REQUIRED = {1: 1}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     time: int | None
     """UTC since 1970-01-01, without leap seconds. Unit: ns."""
 

@@ -15,8 +15,8 @@ from .field import Data, Field
 
 @codec.open_flag(8)
 class TimestampFlags(IntFlag):
-    """Whether the time of displacement data is valid. Uncertain: That it is a bitfield. MSCL takes
-    the time for valid if the number is 1.
+    """Validity of the time of displacement data. Uncertain: That it is a bitfield. MSCL takes the
+    time for valid if the number is 1.
     """
 
     TIME = 1 << 0
@@ -130,7 +130,7 @@ class Timestamp(Data):
     _LAYOUT = (("flags", "B", TimestampFlags), ("time", "Q", None))
 
     flags: TimestampFlags
-    """Whether the time of displacement data is valid."""
+    """Validity of the time of displacement data."""
     time: int
     """UTC since 1970-01-01, without leap seconds, if the clock was set so. Unit: ns. Valid if
     `TimestampFlags.TIME` of `flags` is set.

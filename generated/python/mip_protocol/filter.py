@@ -60,7 +60,7 @@ class EstimatedStates(IntFlag):
 
 
 class GnssAidingSource(codec.OpenEnum):
-    """Where the filter takes GNSS data from."""
+    """Source of the GNSS data that aids the filter."""
 
     ALL_INTERNAL = 1
     """All internal receivers."""
@@ -82,7 +82,7 @@ class HeadingType(codec.OpenEnum):
 
 
 class HeadingUpdateSource(codec.OpenEnum):
-    """Where the filter takes heading updates from.
+    """Source of the heading updates that aid the filter.
 
     - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
     - 3dm-gx5-45: (0x0D, 0x18)
@@ -130,7 +130,7 @@ class MeasurementFlags(IntFlag):
 
 
 class MagParameterSource(codec.OpenEnum):
-    """Where the declination, the inclination or the magnitude of the magnetic field comes from."""
+    """Source of the declination, the inclination or the magnitude of the magnetic field."""
 
     NONE = 1
     """No source. Uncertain: What the device does without a source."""
@@ -141,7 +141,7 @@ class MagParameterSource(codec.OpenEnum):
 
 
 class AdaptiveMeasurementSelector(codec.OpenEnum):
-    """How measurements are weighted whose magnitude is not as expected."""
+    """Weighting of measurements whose magnitude is not as expected."""
 
     DISABLED = 0
     """No adaptation."""
@@ -152,7 +152,7 @@ class AdaptiveMeasurementSelector(codec.OpenEnum):
 
 
 class AltitudeAidingSource(codec.OpenEnum):
-    """What aids the altitude.
+    """Source that aids the altitude.
 
     - mip-sdk-4: Altitude Aiding (0x0D,0x47)
     """
@@ -164,7 +164,7 @@ class AltitudeAidingSource(codec.OpenEnum):
 
 
 class PitchRollAidingSource(codec.OpenEnum):
-    """What aids pitch and roll."""
+    """Source that aids pitch and roll."""
 
     NONE = 0
     """No aiding."""
@@ -198,7 +198,7 @@ class AidingSource(codec.OpenEnum):
 
 
 class AccelConstraint(codec.OpenEnum):
-    """What the filter assumes about the acceleration.
+    """Assumption of the filter about the acceleration.
 
     - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
     """
@@ -210,7 +210,7 @@ class AccelConstraint(codec.OpenEnum):
 
 
 class VelocityConstraint(codec.OpenEnum):
-    """What the filter assumes about the velocity.
+    """Assumption of the filter about the velocity.
 
     - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
     """
@@ -224,7 +224,7 @@ class VelocityConstraint(codec.OpenEnum):
 
 
 class AngularConstraint(codec.OpenEnum):
-    """What the filter assumes about the angular rate.
+    """Assumption of the filter about the angular rate.
 
     - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
     """
@@ -236,7 +236,7 @@ class AngularConstraint(codec.OpenEnum):
 
 
 class InitialConditionSource(codec.OpenEnum):
-    """Which initial conditions the device determines automatically and which the user provides."""
+    """Initial conditions that the user provides instead of the device."""
 
     AUTO_POSITION_VELOCITY_ATTITUDE = 0
     """Position, velocity and attitude are automatic."""
@@ -272,7 +272,7 @@ class ReferenceFrame(codec.OpenEnum):
 
 
 class AdaptiveLevel(codec.OpenEnum):
-    """How strongly the filter adapts to inconsistent measurements."""
+    """Strength of the adaptation to inconsistent measurements."""
 
     OFF = 0
     """No adaptation."""
@@ -285,7 +285,7 @@ class AdaptiveLevel(codec.OpenEnum):
 
 
 class RelativePositionSource(codec.OpenEnum):
-    """Where the reference of relative positions comes from."""
+    """Source of the reference of relative positions."""
 
     AUTO = 0
     """The base station of the RTK corrections."""
@@ -1067,7 +1067,7 @@ class PressureAltitudeNoiseResponse(Response):
     _LAYOUT = (("noise", "f", None),)
 
     noise: float
-    """Standard deviation. Unit: m. Range: greater than 0."""
+    """Standard deviation of the pressure altitude noise. Unit: m. Range: greater than 0."""
 
     def __init__(self, noise: float) -> None:
         self.noise = noise
@@ -1654,7 +1654,7 @@ class MagDipAngleErrorAdaptiveMeasurementResponse(Response):
     )
 
     enable: bool
-    """Whether the adaptation is on."""
+    """True if the adaptation is on."""
     frequency: float
     """Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0."""
     high_limit: float
@@ -1993,7 +1993,7 @@ class AidingMeasurementEnableResponse(Response):
     aiding_source: AidingSource
     """Aiding source that the setting is for."""
     enable: bool
-    """Whether the filter uses the source."""
+    """True if the filter uses the source."""
 
     def __init__(self, aiding_source: AidingSource, enable: bool) -> None:
         self.aiding_source = aiding_source
@@ -2140,7 +2140,7 @@ class InitializationConfigResponse(Response):
     wait_for_run_command: int
     """1: the filter starts only after `Run`; 0: it starts as soon as it can. Range: 0 to 1."""
     initial_condition_source: InitialConditionSource
-    """Which initial conditions are automatic and which the user provides."""
+    """Initial conditions that the user provides instead of the device."""
     auto_heading_alignment_selector: HeadingAlignment
     """Methods by which the initial heading may be determined."""
     initial_heading: float
@@ -2627,6 +2627,7 @@ class Reset(Command[None]):
 
     Changes filter_data (0x82). Flagged by `types.Gx5BuiltInTest.SOLUTION_FAULT` of
     `types.Gx5BuiltInTest`, `types.Cv7BuiltInTest.FILTER_SOLUTION_FAULT` of `types.Cv7BuiltInTest`,
+    `filter_data.Gx5StatusFlags.RUN_MATRIX_SINGULARITY` of `filter_data.Gx5StatusFlags`,
     `filter_data.Gx5StatusFlags.RUN_NAN_IN_SOLUTION_WARNING` of `filter_data.Gx5StatusFlags` and
     `filter_data.Cv7StatusFlags.SOLUTION_ERROR` of `filter_data.Cv7StatusFlags`. Supported by
     3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
@@ -2665,7 +2666,7 @@ _SET_INITIAL_ATTITUDE_0 = codec.Block("fff", "roll", "pitch", "heading")
 class SetInitialAttitude(Command[None]):
     """Set initial attitude (0x0D,0x02).
 
-    Gives the filter its initial attitude, the orientation of the sensor frame in the NED frame.
+    Sets the initial attitude of the filter, the orientation of the sensor frame in the NED frame.
 
     Changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and
     `filter_data.EulerAngles`. Supported by 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably
@@ -2726,7 +2727,7 @@ _SET_INITIAL_HEADING_0 = codec.Block("f", "heading")
 class SetInitialHeading(Command[None]):
     """Set initial heading (0x0D,0x03).
 
-    Gives the filter its initial heading; pitch and roll come from the accelerometers.
+    Sets the initial heading of the filter; pitch and roll come from the accelerometers.
 
     Changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and
     `filter_data.EulerAngles`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15,
@@ -2881,7 +2882,7 @@ class VehicleDynamicsMode(Command[R]):
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     mode: DynamicsMode | None
     """Kind of vehicle. Required for `write`.
 
@@ -2972,7 +2973,7 @@ _SENSOR_TO_VEHICLE_ROTATION_EULER_GROUPS = (
 class SensorToVehicleRotationEuler(Command[R]):
     """Sensor to vehicle frame transformation (0x0D,0x11).
 
-    Euler angles of the rotation from the sensor frame to the vehicle frame (5-series).
+    Sets the rotation from the sensor frame to the vehicle frame as Euler angles (5-series).
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `SensorToVehicleRotationEulerResponse`. Changes `sensor.ScaledAccel`, `sensor.ScaledGyro`,
@@ -3003,7 +3004,7 @@ class SensorToVehicleRotationEuler(Command[R]):
     REQUIRED = {1: 3, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     roll: float | None
     """Roll angle. Unit: rad. Required for `write`."""
     pitch: float | None
@@ -3116,7 +3117,7 @@ _SENSOR_TO_VEHICLE_OFFSET_GROUPS = ((1, ("offset",), False),)
 class SensorToVehicleOffset(Command[R]):
     """Sensor to vehicle offset (0x0D,0x12).
 
-    Origin of the vehicle frame, as seen from the sensor.
+    Sets the origin of the vehicle frame, as seen from the sensor.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `SensorToVehicleOffsetResponse`. Changes `filter_data.LlhPosition`. Supported by 3DM-GX5-45.
@@ -3142,7 +3143,7 @@ class SensorToVehicleOffset(Command[R]):
     _VECTORS = {"offset": (types.Vector3f,)}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     offset: types.Vector3f | None
     """From the sensor to the origin of the vehicle frame. Elements: x, y, z. Unit: m. Frame:
     sensor. Range: magnitude at most 10. Required for `write`.
@@ -3227,7 +3228,7 @@ _ANTENNA_OFFSET_GROUPS = ((1, ("offset",), False),)
 class AntennaOffset(Command[R]):
     """GNSS antenna offset (0x0D,0x13).
 
-    Position of the GNSS antenna relative to the origin of the sensor.
+    Sets the position of the GNSS antenna relative to the origin of the sensor.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AntennaOffsetResponse`.
     Probably changes `filter_data.LlhPosition`, `filter_data.EcefPosition`,
@@ -3256,7 +3257,7 @@ class AntennaOffset(Command[R]):
     _VECTORS = {"offset": (types.Vector3f,)}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     offset: types.Vector3f | None
     """From the sensor origin to the phase centre of the antenna. Elements: x, y, z. Unit: m. Frame:
     vehicle. Range: magnitude at most 10. Required for `write`.
@@ -3341,7 +3342,7 @@ _ESTIMATION_CONTROL_GROUPS = ((1, ("flags",), False),)
 class EstimationControl(Command[R]):
     """Estimation control flags (0x0D,0x14).
 
-    Which states the filter estimates.
+    Selects the states that the filter estimates.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `EstimationControlResponse`. Changes `filter_data.GyroBias`, `filter_data.AccelBias`,
@@ -3370,7 +3371,7 @@ class EstimationControl(Command[R]):
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     flags: EstimatedStates | None
     """States to estimate. Required for `write`.
 
@@ -3463,7 +3464,7 @@ _GNSS_SOURCE_GROUPS = ((1, ("source",), False),)
 class GnssSource(Command[R]):
     """GNSS aiding source (0x0D,0x15).
 
-    Which GNSS receiver aids the filter.
+    Selects the GNSS receiver that aids the filter.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GnssSourceResponse`.
     Probably changes `filter_data.LlhPosition`, `filter_data.EcefPosition`,
@@ -3490,7 +3491,7 @@ class GnssSource(Command[R]):
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     source: GnssAidingSource | None
     """Source of the GNSS data. Required for `write`.
 
@@ -3578,7 +3579,7 @@ _EXTERNAL_GNSS_UPDATE_0 = codec.Block(
 class ExternalGnssUpdate(Command[None]):
     """External GNSS update (0x0D,0x16).
 
-    One measurement of position and velocity by a GNSS receiver of the user.
+    Sends one measurement of position and velocity by a GNSS receiver of the user to the filter.
 
     Supported by 3DM-GX5-45. Probably supported by 3DM-CV5-45, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX4-45,
     3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the MicroStrain MIP SDK.
@@ -3714,7 +3715,7 @@ _EXTERNAL_HEADING_UPDATE_0 = codec.Block("ffB", "heading", "heading_uncertainty"
 class ExternalHeadingUpdate(Command[None]):
     """External heading update (0x0D,0x17).
 
-    Gives the filter one measurement of the heading of the sensor frame in the NED frame.
+    Sends one measurement of the heading of the sensor frame in the NED frame to the filter.
 
     Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45. Probably supported by 3DM-CL5-15,
     3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
@@ -3782,7 +3783,7 @@ _HEADING_SOURCE_GROUPS = ((1, ("source",), False),)
 class HeadingSource(Command[R]):
     """Heading update control (0x0D,0x18).
 
-    Source of the heading that aids the filter.
+    Selects the source of the heading that aids the filter.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `HeadingSourceResponse`.
     Changes `filter_data.HeadingUpdateState`. Probably changes `filter_data.AttitudeQuaternion`,
@@ -3806,7 +3807,7 @@ class HeadingSource(Command[R]):
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     source: HeadingUpdateSource | None
     """Source of the heading. Required for `write`.
 
@@ -3900,7 +3901,7 @@ _AUTO_INITIALIZATION_CONTROL_GROUPS = ((1, ("enable",), False),)
 class AutoInitializationControl(Command[R]):
     """Automatic initialization (0x0D,0x19).
 
-    Whether the filter initializes by itself when the device starts.
+    Sets whether the filter initializes automatically at power-up.
 
     Also called `auto_init_control`. Functions: `write`, `read`, `save`, `load` and `default`.
     Answered by `AutoInitializationControlResponse`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
@@ -3925,7 +3926,7 @@ class AutoInitializationControl(Command[R]):
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     enable: int | None
     """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
 
@@ -4006,7 +4007,7 @@ _ACCEL_NOISE_GROUPS = ((1, ("noise",), False),)
 class AccelNoise(Command[R]):
     """Accelerometer noise (0x0D,0x1A).
 
-    Standard deviation of the accelerometer noise that the filter assumes (process noise).
+    Sets the standard deviation of the accelerometer noise that the filter assumes (process noise).
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AccelNoiseResponse`.
     Probably changes `filter_data.LlhPositionUncertainty`, `filter_data.EcefPositionUncertainty`,
@@ -4036,7 +4037,7 @@ class AccelNoise(Command[R]):
     _VECTORS = {"noise": (types.Vector3f,)}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     noise: types.Vector3f | None
     """Standard deviation per axis. Elements: x, y, z. Unit: m/s^2. Range: greater than 0. Required
     for `write`.
@@ -4119,7 +4120,7 @@ _GYRO_NOISE_GROUPS = ((1, ("noise",), False),)
 class GyroNoise(Command[R]):
     """Gyroscope noise (0x0D,0x1B).
 
-    Standard deviation of the gyroscope noise that the filter assumes (process noise).
+    Sets the standard deviation of the gyroscope noise that the filter assumes (process noise).
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GyroNoiseResponse`.
     Probably changes `filter_data.EulerAnglesUncertainty`,
@@ -4149,7 +4150,7 @@ class GyroNoise(Command[R]):
     _VECTORS = {"noise": (types.Vector3f,)}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     noise: types.Vector3f | None
     """Standard deviation per axis. Elements: x, y, z. Unit: rad/s. Range: greater than 0. Required
     for `write`.
@@ -4233,7 +4234,7 @@ _ACCEL_BIAS_MODEL_GROUPS = ((1, ("beta",), False), (2, ("noise",), False))
 class AccelBiasModel(Command[R]):
     """Accelerometer bias model (0x0D,0x1C).
 
-    Parameters of the model by which the accelerometer bias drifts.
+    Sets the parameters of the model by which the accelerometer bias drifts.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AccelBiasModelResponse`.
     Probably changes `filter_data.AccelBias` and `filter_data.AccelBiasUncertainty`. Supported by
@@ -4257,7 +4258,7 @@ class AccelBiasModel(Command[R]):
     _VECTORS = {"beta": (types.Vector3f,), "noise": (types.Vector3f,)}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     beta: types.Vector3f | None
     """Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s. Required for
     `write`.
@@ -4360,7 +4361,7 @@ _GYRO_BIAS_MODEL_GROUPS = ((1, ("beta",), False), (2, ("noise",), False))
 class GyroBiasModel(Command[R]):
     """Gyroscope bias model (0x0D,0x1D).
 
-    Parameters of the model by which the gyroscope bias drifts.
+    Sets the parameters of the model by which the gyroscope bias drifts.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GyroBiasModelResponse`.
     Probably changes `filter_data.GyroBias` and `filter_data.GyroBiasUncertainty`. Supported by
@@ -4387,7 +4388,7 @@ class GyroBiasModel(Command[R]):
     _VECTORS = {"beta": (types.Vector3f,), "noise": (types.Vector3f,)}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     beta: types.Vector3f | None
     """Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s. Required for
     `write`.
@@ -4516,7 +4517,7 @@ class AutoZupt(Command[R]):
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     enable: int | None
     """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
     threshold: float | None
@@ -4607,7 +4608,7 @@ _EXTERNAL_HEADING_UPDATE_WITH_TIME_0 = codec.Block(
 class ExternalHeadingUpdateWithTime(Command[None]):
     """External heading update with time (0x0D,0x1F).
 
-    Gives the filter one measurement of the heading of the sensor frame with its GPS time.
+    Sends one measurement of the heading of the sensor frame with its GPS time to the filter.
 
     Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45. Probably supported by 3DM-CL5-15,
     3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
@@ -4725,7 +4726,7 @@ class AutoAngularZupt(Command[R]):
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     enable: int | None
     """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
     threshold: float | None
@@ -4850,7 +4851,7 @@ class TareOrientation(Command[R]):
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     axes: TareAxes | None
     """Axes to tare; 0 resets all axes. Required for `write`."""
 
@@ -4998,7 +4999,8 @@ _REFERENCE_POSITION_GROUPS = (
 class ReferencePosition(Command[R]):
     """Set reference position (0x0D,0x26).
 
-    Position for which the device computes gravity (WGS84) and the magnetic field (WMM2015).
+    Sets the position for which the device computes gravity (WGS84) and the magnetic field
+    (WMM2015).
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `ReferencePositionResponse`. Changes `filter_data.Wgs84GravityMagnitude` and
@@ -5021,7 +5023,7 @@ class ReferencePosition(Command[R]):
     REQUIRED = {1: 4, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     enable: int | None
     """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
     latitude: float | None
@@ -5158,7 +5160,7 @@ _MAG_CAPTURE_AUTO_CALIBRATION_0 = codec.Block("B", "function")
 class MagCaptureAutoCalibration(Command[None]):
     """Capture automatic magnetometer calibration (0x0D,0x27).
 
-    Moves what the automatic magnetometer calibration has found into the fixed calibration.
+    Moves the result of the automatic magnetometer calibration into the fixed calibration.
 
     Also called `mag_capture_auto_cal`. Functions: `write` and `save`. Changes `sensor.ScaledMag`,
     `filter_data.MagOffset` and `filter_data.MagMatrix`. Supported by 3DM-GX5-45. Probably supported
@@ -5183,7 +5185,7 @@ class MagCaptureAutoCalibration(Command[None]):
     REQUIRED = {1: 0, 3: 0}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
 
     def __init__(self, function: FunctionSelector) -> None:
         self.function = function
@@ -5218,7 +5220,7 @@ _GRAVITY_NOISE_GROUPS = ((1, ("noise",), False),)
 class GravityNoise(Command[R]):
     """Gravity noise (0x0D,0x28).
 
-    Standard deviation of the gravity noise that the filter assumes (process noise).
+    Sets the standard deviation of the gravity noise that the filter assumes (process noise).
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GravityNoiseResponse`.
     Probably changes `filter_data.EulerAnglesUncertainty` and
@@ -5246,7 +5248,7 @@ class GravityNoise(Command[R]):
     _VECTORS = {"noise": (types.Vector3f,)}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     noise: types.Vector3f | None
     """Standard deviation per axis. Elements: x, y, z. Unit: g. Range: greater than 0. Required for
     `write`.
@@ -5329,7 +5331,7 @@ _PRESSURE_ALTITUDE_NOISE_GROUPS = ((1, ("noise",), False),)
 class PressureAltitudeNoise(Command[R]):
     """Pressure altitude noise (0x0D,0x29).
 
-    Standard deviation of the noise of the pressure altitude model that the filter assumes.
+    Sets the standard deviation of the noise of the pressure altitude model that the filter assumes.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `PressureAltitudeNoiseResponse`. Probably changes `filter_data.LlhPosition` and
@@ -5355,9 +5357,11 @@ class PressureAltitudeNoise(Command[R]):
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     noise: float | None
-    """Standard deviation. Unit: m. Range: greater than 0. Required for `write`."""
+    """Standard deviation of the pressure altitude noise. Unit: m. Range: greater than 0. Required
+    for `write`.
+    """
 
     def __init__(self, function: FunctionSelector, noise: float | None = None) -> None:
         self.function = function
@@ -5436,7 +5440,7 @@ _HARD_IRON_OFFSET_NOISE_GROUPS = ((1, ("noise",), False),)
 class HardIronOffsetNoise(Command[R]):
     """Hard iron offset noise (0x0D,0x2B).
 
-    Standard deviation of the noise of the estimated hard iron offset (process noise).
+    Sets the standard deviation of the noise of the estimated hard iron offset (process noise).
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `HardIronOffsetNoiseResponse`. Probably changes `filter_data.MagOffset` and
@@ -5460,7 +5464,7 @@ class HardIronOffsetNoise(Command[R]):
     _VECTORS = {"noise": (types.Vector3f,)}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     noise: types.Vector3f | None
     """Standard deviation per axis. Elements: x, y, z. Unit: gauss. Range: greater than 0. Required
     for `write`.
@@ -5545,7 +5549,7 @@ _SOFT_IRON_MATRIX_NOISE_GROUPS = ((1, ("noise",), False),)
 class SoftIronMatrixNoise(Command[R]):
     """Soft iron matrix noise (0x0D,0x2C).
 
-    Standard deviation of the noise of the estimated soft iron matrix (process noise).
+    Sets the standard deviation of the noise of the estimated soft iron matrix (process noise).
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `SoftIronMatrixNoiseResponse`. Probably changes `filter_data.MagMatrix` and
@@ -5569,7 +5573,7 @@ class SoftIronMatrixNoise(Command[R]):
     _VECTORS = {"noise": (types.Matrix3f,)}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     noise: types.Matrix3f | None
     """Standard deviation per element. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit:
     1. Range: greater than 0. Required for `write`.
@@ -5654,7 +5658,7 @@ _ENABLE_MEASUREMENTS_GROUPS = ((1, ("control",), False),)
 class EnableMeasurements(Command[R]):
     """Enable or disable measurements (0x0D,0x41).
 
-    Which inertial measurements the filter uses.
+    Selects the inertial measurements that the filter uses.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `EnableMeasurementsResponse`. Probably changes `filter_data.AttitudeQuaternion`,
@@ -5678,7 +5682,7 @@ class EnableMeasurements(Command[R]):
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     control: MeasurementFlags | None
     """Measurements to use. Required for `write`.
 
@@ -5762,7 +5766,7 @@ _MAG_NOISE_GROUPS = ((1, ("noise",), False),)
 class MagNoise(Command[R]):
     """Magnetometer noise (0x0D,0x42).
 
-    Standard deviation of the magnetometer noise that the filter assumes.
+    Sets the standard deviation of the magnetometer noise that the filter assumes.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `MagNoiseResponse`.
     Probably changes `filter_data.EulerAnglesUncertainty` and
@@ -5787,7 +5791,7 @@ class MagNoise(Command[R]):
     _VECTORS = {"noise": (types.Vector3f,)}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     noise: types.Vector3f | None
     """Standard deviation per axis. Elements: x, y, z. Unit: gauss. Range: greater than 0. Required
     for `write`.
@@ -5869,7 +5873,7 @@ _MAGNETIC_DECLINATION_SOURCE_GROUPS = ((1, ("source",), False), (2, ("declinatio
 class MagneticDeclinationSource(Command[R]):
     """Magnetic declination source (0x0D,0x43).
 
-    Source of the local declination of the magnetic field.
+    Selects the source of the local declination of the magnetic field.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `MagneticDeclinationSourceResponse`. Probably changes `filter_data.AttitudeQuaternion`,
@@ -5897,7 +5901,7 @@ class MagneticDeclinationSource(Command[R]):
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     source: MagParameterSource | None
     """Source of the declination. Required for `write`.
 
@@ -6018,7 +6022,7 @@ _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_GROUPS = (
 class AccelMagnitudeErrorAdaptiveMeasurement(Command[R]):
     """Gravity magnitude error adaptive measurement (0x0D,0x44).
 
-    How far the filter trusts gravity measurements whose magnitude is not that of gravity.
+    Sets how far the filter trusts gravity measurements whose magnitude is not that of gravity.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `AccelMagnitudeErrorAdaptiveMeasurementResponse`. Probably changes
@@ -6067,7 +6071,7 @@ class AccelMagnitudeErrorAdaptiveMeasurement(Command[R]):
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     adaptive_measurement: AdaptiveMeasurementSelector | None
     """Kind of adaptation. Required for `write`.
 
@@ -6280,7 +6284,7 @@ _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_GROUPS = (
 class MagMagnitudeErrorAdaptiveMeasurement(Command[R]):
     """Magnetometer magnitude error adaptive measurement (0x0D,0x45).
 
-    How far the filter trusts a magnetic field whose magnitude is not as expected.
+    Sets how far the filter trusts a magnetic field whose magnitude is not as expected.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `MagMagnitudeErrorAdaptiveMeasurementResponse`. Probably changes
@@ -6328,7 +6332,7 @@ class MagMagnitudeErrorAdaptiveMeasurement(Command[R]):
     REQUIRED = {1: 7, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     adaptive_measurement: AdaptiveMeasurementSelector | None
     """Kind of adaptation. Required for `write`.
 
@@ -6551,7 +6555,7 @@ _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_GROUPS = (
 class MagDipAngleErrorAdaptiveMeasurement(Command[R]):
     """Magnetometer dip angle error adaptive measurement (0x0D,0x46).
 
-    How far the filter trusts a magnetic field whose dip angle is not as expected.
+    Sets how far the filter trusts a magnetic field whose dip angle is not as expected.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `MagDipAngleErrorAdaptiveMeasurementResponse`. Probably changes
@@ -6594,9 +6598,9 @@ class MagDipAngleErrorAdaptiveMeasurement(Command[R]):
     REQUIRED = {1: 5, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     enable: bool | None
-    """Whether the adaptation is on. Required for `write`."""
+    """True if the adaptation is on. Required for `write`."""
     frequency: float | None
     """Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required for `write`.
     """
@@ -6758,7 +6762,7 @@ _ALTITUDE_AIDING_GROUPS = ((1, ("selector",), False),)
 class AltitudeAiding(Command[R]):
     """Altitude aiding (0x0D,0x47).
 
-    What aids the altitude in addition to GNSS.
+    Selects the source that aids the altitude in addition to GNSS.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AltitudeAidingResponse`.
     Probably changes `filter_data.LlhPosition` and `filter_data.LlhPositionUncertainty`. Supported
@@ -6783,7 +6787,7 @@ class AltitudeAiding(Command[R]):
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     selector: AltitudeAidingSource | None
     """Source of the aiding. Required for `write`."""
 
@@ -6864,7 +6868,7 @@ _PITCH_ROLL_AIDING_GROUPS = ((1, ("aiding",), False),)
 class PitchRollAiding(Command[R]):
     """Pitch and roll aiding (0x0D,0x4B).
 
-    What aids pitch and roll while the motion is gentle.
+    Selects the source that aids pitch and roll while the motion is gentle.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `PitchRollAidingResponse`.
     Probably changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`,
@@ -6888,7 +6892,7 @@ class PitchRollAiding(Command[R]):
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     aiding: PitchRollAidingSource | None
     """Source of the aiding. Required for `write`."""
 
@@ -6970,7 +6974,7 @@ _MAGNETIC_INCLINATION_SOURCE_GROUPS = ((1, ("source",), False), (2, ("inclinatio
 class MagneticInclinationSource(Command[R]):
     """Magnetic inclination source (0x0D,0x4C).
 
-    Source of the local inclination (dip angle) of the magnetic field.
+    Selects the source of the local inclination (dip angle) of the magnetic field.
 
     Also called `inclination_source`. Functions: `write`, `read`, `save`, `load` and `default`.
     Answered by `MagneticInclinationSourceResponse`. Probably changes
@@ -6994,7 +6998,7 @@ class MagneticInclinationSource(Command[R]):
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     source: MagParameterSource | None
     """Source of the inclination. Required for `write`."""
     inclination: float | None
@@ -7096,7 +7100,7 @@ _MAGNETIC_MAGNITUDE_SOURCE_GROUPS = ((1, ("source",), False), (2, ("magnitude",)
 class MagneticMagnitudeSource(Command[R]):
     """Magnetic field magnitude source (0x0D,0x4D).
 
-    Source of the local magnitude of the magnetic field.
+    Selects the source of the local magnitude of the magnetic field.
 
     Also called `mag_field_magnitude_source`. Functions: `write`, `read`, `save`, `load` and
     `default`. Answered by `MagneticMagnitudeSourceResponse`. Probably changes
@@ -7121,7 +7125,7 @@ class MagneticMagnitudeSource(Command[R]):
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     source: MagParameterSource | None
     """Source of the magnitude. Required for `write`."""
     magnitude: float | None
@@ -7222,7 +7226,7 @@ _SENSOR_TO_VEHICLE_ROTATION_DCM_GROUPS = ((1, ("dcm",), False),)
 class SensorToVehicleRotationDcm(Command[R]):
     """Sensor to vehicle rotation, matrix (0x0D,0x4E).
 
-    Rotation from the sensor frame to the vehicle frame as a direction cosine matrix.
+    Sets the rotation from the sensor frame to the vehicle frame as a direction cosine matrix.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `SensorToVehicleRotationDcmResponse`. Changes `sensor.ScaledAccel`, `sensor.ScaledGyro`,
@@ -7252,7 +7256,7 @@ class SensorToVehicleRotationDcm(Command[R]):
     _VECTORS = {"dcm": (types.Matrix3f,)}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     dcm: types.Matrix3f | None
     """Rotation matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
     Unit: 1. Required for `write`.
@@ -7337,7 +7341,7 @@ _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_GROUPS = ((1, ("q",), False),)
 class SensorToVehicleRotationQuaternion(Command[R]):
     """Sensor to vehicle rotation, quaternion (0x0D,0x4F).
 
-    Rotation from the sensor frame to the vehicle frame as a quaternion.
+    Sets the rotation from the sensor frame to the vehicle frame as a quaternion.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `SensorToVehicleRotationQuaternionResponse`. Changes `sensor.ScaledAccel`, `sensor.ScaledGyro`,
@@ -7366,7 +7370,7 @@ class SensorToVehicleRotationQuaternion(Command[R]):
     _VECTORS = {"q": (types.Quatf,)}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     q: types.Quatf | None
     """Unit quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. Range: magnitude 0.999 to
     1.001. Required for `write`.
@@ -7481,7 +7485,7 @@ class AidingMeasurementEnable(Command[R]):
     REQUIRED = {1: 2, 2: 1, 3: 1, 4: 1, 5: 1}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     aiding_source: AidingSource | None
     """The source; `all` is for save, load and default.
 
@@ -7498,7 +7502,7 @@ class AidingMeasurementEnable(Command[R]):
       `AidingSource.MAG`, `AidingSource.EXTERNAL_HEADING` and `AidingSource.ALL`.
     """
     enable: bool | None
-    """Whether the filter uses the source. Required for `write`."""
+    """True if the filter uses the source. Required for `write`."""
 
     def __init__(
         self,
@@ -7604,7 +7608,7 @@ _KINEMATIC_CONSTRAINT_GROUPS = (
 class KinematicConstraint(Command[R]):
     """Kinematic constraint (0x0D,0x51).
 
-    What the filter may take for granted about the motion, in place of measurements.
+    Sets the assumptions about the motion that the filter uses in place of measurements.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `KinematicConstraintResponse`. Probably changes `filter_data.NedVelocity`,
@@ -7628,7 +7632,7 @@ class KinematicConstraint(Command[R]):
     REQUIRED = {1: 3, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     accel_constraint: AccelConstraint | None
     """Assumption about the acceleration. Default: `AccelConstraint.NONE`. Required for `write`."""
     velocity_constraint: VelocityConstraint | None
@@ -7766,7 +7770,7 @@ _INITIALIZATION_CONFIG_GROUPS = (
 class InitializationConfig(Command[R]):
     """Navigation filter initialization (0x0D,0x52).
 
-    Sources and values of the initial attitude, position and velocity of the filter.
+    Sets the sources and values of the initial attitude, position and velocity of the filter.
 
     Also called `initialization_configuration`. Functions: `write`, `read`, `save`, `load` and
     `default`. Answered by `InitializationConfigResponse`. Probably changes `filter_data.Status`,
@@ -7817,13 +7821,13 @@ class InitializationConfig(Command[R]):
     _VECTORS = {"initial_position": (types.Vector3f,), "initial_velocity": (types.Vector3f,)}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     wait_for_run_command: int | None
     """1: the filter starts only after `Run`; 0: it starts as soon as it can. Range: 0 to 1.
     Required for `write`.
     """
     initial_condition_source: InitialConditionSource | None
-    """Which initial conditions are automatic and which the user provides. Required for `write`."""
+    """Initial conditions that the user provides instead of the device. Required for `write`."""
     auto_heading_alignment_selector: HeadingAlignment | None
     """Methods by which the initial heading may be determined. Required for `write`.
 
@@ -8059,7 +8063,7 @@ _ADAPTIVE_FILTER_OPTIONS_GROUPS = ((1, ("level",), False), (2, ("time_limit",), 
 class AdaptiveFilterOptions(Command[R]):
     """Adaptive filter control (0x0D,0x53).
 
-    How the filter adapts to measurements that do not fit its model.
+    Sets how the filter adapts to measurements that do not fit its model.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `AdaptiveFilterOptionsResponse`. Probably changes filter_data (0x82). Supported by
@@ -8082,7 +8086,7 @@ class AdaptiveFilterOptions(Command[R]):
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     level: AdaptiveLevel | None
     """Strength of the adaptation. Default: 2. Required for `write`.
 
@@ -8186,7 +8190,7 @@ _MULTI_ANTENNA_OFFSET_GROUPS = ((1, ("receiver_id",), False), (2, ("antenna_offs
 class MultiAntennaOffset(Command[R]):
     """GNSS multi-antenna offset (0x0D,0x54).
 
-    Position of the antenna of one receiver on devices with several antennas.
+    Sets the position of the antenna of one receiver on devices with several antennas.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `MultiAntennaOffsetResponse`. Probably changes `filter_data.LlhPosition`,
@@ -8212,7 +8216,7 @@ class MultiAntennaOffset(Command[R]):
     _VECTORS = {"antenna_offset": (types.Vector3f,)}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     receiver_id: int | None
     """Number of the receiver, from 1. Range: at least 1."""
     antenna_offset: types.Vector3f | None
@@ -8324,7 +8328,7 @@ _RELATIVE_POSITION_CONFIG_GROUPS = (
 class RelativePositionConfig(Command[R]):
     """Relative position configuration (0x0D,0x55).
 
-    Reference point of the relative position that the filter reports.
+    Sets the reference point of the relative position that the filter reports.
 
     Also called `rel_pos_configuration`. Functions: `write`, `read`, `save`, `load` and `default`.
     Answered by `RelativePositionConfigResponse`. Changes `filter_data.NedRelativePosition`.
@@ -8347,7 +8351,7 @@ class RelativePositionConfig(Command[R]):
     _VECTORS = {"reference_coordinates": (types.Vector3d,)}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     source: RelativePositionSource | None
     """Source of the reference point. Required for `write`."""
     reference_frame_selector: ReferenceFrame | None
@@ -8503,7 +8507,7 @@ class ReferencePointLeverArm(Command[R]):
     _VECTORS = {"lever_arm_offset": (types.Vector3f,)}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     reference_point: ReferencePoint | None
     """Point to move; it must be 1. Required for `write`."""
     lever_arm_offset: types.Vector3f | None
@@ -8609,7 +8613,7 @@ _SPEED_MEASUREMENT_0 = codec.Block("Bfff", "source", "tow", "speed", "speed_unce
 class SpeedMeasurement(Command[None]):
     """Speed measurement (0x0D,0x60).
 
-    Gives the filter one measurement of the forward speed of the vehicle (along its x axis).
+    Sends one measurement of the forward speed of the vehicle (along its x axis) to the filter.
 
     Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: The SDK
     names a response, `filter.speed_measurement_response`, but has no layout of it.
@@ -8678,7 +8682,8 @@ _SPEED_LEVER_ARM_GROUPS = ((1, ("source",), False), (2, ("lever_arm_offset",), F
 class SpeedLeverArm(Command[R]):
     """Speed measurement lever arm (0x0D,0x61).
 
-    Position of the point whose speed is measured, such as the wheel that an odometer is on.
+    Sets the position of the point whose speed is measured, such as the wheel that an odometer is
+    on.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `SpeedLeverArmResponse`.
     Probably changes `filter_data.NedVelocity`, `filter_data.EcefVelocity` and
@@ -8703,7 +8708,7 @@ class SpeedLeverArm(Command[R]):
     _VECTORS = {"lever_arm_offset": (types.Vector3f,)}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     source: int | None
     """Reserved: send 1."""
     lever_arm_offset: types.Vector3f | None
@@ -8827,7 +8832,7 @@ class VerticalGyroConstraintControl(Command[R]):
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     enable: int | None
     """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
 
@@ -8940,7 +8945,7 @@ class WheeledVehicleConstraintControl(Command[R]):
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     enable: int | None
     """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
 
@@ -9028,7 +9033,7 @@ _GNSS_ANTENNA_CALIBRATION_CONTROL_GROUPS = ((1, ("enable",), False), (2, ("max_o
 class GnssAntennaCalibrationControl(Command[R]):
     """GNSS antenna offset calibration (0x0D,0x64).
 
-    Lets the filter track the error of the antenna offset.
+    Enables antenna offset calibration.
 
     Also called `gnss_antenna_cal_control`. Functions: `write`, `read`, `save`, `load` and
     `default`. Answered by `GnssAntennaCalibrationControlResponse`. Changes
@@ -9052,7 +9057,7 @@ class GnssAntennaCalibrationControl(Command[R]):
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     enable: int | None
     """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
     max_offset: float | None

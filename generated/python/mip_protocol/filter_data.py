@@ -17,7 +17,7 @@ from .field import Data, Field
 
 @codec.open_flag(16)
 class ValidFlags(IntFlag):
-    """Whether the values of a field may be used."""
+    """Validity of the values of a field."""
 
     VALID = 1 << 0
     """All values of the field are valid. Bit 0."""
@@ -41,7 +41,7 @@ class HeadingSourceFlags(IntFlag):
 
 @codec.open_flag(16)
 class GnssAidingStatus(IntFlag):
-    """How the filter uses one GNSS receiver."""
+    """Use of one GNSS receiver by the filter."""
 
     TIGHT_COUPLING = 1 << 0
     """Raw ranges of the receiver are used. Bit 0."""
@@ -78,7 +78,7 @@ class GnssAidingStatus(IntFlag):
 
 
 class HeadingAidingType(codec.OpenEnum):
-    """Where a heading measurement comes from.
+    """Source of a heading measurement.
 
     - mip-sdk-4: Head Aid Status (0x82,0x45)
     """
@@ -126,7 +126,7 @@ class AidingMeasurementType(codec.OpenEnum):
 
 @codec.open_flag(8)
 class AidingMeasurementIndicator(IntFlag):
-    """What the filter did with an aiding measurement."""
+    """Use of an aiding measurement by the filter."""
 
     ENABLED = 1 << 0
     """The measurement is enabled. Bit 0."""
@@ -227,11 +227,11 @@ class Gx5StatusFlags(IntFlag):
     """
 
     RUN_IMU_UNAVAILABLE = 1 << 0
-    """No inertial data. Bit 0."""
+    """No inertial data. Bit 0. Concerns `sensor.ScaledAccel` and `sensor.ScaledGyro`."""
     RUN_GPS_UNAVAILABLE = 1 << 1
-    """No GNSS data, on models with GNSS. Bit 1."""
+    """No GNSS data, on models with GNSS. Bit 1. Concerns `LlhPosition` and `NedVelocity`."""
     RUN_MATRIX_SINGULARITY = 1 << 3
-    """A matrix of the computation is singular. Bit 3."""
+    """A matrix of the computation is singular. Bit 3. Concerns `filter.Reset`."""
     RUN_POSITION_COVARIANCE_WARNING = 1 << 4
     """A position covariance is above its normal limit. Bit 4. Concerns `LlhPosition` and
     `LlhPositionUncertainty`.
@@ -275,7 +275,7 @@ class Gx5StatusFlags(IntFlag):
 
 
 class FilterCondition(codec.OpenEnum):
-    """How settled the estimates of the filter are.
+    """Convergence of the estimates of the filter.
 
     - 3dm-cv7-gnss-ins: Filter condition (bits 0-1)
     - 3dm-cv7-gnss-ins: How do I interpret the Status (0x82,0x10) message?
@@ -299,7 +299,7 @@ class Cv7StatusFlags(IntFlag):
     """
 
     FILTER_CONDITION = 0x3
-    """How settled the estimates are. Bits 0 to 1. A value of `FilterCondition`."""
+    """Convergence of the estimates. Bits 0 to 1. A value of `FilterCondition`."""
     ROLL_PITCH_WARNING = 1 << 2
     """Roll and pitch are doubtful; check the mounting transformation. Bit 2. Concerns
     `AttitudeQuaternion`, `AttitudeDcm` and `EulerAngles`.
@@ -374,6 +374,7 @@ class LlhPosition(Data):
     `filter.ReferencePointLeverArm`. Probably changed by `filter.AntennaOffset`,
     `filter.GnssSource`, `filter.PressureAltitudeNoise`, `filter.AltitudeAiding`,
     `filter.InitializationConfig` and `filter.MultiAntennaOffset`. Flagged by
+    `Gx5StatusFlags.RUN_GPS_UNAVAILABLE` of `Gx5StatusFlags`,
     `Gx5StatusFlags.RUN_POSITION_COVARIANCE_WARNING` of `Gx5StatusFlags`,
     `Gx5StatusFlags.INIT_NO_POSITION_VELOCITY` of `Gx5StatusFlags` and
     `Cv7StatusFlags.POSITION_WARNING` of `Cv7StatusFlags`. Supported by 3DM-CV7-GNSS/INS and
@@ -412,7 +413,7 @@ class LlhPosition(Data):
     is set.
     """
     valid_flags: ValidFlags
-    """Whether the values of a field may be used."""
+    """Validity of the values of a field."""
 
     def __init__(
         self, latitude: float, longitude: float, ellipsoid_height: float, valid_flags: ValidFlags
@@ -451,6 +452,7 @@ class NedVelocity(Data):
     `filter.AntennaOffset`, `filter.GnssSource`, `filter.AutoZupt`, `filter.CommandedZupt`,
     `filter.KinematicConstraint`, `filter.InitializationConfig`, `filter.MultiAntennaOffset`,
     `filter.SpeedLeverArm` and `filter.WheeledVehicleConstraintControl`. Flagged by
+    `Gx5StatusFlags.RUN_GPS_UNAVAILABLE` of `Gx5StatusFlags`,
     `Gx5StatusFlags.RUN_VELOCITY_COVARIANCE_WARNING` of `Gx5StatusFlags`,
     `Gx5StatusFlags.INIT_NO_POSITION_VELOCITY` of `Gx5StatusFlags` and
     `Cv7StatusFlags.VELOCITY_WARNING` of `Cv7StatusFlags`. Supported by 3DM-CV7-GNSS/INS and
@@ -489,7 +491,7 @@ class NedVelocity(Data):
     `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Whether the values of a field may be used."""
+    """Validity of the values of a field."""
 
     def __init__(self, north: float, east: float, down: float, valid_flags: ValidFlags) -> None:
         self.north = north
@@ -562,7 +564,7 @@ class AttitudeQuaternion(Data):
     x 0, y 0. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Whether the values of a field may be used."""
+    """Validity of the values of a field."""
 
     def __init__(self, q: types.Quatf | codec.Numbers, valid_flags: ValidFlags) -> None:
         self.q = codec.vector(q, types.Quatf)
@@ -632,7 +634,7 @@ class AttitudeDcm(Data):
     `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Whether the values of a field may be used."""
+    """Validity of the values of a field."""
 
     def __init__(self, dcm: types.Matrix3f | codec.Rows, valid_flags: ValidFlags) -> None:
         self.dcm = codec.vector(dcm, types.Matrix3f)
@@ -718,7 +720,7 @@ class EulerAngles(Data):
     `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Whether the values of a field may be used."""
+    """Validity of the values of a field."""
 
     def __init__(self, roll: float, pitch: float, yaw: float, valid_flags: ValidFlags) -> None:
         self.roll = roll
@@ -778,7 +780,7 @@ class GyroBias(Data):
     `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Whether the values of a field may be used."""
+    """Validity of the values of a field."""
 
     def __init__(self, bias: types.Vector3f | codec.Numbers, valid_flags: ValidFlags) -> None:
         self.bias = codec.vector(bias, types.Vector3f)
@@ -830,7 +832,7 @@ class AccelBias(Data):
     `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Whether the values of a field may be used."""
+    """Validity of the values of a field."""
 
     def __init__(self, bias: types.Vector3f | codec.Numbers, valid_flags: ValidFlags) -> None:
         self.bias = codec.vector(bias, types.Vector3f)
@@ -894,7 +896,7 @@ class LlhPositionUncertainty(Data):
     of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Whether the values of a field may be used."""
+    """Validity of the values of a field."""
 
     def __init__(self, north: float, east: float, down: float, valid_flags: ValidFlags) -> None:
         self.north = north
@@ -962,7 +964,7 @@ class NedVelocityUncertainty(Data):
     `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Whether the values of a field may be used."""
+    """Validity of the values of a field."""
 
     def __init__(self, north: float, east: float, down: float, valid_flags: ValidFlags) -> None:
         self.north = north
@@ -1038,7 +1040,7 @@ class EulerAnglesUncertainty(Data):
     `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Whether the values of a field may be used."""
+    """Validity of the values of a field."""
 
     def __init__(self, roll: float, pitch: float, yaw: float, valid_flags: ValidFlags) -> None:
         self.roll = roll
@@ -1096,7 +1098,7 @@ class GyroBiasUncertainty(Data):
     0. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Whether the values of a field may be used."""
+    """Validity of the values of a field."""
 
     def __init__(
         self, bias_uncertainty: types.Vector3f | codec.Numbers, valid_flags: ValidFlags
@@ -1150,7 +1152,7 @@ class AccelBiasUncertainty(Data):
     0. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Whether the values of a field may be used."""
+    """Validity of the values of a field."""
 
     def __init__(
         self, bias_uncertainty: types.Vector3f | codec.Numbers, valid_flags: ValidFlags
@@ -1210,7 +1212,7 @@ class LinearAccel(Data):
     and level: x 0, y 0, z 0. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Whether the values of a field may be used."""
+    """Validity of the values of a field."""
 
     def __init__(self, accel: types.Vector3f | codec.Numbers, valid_flags: ValidFlags) -> None:
         self.accel = codec.vector(accel, types.Vector3f)
@@ -1268,7 +1270,7 @@ class CompAngularRate(Data):
     `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Whether the values of a field may be used."""
+    """Validity of the values of a field."""
 
     def __init__(self, gyro: types.Vector3f | codec.Numbers, valid_flags: ValidFlags) -> None:
         self.gyro = codec.vector(gyro, types.Vector3f)
@@ -1319,7 +1321,7 @@ class Wgs84GravityMagnitude(Data):
     level: 9.8. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Whether the values of a field may be used."""
+    """Validity of the values of a field."""
 
     def __init__(self, gravity_magnitude: float, valid_flags: ValidFlags) -> None:
         self.gravity_magnitude = gravity_magnitude
@@ -1376,7 +1378,7 @@ class Status(Data):
     )
 
     filter_state: int
-    """How far the filter has come, from start-up to its full solution.
+    """Progress of the filter from start-up to its full solution.
 
     - On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25,
       3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45: values of
@@ -1473,7 +1475,7 @@ class Timestamp(Data):
     """GPS week, counted from 1980. Unit: week. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Whether the values of a field may be used."""
+    """Validity of the values of a field."""
 
     def __init__(self, tow: float, week_number: int, valid_flags: ValidFlags) -> None:
         self.tow = tow
@@ -1531,7 +1533,7 @@ class QuaternionAttitudeUncertainty(Data):
     `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Whether the values of a field may be used."""
+    """Validity of the values of a field."""
 
     def __init__(self, q: types.Quatf | codec.Numbers, valid_flags: ValidFlags) -> None:
         self.q = codec.vector(q, types.Quatf)
@@ -1590,7 +1592,7 @@ class GravityVector(Data):
     sign, which no source states.
     """
     valid_flags: ValidFlags
-    """Whether the values of a field may be used."""
+    """Validity of the values of a field."""
 
     def __init__(self, gravity: types.Vector3f | codec.Numbers, valid_flags: ValidFlags) -> None:
         self.gravity = codec.vector(gravity, types.Vector3f)
@@ -1657,7 +1659,7 @@ class HeadingUpdateState(Data):
     - On the 3DM-GX5-15: only `HeadingSourceFlags.EXTERNAL`.
     """
     valid_flags: ValidFlags
-    """Whether the values of a field may be used."""
+    """Validity of the values of a field."""
 
     def __init__(
         self,
@@ -1765,7 +1767,7 @@ class MagneticModel(Data):
     3.141592653589793. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Whether the values of a field may be used."""
+    """Validity of the values of a field."""
 
     def __init__(
         self,
@@ -1840,7 +1842,7 @@ class GyroScaleFactor(Data):
     of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Whether the values of a field may be used."""
+    """Validity of the values of a field."""
 
     def __init__(
         self, scale_factor: types.Vector3f | codec.Numbers, valid_flags: ValidFlags
@@ -1894,7 +1896,7 @@ class AccelScaleFactor(Data):
     of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Whether the values of a field may be used."""
+    """Validity of the values of a field."""
 
     def __init__(
         self, scale_factor: types.Vector3f | codec.Numbers, valid_flags: ValidFlags
@@ -1952,7 +1954,7 @@ class GyroScaleFactorUncertainty(Data):
     Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Whether the values of a field may be used."""
+    """Validity of the values of a field."""
 
     def __init__(
         self, scale_factor_uncertainty: types.Vector3f | codec.Numbers, valid_flags: ValidFlags
@@ -2011,7 +2013,7 @@ class AccelScaleFactorUncertainty(Data):
     Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Whether the values of a field may be used."""
+    """Validity of the values of a field."""
 
     def __init__(
         self, scale_factor_uncertainty: types.Vector3f | codec.Numbers, valid_flags: ValidFlags
@@ -2065,7 +2067,7 @@ class MagBias(Data):
     `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Whether the values of a field may be used."""
+    """Validity of the values of a field."""
 
     def __init__(self, bias: types.Vector3f | codec.Numbers, valid_flags: ValidFlags) -> None:
         self.bias = codec.vector(bias, types.Vector3f)
@@ -2113,7 +2115,7 @@ class MagBiasUncertainty(Data):
     0. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Whether the values of a field may be used."""
+    """Validity of the values of a field."""
 
     def __init__(
         self, bias_uncertainty: types.Vector3f | codec.Numbers, valid_flags: ValidFlags
@@ -2174,7 +2176,7 @@ class CompAccel(Data):
     `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Whether the values of a field may be used."""
+    """Validity of the values of a field."""
 
     def __init__(self, accel: types.Vector3f | codec.Numbers, valid_flags: ValidFlags) -> None:
         self.accel = codec.vector(accel, types.Vector3f)
@@ -2267,7 +2269,7 @@ class StandardAtmosphere(Data):
     `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Whether the values of a field may be used."""
+    """Validity of the values of a field."""
 
     def __init__(
         self,
@@ -2350,7 +2352,7 @@ class PressureAltitude(Data):
     84852. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Whether the values of a field may be used."""
+    """Validity of the values of a field."""
 
     def __init__(self, pressure_altitude: float, valid_flags: ValidFlags) -> None:
         self.pressure_altitude = pressure_altitude
@@ -2399,7 +2401,7 @@ class DensityAltitude(Data):
     `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Whether the values of a field may be used."""
+    """Validity of the values of a field."""
 
     def __init__(self, density_altitude: float, valid_flags: ValidFlags) -> None:
         self.density_altitude = density_altitude
@@ -2453,7 +2455,7 @@ class MagOffset(Data):
     gauss. Frame: sensor. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Whether the values of a field may be used."""
+    """Validity of the values of a field."""
 
     def __init__(self, hard_iron: types.Vector3f | codec.Numbers, valid_flags: ValidFlags) -> None:
         self.hard_iron = codec.vector(hard_iron, types.Vector3f)
@@ -2507,7 +2509,7 @@ class MagMatrix(Data):
     Unit: 1. Frame: sensor. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Whether the values of a field may be used."""
+    """Validity of the values of a field."""
 
     def __init__(self, soft_iron: types.Matrix3f | codec.Rows, valid_flags: ValidFlags) -> None:
         self.soft_iron = codec.vector(soft_iron, types.Matrix3f)
@@ -2557,7 +2559,7 @@ class MagOffsetUncertainty(Data):
     0. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Whether the values of a field may be used."""
+    """Validity of the values of a field."""
 
     def __init__(
         self, hard_iron_uncertainty: types.Vector3f | codec.Numbers, valid_flags: ValidFlags
@@ -2615,7 +2617,7 @@ class MagMatrixUncertainty(Data):
     1. Frame: sensor. Range: at least 0. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Whether the values of a field may be used."""
+    """Validity of the values of a field."""
 
     def __init__(
         self, soft_iron_uncertainty: types.Matrix3f | codec.Rows, valid_flags: ValidFlags
@@ -2670,7 +2672,7 @@ class MagCovarianceMatrix(Data):
     gauss^2, and the frame.
     """
     valid_flags: ValidFlags
-    """Whether the values of a field may be used."""
+    """Validity of the values of a field."""
 
     def __init__(self, covariance: types.Matrix3f | codec.Rows, valid_flags: ValidFlags) -> None:
         self.covariance = codec.vector(covariance, types.Matrix3f)
@@ -2721,7 +2723,7 @@ class MagResidualVector(Data):
     x, y, z. Unit: gauss. Frame: vehicle. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Whether the values of a field may be used."""
+    """Validity of the values of a field."""
 
     def __init__(self, residual: types.Vector3f | codec.Numbers, valid_flags: ValidFlags) -> None:
         self.residual = codec.vector(residual, types.Vector3f)
@@ -2775,7 +2777,7 @@ class AntennaOffsetCorrection(Data):
     vehicle. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Whether the values of a field may be used."""
+    """Validity of the values of a field."""
 
     def __init__(self, offset: types.Vector3f | codec.Numbers, valid_flags: ValidFlags) -> None:
         self.offset = codec.vector(offset, types.Vector3f)
@@ -2828,7 +2830,7 @@ class AntennaOffsetCorrectionUncertainty(Data):
     Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Whether the values of a field may be used."""
+    """Validity of the values of a field."""
 
     def __init__(
         self, offset_uncertainty: types.Vector3f | codec.Numbers, valid_flags: ValidFlags
@@ -2887,7 +2889,7 @@ class ClockCorrection(Data):
     bias_drift: float
     """Drift of the clock. Unit: s/s. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
     valid_flags: ValidFlags
-    """Whether the values of a field may be used."""
+    """Validity of the values of a field."""
 
     def __init__(
         self, receiver_id: int, bias: float, bias_drift: float, valid_flags: ValidFlags
@@ -2955,7 +2957,7 @@ class ClockCorrectionUncertainty(Data):
     `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Whether the values of a field may be used."""
+    """Validity of the values of a field."""
 
     def __init__(
         self,
@@ -3027,7 +3029,7 @@ class MultiAntennaOffsetCorrection(Data):
     vehicle. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Whether the values of a field may be used."""
+    """Validity of the values of a field."""
 
     def __init__(
         self, receiver_id: int, offset: types.Vector3f | codec.Numbers, valid_flags: ValidFlags
@@ -3090,7 +3092,7 @@ class MultiAntennaOffsetCorrectionUncertainty(Data):
     Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Whether the values of a field may be used."""
+    """Validity of the values of a field."""
 
     def __init__(
         self,
@@ -3151,7 +3153,7 @@ class EcefPositionUncertainty(Data):
     Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Whether the values of a field may be used."""
+    """Validity of the values of a field."""
 
     def __init__(
         self, position_uncertainty: types.Vector3f | codec.Numbers, valid_flags: ValidFlags
@@ -3205,7 +3207,7 @@ class EcefVelocityUncertainty(Data):
     Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Whether the values of a field may be used."""
+    """Validity of the values of a field."""
 
     def __init__(
         self, velocity_uncertainty: types.Vector3f | codec.Numbers, valid_flags: ValidFlags
@@ -3261,7 +3263,7 @@ class EcefPosition(Data):
     `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Whether the values of a field may be used."""
+    """Validity of the values of a field."""
 
     def __init__(self, position: types.Vector3d | codec.Numbers, valid_flags: ValidFlags) -> None:
         self.position = codec.vector(position, types.Vector3d)
@@ -3317,7 +3319,7 @@ class EcefVelocity(Data):
     level: x 0, y 0, z 0. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Whether the values of a field may be used."""
+    """Validity of the values of a field."""
 
     def __init__(self, velocity: types.Vector3f | codec.Numbers, valid_flags: ValidFlags) -> None:
         self.velocity = codec.vector(velocity, types.Vector3f)
@@ -3370,7 +3372,7 @@ class NedRelativePosition(Data):
     Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Whether the values of a field may be used."""
+    """Validity of the values of a field."""
 
     def __init__(
         self, relative_position: types.Ned3d | codec.Numbers, valid_flags: ValidFlags
@@ -3401,7 +3403,7 @@ _GNSS_POSITION_AIDING_STATUS_0 = codec.Block(
 class GnssPositionAidingStatus(Data):
     """GNSS position aiding status (0x82,0x43).
 
-    How the filter uses the position measurements of one GNSS receiver.
+    Use of the position measurements of one GNSS receiver by the filter.
 
     Also called `gnss_pos_aid_status`. Probably changed by `filter.GnssSource`. Supported by
     3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-INS and
@@ -3432,7 +3434,7 @@ class GnssPositionAidingStatus(Data):
     tow: float
     """GPS time of week of the last measurement. Unit: s. Range: 0 to 604800."""
     status: GnssAidingStatus
-    """How the measurements are used."""
+    """Use of the measurements."""
     reserved: tuple[int, ...]
     """Reserved."""
 
@@ -3500,7 +3502,7 @@ class GnssAttitudeAidingStatus(Data):
     Whether it is the time of the measurement or that of its processing.
     """
     status: GnssAidingStatus
-    """How the measurements are used."""
+    """Use of the measurements."""
     reserved: tuple[int, ...]
     """Reserved. Reserved."""
 
@@ -3591,7 +3593,7 @@ _AIDING_MEASUREMENT_SUMMARY_0 = codec.Block("fBBB", "tow", "source", "type", "in
 class AidingMeasurementSummary(Data):
     """Aiding measurement summary (0x82,0x46).
 
-    What the filter did with one kind of aiding measurement in the last measurement interval.
+    Use of one kind of aiding measurement in the last measurement interval.
 
     Changed by `filter.AidingMeasurementEnable`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
     Probably supported by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS.
@@ -3623,7 +3625,7 @@ class AidingMeasurementSummary(Data):
     type: AidingMeasurementType
     """Kind of measurement."""
     indicator: AidingMeasurementIndicator
-    """What the filter did with it."""
+    """Use of the measurement by the filter."""
 
     def __init__(
         self,
@@ -3681,7 +3683,7 @@ class OdometerScaleFactorError(Data):
     scale_factor_error: float
     """Relative error. Unit: 1. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
     valid_flags: ValidFlags
-    """Whether the values of a field may be used."""
+    """Validity of the values of a field."""
 
     def __init__(self, scale_factor_error: float, valid_flags: ValidFlags) -> None:
         self.scale_factor_error = scale_factor_error
@@ -3730,7 +3732,7 @@ class OdometerScaleFactorErrorUncertainty(Data):
     `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Whether the values of a field may be used."""
+    """Validity of the values of a field."""
 
     def __init__(self, scale_factor_error_uncertainty: float, valid_flags: ValidFlags) -> None:
         self.scale_factor_error_uncertainty = scale_factor_error_uncertainty
@@ -3810,7 +3812,7 @@ class GnssDualAntennaStatus(Data):
     status_flags: DualAntennaStatusFlags
     """Inputs available to the solution."""
     valid_flags: ValidFlags
-    """Whether the values of a field may be used."""
+    """Validity of the values of a field."""
 
     def __init__(
         self,

@@ -124,7 +124,7 @@ class ReceiverId(codec.OpenEnum):
 
 
 class ReceiverResetType(codec.OpenEnum):
-    """How much a receiver restarts.
+    """Extent of the restart of a receiver.
 
     - mip-sdk-4: Receiver Reset (0x0E,0x03)
     """
@@ -145,7 +145,7 @@ class ReceiverResetType(codec.OpenEnum):
 
 
 class AmbiguityFixMode(codec.OpenEnum):
-    """How readily RTK fixes the carrier phase ambiguities to whole numbers. Uncertain: The
+    """Readiness of RTK to fix the carrier phase ambiguities to whole numbers. Uncertain: The
     descriptions of `conservative` and `moderate`, which follow from the names.
 
     - mip-sdk-4: Rtk Configuration (0x0E,0x04)
@@ -162,7 +162,7 @@ class AmbiguityFixMode(codec.OpenEnum):
 
 
 class SpartnConnection(codec.OpenEnum):
-    """How SPARTN corrections are received."""
+    """Channel of SPARTN corrections."""
 
     NONE = 0
     """No connection."""
@@ -320,7 +320,7 @@ class RtkConfigResponse(Response):
     _LAYOUT = (("ambiguity_fix_mode", "B", AmbiguityFixMode), ("reserved", "BBBB", tuple))
 
     ambiguity_fix_mode: AmbiguityFixMode
-    """How readily ambiguities are fixed."""
+    """Readiness to fix ambiguities."""
     reserved: tuple[int, int, int, int]
     """Reserved."""
 
@@ -455,7 +455,7 @@ class SpartnConfigResponse(Response):
     enable: int
     """1 enables SPARTN corrections, 0 disables them. Range: 0 to 1."""
     type: SpartnConnection
-    """How the corrections are received."""
+    """Channel of the corrections."""
     current_key_tow: int
     """GPS time of week until which the current key is valid. Unit: s."""
     current_key_week: int
@@ -572,7 +572,7 @@ _SIGNAL_CONFIG_GROUPS = (
 class SignalConfig(Command[R]):
     """Signal configuration (0x0E,0x02).
 
-    GNSS signals that the device uses.
+    Selects the GNSS signals that the device uses.
 
     Also called `signal_configuration`. Functions: `write`, `read`, `save`, `load` and `default`.
     Answered by `SignalConfigResponse`. Probably changes `gnss_data.FixInfo`,
@@ -614,7 +614,7 @@ class SignalConfig(Command[R]):
     REQUIRED = {1: 5, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     gps_enable: GpsSignals | None
     """GPS signals. Required for `write`."""
     glonass_enable: GlonassSignals | None
@@ -783,7 +783,7 @@ class ReceiverReset(Command[None]):
     receiver_id: ReceiverId
     """Receiver to reset."""
     reset_type: ReceiverResetType
-    """How much restarts."""
+    """Extent of the restart."""
 
     def __init__(self, receiver_id: ReceiverId, reset_type: ReceiverResetType) -> None:
         self.receiver_id = receiver_id
@@ -836,9 +836,9 @@ class RtkConfig(Command[R]):
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     ambiguity_fix_mode: AmbiguityFixMode | None
-    """How readily ambiguities are fixed. Required for `write`."""
+    """Readiness to fix ambiguities. Required for `write`."""
     reserved: tuple[int, int, int, int] | None
     """Reserved: send 0. Required for `write`."""
 
@@ -957,7 +957,7 @@ class RtkDongleConfig(Command[R]):
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     enable: int | None
     """1 enables the dongle, 0 disables it. Range: 0 to 1. Required for `write`."""
     reserved: tuple[int, int, int] | None
@@ -1067,7 +1067,7 @@ _SPARTN_CONFIG_GROUPS = (
 class SpartnConfig(Command[R]):
     """SPARTN configuration (0x0E,0x20).
 
-    Source and keys of SPARTN corrections.
+    Sets the source and the keys of SPARTN corrections.
 
     Also called `spartn_configuration`. Functions: `write`, `read`, `save`, `load` and `default`.
     Answered by `SpartnConfigResponse`. Probably changes `gnss_data.RtkCorrectionsStatus`. Supported
@@ -1115,11 +1115,11 @@ class SpartnConfig(Command[R]):
     REQUIRED = {1: 8, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     enable: int | None
     """1 enables SPARTN corrections, 0 disables them. Range: 0 to 1. Required for `write`."""
     type: SpartnConnection | None
-    """How the corrections are received. Required for `write`."""
+    """Channel of the corrections. Required for `write`."""
     current_key_tow: int | None
     """GPS time of week until which the current key is valid. Unit: s. Required for `write`."""
     current_key_week: int | None

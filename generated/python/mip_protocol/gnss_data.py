@@ -29,7 +29,7 @@ from .field import Data, Field, Shared
 
 @codec.open_flag(16)
 class LlhPositionFlags(IntFlag):
-    """Which parts of the position are valid."""
+    """Valid parts of the position."""
 
     LAT_LON = 1 << 0
     """`latitude` and `longitude` are valid. Bit 0."""
@@ -47,7 +47,7 @@ class LlhPositionFlags(IntFlag):
 
 @codec.open_flag(16)
 class EcefPositionFlags(IntFlag):
-    """Which parts of the position are valid."""
+    """Valid parts of the position."""
 
     POSITION = 1 << 0
     """`position` is valid. Bit 0."""
@@ -59,7 +59,7 @@ class EcefPositionFlags(IntFlag):
 
 @codec.open_flag(16)
 class NedVelocityFlags(IntFlag):
-    """Which parts of the velocity are valid."""
+    """Valid parts of the velocity."""
 
     VELOCITY = 1 << 0
     """`velocity` is valid. Bit 0."""
@@ -79,7 +79,7 @@ class NedVelocityFlags(IntFlag):
 
 @codec.open_flag(16)
 class EcefVelocityFlags(IntFlag):
-    """Which parts of the velocity are valid."""
+    """Valid parts of the velocity."""
 
     VELOCITY = 1 << 0
     """`velocity` is valid. Bit 0."""
@@ -91,7 +91,7 @@ class EcefVelocityFlags(IntFlag):
 
 @codec.open_flag(16)
 class DopFlags(IntFlag):
-    """Which dilutions of precision are valid."""
+    """Valid dilutions of precision."""
 
     GDOP = 1 << 0
     """`gdop` is valid. Bit 0."""
@@ -113,7 +113,7 @@ class DopFlags(IntFlag):
 
 @codec.open_flag(16)
 class UtcTimeFlags(IntFlag):
-    """Which parts of the UTC time are valid."""
+    """Valid parts of the UTC time."""
 
     GNSS_DATE_TIME = 1 << 0
     """Date and time come from GNSS. Bit 0."""
@@ -125,7 +125,7 @@ class UtcTimeFlags(IntFlag):
 
 @codec.open_flag(16)
 class GpsTimeFlags(IntFlag):
-    """Which parts of the time are valid."""
+    """Valid parts of the time."""
 
     TOW = 1 << 0
     """`tow` is valid. Bit 0."""
@@ -137,7 +137,7 @@ class GpsTimeFlags(IntFlag):
 
 @codec.open_flag(16)
 class ClockInfoFlags(IntFlag):
-    """Which clock parameters are valid."""
+    """Valid clock parameters."""
 
     BIAS = 1 << 0
     """`bias` is valid. Bit 0."""
@@ -151,17 +151,17 @@ class ClockInfoFlags(IntFlag):
 
 @codec.open_flag(16)
 class FixFlags(IntFlag):
-    """What the fix uses."""
+    """Corrections and satellite systems of the fix."""
 
     SBAS_USED = 1 << 0
-    """Satellite based augmentation. Bit 0."""
+    """SBAS corrections were used in the fix. Bit 0."""
     DGNSS_USED = 1 << 1
     """Differential corrections. Bit 1."""
 
 
 @codec.open_flag(16)
 class FixInfoFlags(IntFlag):
-    """Which parts of the fix information are valid."""
+    """Valid parts of the fix information."""
 
     FIX_TYPE = 1 << 0
     """`fix_type` is valid. Bit 0."""
@@ -185,7 +185,7 @@ class SvFlags(IntFlag):
 
 @codec.open_flag(16)
 class SvInfoFlags(IntFlag):
-    """Which parts of the satellite info are valid."""
+    """Valid parts of the satellite info."""
 
     CHANNEL = 1 << 0
     """`channel` is valid. Bit 0."""
@@ -204,7 +204,7 @@ class SvInfoFlags(IntFlag):
 
 
 class ReceiverState(codec.OpenEnum):
-    """Whether a GNSS receiver is powered and works."""
+    """Power and operation of a GNSS receiver."""
 
     OFF = 0
     ON = 1
@@ -237,7 +237,7 @@ class AntennaPower(codec.OpenEnum):
 
 @codec.open_flag(16)
 class HardwareStatusFlags(IntFlag):
-    """Which parts of the hardware status are valid."""
+    """Valid parts of the hardware status."""
 
     SENSOR_STATE = 1 << 0
     """`receiver_state` is valid. Bit 0."""
@@ -251,7 +251,7 @@ class HardwareStatusFlags(IntFlag):
 
 @codec.open_flag(16)
 class DgpsInfoFlags(IntFlag):
-    """Which parts of the state of the corrections are valid."""
+    """Valid parts of the state of the corrections."""
 
     AGE = 1 << 0
     """`age` is valid. Bit 0."""
@@ -267,7 +267,7 @@ class DgpsInfoFlags(IntFlag):
 
 @codec.open_flag(16)
 class DgpsChannelFlags(IntFlag):
-    """Which parts of a differential correction are valid."""
+    """Valid parts of a differential correction."""
 
     SATELLITE_ID = 1 << 0
     """`satellite_id` is valid. Bit 0."""
@@ -283,7 +283,7 @@ class DgpsChannelFlags(IntFlag):
 
 @codec.open_flag(16)
 class ClockInfo2Flags(IntFlag):
-    """Which clock parameters are valid."""
+    """Valid clock parameters."""
 
     BIAS = 1 << 0
     """`bias` is valid. Bit 0."""
@@ -299,7 +299,7 @@ class ClockInfo2Flags(IntFlag):
 
 @codec.open_flag(16)
 class GpsLeapSecondsFlags(IntFlag):
-    """Whether the leap seconds are valid. Bit 0 is not used."""
+    """Validity of the leap seconds. Bit 0 is not used."""
 
     LEAP_SECONDS = 1 << 1
     """`leap_seconds` is valid. Bit 1."""
@@ -313,16 +313,16 @@ class SbasSystem(codec.OpenEnum):
     WAAS = 1
     """North America."""
     EGNOS = 2
-    """Europe."""
+    """EGNOS, the European system."""
     MSAS = 3
-    """Japan."""
+    """MSAS, the Japanese system."""
     GAGAN = 4
-    """India."""
+    """GAGAN, the Indian system."""
 
 
 @codec.open_flag(8)
 class SbasStatus(IntFlag):
-    """What the SBAS service offers."""
+    """Services of an SBAS system."""
 
     RANGE_AVAILABLE = 1 << 0
     """Ranging is available. Bit 0."""
@@ -336,7 +336,7 @@ class SbasStatus(IntFlag):
 
 @codec.open_flag(16)
 class SbasInfoFlags(IntFlag):
-    """Which parts of the SBAS status are valid."""
+    """Valid parts of the SBAS status."""
 
     TOW = 1 << 0
     """`tow` is valid. Bit 0."""
@@ -356,7 +356,7 @@ class SbasInfoFlags(IntFlag):
 
 @codec.open_flag(16)
 class SbasCorrectionFlags(IntFlag):
-    """Which parts of an SBAS correction are valid."""
+    """Valid parts of an SBAS correction."""
 
     UDREI = 1 << 0
     """`udrei` is valid. Bit 0."""
@@ -379,7 +379,7 @@ class RfBand(codec.OpenEnum):
 
 
 class JammingState(codec.OpenEnum):
-    """How much the reception is jammed."""
+    """Severity of jamming."""
 
     UNKNOWN = 0
     """Not known."""
@@ -392,7 +392,7 @@ class JammingState(codec.OpenEnum):
 
 
 class SpoofingState(codec.OpenEnum):
-    """How much the signals are spoofed."""
+    """Severity of spoofing."""
 
     UNKNOWN = 0
     """Not known."""
@@ -406,7 +406,7 @@ class SpoofingState(codec.OpenEnum):
 
 @codec.open_flag(16)
 class RfErrorDetectionFlags(IntFlag):
-    """Which parts of the detection are valid."""
+    """Valid parts of the detection."""
 
     RF_BAND = 1 << 0
     """`rf_band` is valid. Bit 0."""
@@ -421,7 +421,7 @@ class RfErrorDetectionFlags(IntFlag):
 
 
 class HeadingFixType(codec.OpenEnum):
-    """How the ambiguities of the carrier phase were solved for a heading."""
+    """Solution of the carrier phase ambiguities for a heading."""
 
     UNKNOWN = 0
     """Not known."""
@@ -433,7 +433,7 @@ class HeadingFixType(codec.OpenEnum):
 
 @codec.open_flag(16)
 class HeadingFlags(IntFlag):
-    """Which parts of the heading are valid."""
+    """Valid parts of the heading."""
 
     HEADING = 1 << 0
     """`heading` is valid. Bit 0."""
@@ -447,7 +447,7 @@ class HeadingFlags(IntFlag):
 
 @codec.open_flag(16)
 class SatelliteStatusFlags(IntFlag):
-    """Which parts of the satellite status are valid."""
+    """Valid parts of the satellite status."""
 
     TOW = 1 << 0
     """`tow` is valid. Bit 0."""
@@ -468,7 +468,7 @@ class SatelliteStatusFlags(IntFlag):
 
 
 class SignalQuality(codec.OpenEnum):
-    """How well a signal is tracked."""
+    """Quality of the tracking of a signal."""
 
     NONE = 0
     """No signal."""
@@ -485,7 +485,7 @@ class SignalQuality(codec.OpenEnum):
 
 @codec.open_flag(16)
 class RawFlags(IntFlag):
-    """Which parts of the observation are valid."""
+    """Valid parts of the observation."""
 
     TOW = 1 << 0
     """`tow` is valid. Bit 0."""
@@ -549,7 +549,7 @@ class BaseStationIndicators(IntFlag):
 
 @codec.open_flag(16)
 class BaseStationInfoFlags(IntFlag):
-    """Which values are valid."""
+    """Valid values."""
 
     TOW = 1 << 0
     """`tow` is valid. Bit 0."""
@@ -594,7 +594,7 @@ class RtkEpochStatus(IntFlag):
 
 @codec.open_flag(16)
 class RtkCorrectionsStatusFlags(IntFlag):
-    """Which values are valid."""
+    """Valid values."""
 
     TOW = 1 << 0
     """`tow` is valid. Bit 0."""
@@ -618,7 +618,7 @@ class RtkCorrectionsStatusFlags(IntFlag):
 
 @codec.open_flag(16)
 class EphemerisFlags(IntFlag):
-    """What an ephemeris of GPS, Galileo or BeiDou holds."""
+    """Contents of an ephemeris of GPS, Galileo or BeiDou."""
 
     EPHEMERIS = 1 << 0
     """The ephemeris is valid. Bit 0."""
@@ -639,7 +639,7 @@ class GlonassSatelliteType(codec.OpenEnum):
 
 @codec.open_flag(16)
 class GlonassEphemerisFlags(IntFlag):
-    """Whether the ephemeris is valid."""
+    """Validity of the ephemeris."""
 
     EPHEMERIS = 1 << 0
     """The ephemeris is valid. Bit 0."""
@@ -649,7 +649,7 @@ class GlonassEphemerisFlags(IntFlag):
 
 @codec.open_flag(16)
 class GpsIonoCorrectionFlags(IntFlag):
-    """Which parts of the model are valid."""
+    """Valid parts of the model."""
 
     TOW = 1 << 0
     """`tow` is valid. Bit 0."""
@@ -665,7 +665,7 @@ class GpsIonoCorrectionFlags(IntFlag):
 
 @codec.open_flag(16)
 class GalileoIonoCorrectionFlags(IntFlag):
-    """Which parts of the model are valid."""
+    """Valid parts of the model."""
 
     TOW = 1 << 0
     """`tow` is valid. Bit 0."""
@@ -681,7 +681,7 @@ class GalileoIonoCorrectionFlags(IntFlag):
 
 @codec.open_flag(16)
 class BeidouIonoCorrectionFlags(IntFlag):
-    """Which parts of the model are valid."""
+    """Valid parts of the model."""
 
     TOW = 1 << 0
     """`tow` is valid. Bit 0."""
@@ -784,7 +784,7 @@ class LlhPosition(Shared, Data):
     `LlhPositionFlags.VERTICAL_ACCURACY` of `valid_flags` is set.
     """
     valid_flags: LlhPositionFlags
-    """Which parts of the position are valid."""
+    """Valid parts of the position."""
 
     def __init__(
         self,
@@ -878,7 +878,7 @@ class EcefPosition(Shared, Data):
     `EcefPositionFlags.POSITION_ACCURACY` of `valid_flags` is set.
     """
     valid_flags: EcefPositionFlags
-    """Which parts of the position are valid."""
+    """Valid parts of the position."""
 
     def __init__(
         self,
@@ -994,7 +994,7 @@ class NedVelocity(Shared, Data):
     `NedVelocityFlags.HEADING_ACCURACY` of `valid_flags` is set.
     """
     valid_flags: NedVelocityFlags
-    """Which parts of the velocity are valid."""
+    """Valid parts of the velocity."""
 
     def __init__(
         self,
@@ -1083,7 +1083,7 @@ class EcefVelocity(Shared, Data):
     `EcefVelocityFlags.VELOCITY_ACCURACY` of `valid_flags` is set.
     """
     valid_flags: EcefVelocityFlags
-    """Which parts of the velocity are valid."""
+    """Valid parts of the velocity."""
 
     def __init__(
         self,
@@ -1175,7 +1175,7 @@ class Dop(Shared, Data):
     set.
     """
     valid_flags: DopFlags
-    """Which dilutions of precision are valid."""
+    """Valid dilutions of precision."""
 
     def __init__(
         self,
@@ -1288,7 +1288,7 @@ class UtcTime(Shared, Data):
     `valid_flags` is set.
     """
     valid_flags: UtcTimeFlags
-    """Which parts of the time are valid."""
+    """Valid parts of the time."""
 
     def __init__(
         self,
@@ -1372,7 +1372,7 @@ class GpsTime(Shared, Data):
     week_number: int
     """GPS week number. Unit: week. Valid if `GpsTimeFlags.WEEK_NUMBER` of `valid_flags` is set."""
     valid_flags: GpsTimeFlags
-    """Which parts of the time are valid."""
+    """Valid parts of the time."""
 
     def __init__(self, tow: float, week_number: int, valid_flags: GpsTimeFlags) -> None:
         self.tow = tow
@@ -1433,7 +1433,7 @@ class ClockInfo(Shared, Data):
     `ClockInfoFlags.ACCURACY_ESTIMATE` of `valid_flags` is set.
     """
     valid_flags: ClockInfoFlags
-    """Which clock parameters are valid."""
+    """Valid clock parameters."""
 
     def __init__(
         self, bias: float, drift: float, accuracy_estimate: float, valid_flags: ClockInfoFlags
@@ -1505,17 +1505,19 @@ class FixInfo(Shared, Data):
     )
 
     fix_type: types.GnssFixType
-    """What the receiver can determine at present. Valid if `FixInfoFlags.FIX_TYPE` of `valid_flags`
-    is set.
+    """Quantities that the receiver can determine at present. Valid if `FixInfoFlags.FIX_TYPE` of
+    `valid_flags` is set.
     """
     num_sv: int
     """Number of satellites used in the fix. Unit: 1. Valid if `FixInfoFlags.NUM_SV` of
     `valid_flags` is set.
     """
     fix_flags: FixFlags
-    """What the fix uses. Valid if `FixInfoFlags.FIX_FLAGS` of `valid_flags` is set."""
+    """Corrections and satellite systems of the fix. Valid if `FixInfoFlags.FIX_FLAGS` of
+    `valid_flags` is set.
+    """
     valid_flags: FixInfoFlags
-    """Which parts of the fix information are valid."""
+    """Valid parts of the fix information."""
 
     def __init__(
         self,
@@ -1626,7 +1628,7 @@ class SvInfo(Shared, Data):
     sv_flags: SvFlags
     """State of the satellite. Valid if `SvInfoFlags.SV_FLAGS` of `valid_flags` is set."""
     valid_flags: SvInfoFlags
-    """Which parts of the satellite info are valid."""
+    """Valid parts of the satellite info."""
 
     def __init__(
         self,
@@ -1712,7 +1714,7 @@ class HardwareStatus(Shared, Data):
     )
 
     receiver_state: ReceiverState
-    """Whether the receiver is powered and works. Valid if `HardwareStatusFlags.SENSOR_STATE` of
+    """Power and operation of the receiver. Valid if `HardwareStatusFlags.SENSOR_STATE` of
     `valid_flags` is set.
     """
     antenna_state: AntennaState
@@ -1723,7 +1725,7 @@ class HardwareStatus(Shared, Data):
     """Supply of the antenna. Valid if `HardwareStatusFlags.ANTENNA_POWER` of `valid_flags` is set.
     """
     valid_flags: HardwareStatusFlags
-    """Which parts of the hardware status are valid."""
+    """Valid parts of the hardware status."""
 
     def __init__(
         self,
@@ -1816,7 +1818,7 @@ class DgpsInfo(Shared, Data):
     `valid_flags` is set.
     """
     valid_flags: DgpsInfoFlags
-    """Which parts of the state of the corrections are valid."""
+    """Valid parts of the state of the corrections."""
 
     def __init__(
         self,
@@ -1913,11 +1915,11 @@ class DgpsInfoSatellite(Shared, Data):
     `DgpsChannel`.
     """
     range_rate_correction: float
-    """How fast the correction changes. Unit: m/s. Uncertain: The unit, which follows from
+    """Rate of change of the correction. Unit: m/s. Uncertain: The unit, which follows from
     `DgpsChannel`.
     """
     valid_flags: DgpsInfoFlags
-    """Which parts of the state of the corrections are valid."""
+    """Valid parts of the state of the corrections."""
 
     def __init__(
         self,
@@ -2013,11 +2015,11 @@ class DgpsChannel(Shared, Data):
     `DgpsChannelFlags.RANGE_CORRECTION` of `valid_flags` is set.
     """
     range_rate_correction: float
-    """How fast the correction changes. Unit: m/s. Valid if `DgpsChannelFlags.RANGE_RATE_CORRECTION`
-    of `valid_flags` is set.
+    """Rate of change of the correction. Unit: m/s. Valid if
+    `DgpsChannelFlags.RANGE_RATE_CORRECTION` of `valid_flags` is set.
     """
     valid_flags: DgpsChannelFlags
-    """Which parts of a differential correction are valid."""
+    """Valid parts of a differential correction."""
 
     def __init__(
         self,
@@ -2115,7 +2117,7 @@ class ClockInfo2(Shared, Data):
     `ClockInfo2Flags.DRIFT_ACCURACY` of `valid_flags` is set.
     """
     valid_flags: ClockInfo2Flags
-    """Which clock parameters are valid."""
+    """Valid clock parameters."""
 
     def __init__(
         self,
@@ -2183,7 +2185,7 @@ class GpsLeapSeconds(Shared, Data):
     set.
     """
     valid_flags: GpsLeapSecondsFlags
-    """Whether the value is valid."""
+    """Validity of the leap seconds."""
 
     def __init__(self, leap_seconds: int, valid_flags: GpsLeapSecondsFlags) -> None:
         self.leap_seconds = leap_seconds
@@ -2269,7 +2271,7 @@ class SbasInfo(Shared, Data):
     sbas_status: SbasStatus
     """Status of the service. Valid if `SbasInfoFlags.SBAS_STATUS` of `valid_flags` is set."""
     valid_flags: SbasInfoFlags
-    """Which parts of the SBAS status are valid."""
+    """Valid parts of the SBAS status."""
 
     def __init__(
         self,
@@ -2391,7 +2393,7 @@ class SbasCorrection(Shared, Data):
     index: int
     """Number of this field within the epoch."""
     count: int
-    """How many of these fields the epoch has."""
+    """Number of these fields in the epoch."""
     tow: float
     """GPS time of week of the reception. Unit: s. Range: at least 0, less than 604800."""
     week_number: int
@@ -2414,7 +2416,7 @@ class SbasCorrection(Shared, Data):
     of `valid_flags` is set.
     """
     valid_flags: SbasCorrectionFlags
-    """Which parts of an SBAS correction are valid."""
+    """Valid parts of an SBAS correction."""
 
     def __init__(
         self,
@@ -2537,12 +2539,12 @@ class RfErrorDetection(Shared, Data):
     set.
     """
     jamming_state: JammingState
-    """Whether signals are jammed in this band. Valid if `RfErrorDetectionFlags.JAMMING_STATE` of
+    """State of jamming in this band. Valid if `RfErrorDetectionFlags.JAMMING_STATE` of
     `valid_flags` is set.
     """
     spoofing_state: SpoofingState
-    """Whether false signals are detected in this band. Valid if
-    `RfErrorDetectionFlags.SPOOFING_STATE` of `valid_flags` is set.
+    """State of spoofing in this band. Valid if `RfErrorDetectionFlags.SPOOFING_STATE` of
+    `valid_flags` is set.
     """
     frequency: int
     """Centre frequency of the band. Unit: MHz. Valid if `RfErrorDetectionFlags.FREQUENCY` of
@@ -2551,7 +2553,7 @@ class RfErrorDetection(Shared, Data):
     reserved: tuple[int, int]
     """Reserved."""
     valid_flags: RfErrorDetectionFlags
-    """Which parts of the detection are valid."""
+    """Valid parts of the detection."""
 
     def __init__(
         self,
@@ -2637,7 +2639,7 @@ class Heading(Shared, Data):
     fix_type: HeadingFixType
     """Kind of the fix. Valid if `HeadingFlags.FIX_TYPE` of `valid_flags` is set."""
     valid_flags: HeadingFlags
-    """Which parts of the heading are valid."""
+    """Valid parts of the heading."""
 
     def __init__(
         self,
@@ -2743,7 +2745,7 @@ class SatelliteStatus(Shared, Data):
     index: int
     """Number of this field within the epoch."""
     count: int
-    """How many of these fields the epoch has."""
+    """Number of these fields in the epoch."""
     tow: float
     """GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if
     `SatelliteStatusFlags.TOW` of `valid_flags` is set.
@@ -2767,11 +2769,11 @@ class SatelliteStatus(Shared, Data):
     `valid_flags` is set.
     """
     health: bool
-    """Whether the satellite is healthy. Valid if `SatelliteStatusFlags.HEALTH` of `valid_flags` is
+    """True if the satellite is healthy. Valid if `SatelliteStatusFlags.HEALTH` of `valid_flags` is
     set.
     """
     valid_flags: SatelliteStatusFlags
-    """Which parts of the satellite status are valid."""
+    """Valid parts of the satellite status."""
 
     def __init__(
         self,
@@ -2952,7 +2954,7 @@ class Raw(Shared, Data):
     index: int
     """Number of this field within the epoch."""
     count: int
-    """How many of these fields the epoch has."""
+    """Number of these fields in the epoch."""
     tow: float
     """GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if `RawFlags.TOW` of
     `valid_flags` is set.
@@ -2981,7 +2983,8 @@ class Raw(Shared, Data):
     `valid_flags` is set.
     """
     quality: SignalQuality
-    """How well the signal is tracked. Valid if `RawFlags.QUALITY` of `valid_flags` is set."""
+    """Quality of the tracking of the signal. Valid if `RawFlags.QUALITY` of `valid_flags` is set.
+    """
     pseudorange: float
     """Measured distance, with the clock errors of receiver and satellite. Unit: m. Range: at least
     0. Valid if `RawFlags.PSEUDORANGE` of `valid_flags` is set.
@@ -3009,7 +3012,7 @@ class Raw(Shared, Data):
     Valid if `RawFlags.LOCK_TIME` of `valid_flags` is set.
     """
     valid_flags: RawFlags
-    """Which parts of the observation are valid."""
+    """Valid parts of the observation."""
 
     def __init__(
         self,
@@ -3206,7 +3209,7 @@ class BaseStationInfo(Shared, Data):
     set.
     """
     valid_flags: BaseStationInfoFlags
-    """Which values are valid."""
+    """Valid values."""
 
     def __init__(
         self,
@@ -3270,7 +3273,7 @@ _RTK_CORRECTIONS_STATUS_0 = codec.Block(
 class RtkCorrectionsStatus(Shared, Data):
     """RTK corrections status (0x31).
 
-    Which corrections are received, and how old they are.
+    Received corrections and their age.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
     (0x94) and gnss_external_2 (0x95). Probably changed by `gnss.RtkDongleConfig` and
@@ -3359,7 +3362,7 @@ class RtkCorrectionsStatus(Shared, Data):
     reserved: tuple[int, int, int, int]
     """Reserved."""
     valid_flags: RtkCorrectionsStatusFlags
-    """Which values are valid."""
+    """Valid values."""
 
     def __init__(
         self,
@@ -3600,7 +3603,7 @@ class GpsEphemeris(Shared, Data):
     index: int
     """Number of this field within the epoch."""
     count: int
-    """How many of these fields the epoch has."""
+    """Number of these fields in the epoch."""
     tow: float
     """GPS time of week. Unit: s. Range: at least 0, less than 604800."""
     week_number: int
@@ -3708,7 +3711,7 @@ class GpsEphemeris(Shared, Data):
     `valid_flags` is set.
     """
     valid_flags: EphemerisFlags
-    """What the ephemeris holds."""
+    """Contents of the ephemeris."""
 
     def __init__(
         self,
@@ -4038,7 +4041,7 @@ class GlonassEphemeris(Shared, Data):
     index: int
     """Number of this field within the epoch."""
     count: int
-    """How many of these fields the epoch has."""
+    """Number of these fields in the epoch."""
     tow: float
     """GPS time of week. Unit: s. Range: at least 0, less than 604800."""
     week_number: int
@@ -4118,11 +4121,11 @@ class GlonassEphemeris(Shared, Data):
     `GlonassEphemerisFlags.EPHEMERIS` of `valid_flags` is set.
     """
     p4: int
-    """Whether ephemeris parameters are present. Valid if `GlonassEphemerisFlags.EPHEMERIS` of
-    `valid_flags` is set.
+    """Presence of ephemeris parameters. Valid if `GlonassEphemerisFlags.EPHEMERIS` of `valid_flags`
+    is set.
     """
     valid_flags: GlonassEphemerisFlags
-    """Whether the ephemeris is valid."""
+    """Validity of the ephemeris."""
 
     def __init__(
         self,
@@ -4438,7 +4441,7 @@ class GalileoEphemeris(Shared, Data):
     index: int
     """Number of this field within the epoch."""
     count: int
-    """How many of these fields the epoch has."""
+    """Number of these fields in the epoch."""
     tow: float
     """GPS time of week. Unit: s. Range: at least 0, less than 604800."""
     week_number: int
@@ -4546,7 +4549,7 @@ class GalileoEphemeris(Shared, Data):
     `valid_flags` is set.
     """
     valid_flags: EphemerisFlags
-    """What the ephemeris holds."""
+    """Contents of the ephemeris."""
 
     def __init__(
         self,
@@ -4907,7 +4910,7 @@ class BeidouEphemeris(Shared, Data):
     index: int
     """Number of this field within the epoch."""
     count: int
-    """How many of these fields the epoch has."""
+    """Number of these fields in the epoch."""
     tow: float
     """GPS time of week. Unit: s. Range: at least 0, less than 604800."""
     week_number: int
@@ -5015,7 +5018,7 @@ class BeidouEphemeris(Shared, Data):
     `valid_flags` is set.
     """
     valid_flags: EphemerisFlags
-    """What the ephemeris holds."""
+    """Contents of the ephemeris."""
 
     def __init__(
         self,
@@ -5253,7 +5256,7 @@ class GpsIonoCorrection(Shared, Data):
     Uncertain: The units.
     """
     valid_flags: GpsIonoCorrectionFlags
-    """Which parts of the model are valid."""
+    """Valid parts of the model."""
 
     def __init__(
         self,
@@ -5341,7 +5344,7 @@ class GalileoIonoCorrection(Shared, Data):
     bits count from 0 or from 1, and which region each represents.
     """
     valid_flags: GalileoIonoCorrectionFlags
-    """Which parts of the model are valid."""
+    """Valid parts of the model."""
 
     def __init__(
         self,
@@ -5439,7 +5442,7 @@ class BeidouIonoCorrection(Shared, Data):
     of `valid_flags` is set. Uncertain: The units.
     """
     valid_flags: BeidouIonoCorrectionFlags
-    """Which parts of the model are valid."""
+    """Valid parts of the model."""
 
     def __init__(
         self,

@@ -52,7 +52,7 @@ class PollEntry(Structure):
 
 
 class FactoryStreamingAction(codec.OpenEnum):
-    """What happens to the existing message formats.
+    """Treatment of the existing message formats.
 
     - 3dm-cv7-gnss-ins: Factory Streaming (0x0C,0x10)
     """
@@ -103,7 +103,7 @@ _CONSTELLATION_SETTINGS_ENTRY_0 = codec.Block(
 
 
 class ConstellationSettingsEntry(Structure):
-    """How a receiver tracks one constellation.
+    """Tracking of one constellation by a receiver.
 
     - mip-sdk-4: Constellation Settings (0x0C,0x21)
     """
@@ -166,7 +166,7 @@ class ConstellationSettingsEntry(Structure):
 
 @codec.open_flag(16)
 class SbasOptions(IntFlag):
-    """How SBAS is used.
+    """Use of SBAS.
 
     - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
     """
@@ -180,7 +180,7 @@ class SbasOptions(IntFlag):
 
 
 class AssistedFixOption(codec.OpenEnum):
-    """Whether a receiver keeps its last fix.
+    """Storage of the last fix of a receiver.
 
     - mip-sdk-4: Gnss Assisted Fix (0x0C,0x23)
     """
@@ -192,7 +192,7 @@ class AssistedFixOption(codec.OpenEnum):
 
 
 class PpsSource(codec.OpenEnum):
-    """Where the pulse per second comes from.
+    """Source of the pulse per second.
 
     - 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28)
     - 3dm-cv7-gnss-ins: RECEIVER Source
@@ -221,16 +221,16 @@ class EventSupportQuery(codec.OpenEnum):
     """
 
     TRIGGER_TYPES = 1
-    """Which types of triggers there are."""
+    """Supported types of triggers."""
     ACTION_TYPES = 2
-    """Which types of actions there are."""
+    """Supported types of actions."""
 
 
 _EVENT_SUPPORT_INFO_0 = codec.Block("BB", "type", "count")
 
 
 class EventSupportInfo(Structure):
-    """How many instances of one trigger or action type a device can have.
+    """Capacity of a device for one trigger or action type.
 
     - 3dm-cv7-gnss-ins: Info
     """
@@ -419,7 +419,7 @@ class ImuTimestampSelector(codec.OpenEnum):
 
 
 class OdometerMode(codec.OpenEnum):
-    """How the odometer input works.
+    """Operation of the odometer input.
 
     - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
     """
@@ -832,7 +832,7 @@ class DataStreamControlResponse(Response):
       `LegacyDataStream.FILTER`.
     """
     enabled: bool
-    """Whether the stream is sent."""
+    """True if the stream is sent."""
 
     def __init__(self, descriptor_set: int, enabled: bool) -> None:
         self.descriptor_set = descriptor_set
@@ -1205,7 +1205,7 @@ class ImuLowPassFilterResponse(Response):
     magnetic field 0x06 or pressure 0x17. Refers to fields of Sensor data.
     """
     enable: bool
-    """Whether the quantity is filtered. Default: true."""
+    """True if the quantity is filtered. Default: true."""
     manual: bool
     """True uses `frequency`; false uses half the rate of the message format. Default: false."""
     frequency: int
@@ -1689,9 +1689,9 @@ class DeviceStatusDiagnosticResponse(Response):
     system_timer: int
     """Time since start-up. Unit: ms."""
     imu_stream_enabled: bool
-    """Whether sensor data is streamed."""
+    """True if sensor data is streamed."""
     filter_stream_enabled: bool
-    """Whether filter data is streamed."""
+    """True if filter data is streamed."""
     imu_dropped_packets: int
     """Sensor data packets that were not sent. Unit: 1."""
     filter_dropped_packets: int
@@ -1933,11 +1933,11 @@ class DeviceStatusDiagnosticGnssResponse(Response):
     pps_last_time: int
     """System timer at the last pulse. Unit: ms."""
     imu_stream_enabled: bool
-    """Whether sensor data is streamed."""
+    """True if sensor data is streamed."""
     gnss_stream_enabled: bool
-    """Whether GNSS data is streamed."""
+    """True if GNSS data is streamed."""
     filter_stream_enabled: bool
-    """Whether filter data is streamed."""
+    """True if filter data is streamed."""
     imu_dropped_packets: int
     """Sensor data packets that were not sent. Unit: 1."""
     gnss_dropped_packets: int
@@ -2234,11 +2234,11 @@ class DeviceStatusDiagnosticGq4_45Response(Response):
     pps_last_time: int
     """System timer at the last pulse. Unit: ms."""
     imu_stream_enabled: bool
-    """Whether sensor data is streamed."""
+    """True if sensor data is streamed."""
     gnss_stream_enabled: bool
-    """Whether GNSS data is streamed."""
+    """True if GNSS data is streamed."""
     filter_stream_enabled: bool
-    """Whether filter data is streamed."""
+    """True if filter data is streamed."""
     imu_dropped_packets: int
     """Sensor data packets that were not sent. Unit: 1."""
     gnss_dropped_packets: int
@@ -2266,11 +2266,11 @@ class DeviceStatusDiagnosticGq4_45Response(Response):
     gnss_last_message_time: int
     """System timer at the last message of the receiver. Unit: ms."""
     mag_init_failed: bool
-    """Whether the magnetometer could not be started."""
+    """True if the magnetometer could not be started."""
     pressure_init_failed: bool
-    """Whether the pressure sensor could not be started."""
+    """True if the pressure sensor could not be started."""
     receiver_init_failed: bool
-    """Whether the GNSS receiver could not be started."""
+    """True if the GNSS receiver could not be started."""
 
     def __init__(
         self,
@@ -2552,7 +2552,7 @@ class DeviceStatusDiagnosticRq1_45Response(Response):
     gnss_power_state: int
     """Power state of the GNSS receiver."""
     cold_start_on_power_on: int
-    """Whether the receiver starts cold at power-on."""
+    """True if the receiver starts cold at power-up."""
     temperature: float
     """Temperature of the board. Unit: degC. Uncertain: The unit is inferred."""
     temperature_last_time: int
@@ -2562,11 +2562,11 @@ class DeviceStatusDiagnosticRq1_45Response(Response):
     pps_last_time: int
     """System timer at the last pulse. Unit: ms."""
     imu_stream_enabled: bool
-    """Whether sensor data is streamed."""
+    """True if sensor data is streamed."""
     gnss_stream_enabled: bool
-    """Whether GNSS data is streamed."""
+    """True if GNSS data is streamed."""
     filter_stream_enabled: bool
-    """Whether filter data is streamed."""
+    """True if filter data is streamed."""
     imu_dropped_packets: int
     """Sensor data packets that were not sent. Unit: 1."""
     gnss_dropped_packets: int
@@ -2857,9 +2857,9 @@ class DeviceStatusDiagnosticGx4Response(Response):
     pps_last_time: int
     """System timer at the last pulse. Unit: ms."""
     imu_stream_enabled: bool
-    """Whether sensor data is streamed."""
+    """True if sensor data is streamed."""
     filter_stream_enabled: bool
-    """Whether filter data is streamed."""
+    """True if filter data is streamed."""
     imu_dropped_packets: int
     """Sensor data packets that were not sent. Unit: 1."""
     filter_dropped_packets: int
@@ -3116,9 +3116,9 @@ class DeviceStatusDiagnosticImuResponse(Response):
     system_timer: int
     """Time since start-up. Unit: ms."""
     has_mag: bool
-    """Whether it has a magnetometer."""
+    """True if it has a magnetometer."""
     has_pressure: bool
-    """Whether it has a pressure sensor."""
+    """True if it has a pressure sensor."""
     power_state: int
     """Power state of the sensors."""
     gyro_range: int
@@ -3138,7 +3138,7 @@ class DeviceStatusDiagnosticImuResponse(Response):
     pps_last_time: int
     """System timer at the last pulse. Unit: ms."""
     imu_stream_enabled: bool
-    """Whether sensor data is streamed."""
+    """True if sensor data is streamed."""
     imu_dropped_packets: int
     """Sensor data packets that were not sent. Unit: 1."""
     comm_port_bytes_written: int
@@ -3380,9 +3380,9 @@ class DeviceStatusDiagnosticGx4ImuResponse(Response):
     system_timer: int
     """Time since start-up. Unit: ms."""
     has_mag: bool
-    """Whether it has a magnetometer."""
+    """True if it has a magnetometer."""
     has_pressure: bool
-    """Whether it has a pressure sensor."""
+    """True if it has a pressure sensor."""
     gyro_range: int
     """Largest angular rate that can be measured."""
     accel_range: int
@@ -3402,7 +3402,7 @@ class DeviceStatusDiagnosticGx4ImuResponse(Response):
     pps_last_time: int
     """System timer at the last pulse. Unit: ms."""
     imu_stream_enabled: bool
-    """Whether sensor data is streamed."""
+    """True if sensor data is streamed."""
     imu_dropped_packets: int
     """Sensor data packets that were not sent. Unit: 1."""
     comm_port_bytes_written: int
@@ -3640,17 +3640,17 @@ class DeviceStatusDiagnosticRq1ImuResponse(Response):
     temperature_last_time: int
     """System timer at the last temperature. Unit: ms."""
     bad_temperature_sensor_detected: bool
-    """Whether a temperature sensor is faulty."""
+    """True if a temperature sensor is faulty."""
     cold_temperature_detected: bool
-    """Whether the temperature is too low."""
+    """True if the temperature is too low."""
     bad_voltage_detected: bool
-    """Whether a supply voltage is out of range."""
+    """True if a supply voltage is out of range."""
     pps_count: int
     """Pulses per second that were counted. Unit: 1."""
     pps_last_time: int
     """System timer at the last pulse. Unit: ms."""
     imu_stream_enabled: bool
-    """Whether sensor data is streamed."""
+    """True if sensor data is streamed."""
     imu_dropped_packets: int
     """Sensor data packets that were not sent. Unit: 1."""
     comm_port_state: int
@@ -4323,7 +4323,7 @@ class ImuTimestampResponse(Response):
     _LAYOUT = (("selector", "B", ImuTimestampSelector), ("time", "I", None))
 
     selector: ImuTimestampSelector
-    """Which counter."""
+    """Counter to set or read."""
     time: int
     """Value of the counter, in the unit that `selector` states."""
 
@@ -4654,7 +4654,7 @@ class ConingScullingEnableResponse(Response):
     _LAYOUT = (("enable", "B", codec.truth),)
 
     enable: bool
-    """Whether the compensation is on. Default: true."""
+    """True if the compensation is on. Default: true."""
 
     def __init__(self, enable: bool) -> None:
         self.enable = enable
@@ -4765,7 +4765,7 @@ class GnssSbasSettingsResponse(Response):
     enable_sbas: int
     """1 switches SBAS on, 0 off. Range: 0 to 1."""
     sbas_options: SbasOptions
-    """What SBAS is used for."""
+    """Purposes of SBAS."""
     # On the wire only: num_included_prns. Number of satellites listed; 0 searches for all. The
     # number of elements of `included_prns`.
     included_prns: tuple[int, ...]
@@ -4825,7 +4825,7 @@ class GnssAssistedFixResponse(Response):
     _LAYOUT = (("option", "B", AssistedFixOption), ("flags", "B", None))
 
     option: AssistedFixOption
-    """Whether the receiver keeps data for a faster first fix. Default: `AssistedFixOption.NONE`."""
+    """Storage of data for a faster first fix. Default: `AssistedFixOption.NONE`."""
     flags: int
     """Reserved."""
 
@@ -5398,7 +5398,7 @@ class EventActionConfigResponse(Response):
     type: types.EventActionType
     """Kind of action. Default: `types.EventActionType.NONE`."""
     parameters: types.EventActionGpio | types.EventActionMessage | None
-    """What the action does. Selected by `type`.
+    """Effect of the action. Selected by `type`.
 
     - If `type` is `types.EventActionType.NONE`: `None`.
     - If `type` is `types.EventActionType.GPIO`: `types.EventActionGpio`.
@@ -5582,7 +5582,7 @@ class OdometerConfigResponse(Response):
     _LAYOUT = (("mode", "B", OdometerMode), ("scaling", "f", None), ("uncertainty", "f", None))
 
     mode: OdometerMode
-    """How the input works."""
+    """Operation of the input."""
     scaling: float
     """Pulses per distance travelled; negative if the encoder turns backwards. Unit: pulse/m. Pulses
     on line A per turn of the wheel, divided by the circumference of the wheel.
@@ -5748,7 +5748,7 @@ class LowPassFilterResponse(Response):
     field_descriptor: int
     """Descriptor of the field that is filtered. Refers to fields of `descriptor_set`."""
     enable: bool
-    """Whether the field is filtered."""
+    """True if the field is filtered."""
     manual: bool
     """True uses `frequency`; false uses half the rate of the field in the message format."""
     frequency: float
@@ -6113,7 +6113,7 @@ _IMU_MESSAGE_FORMAT_GROUPS = ((2, ("descriptors",), False),)
 class ImuMessageFormat(Command[R]):
     """IMU Message Format (0x0C,0x08).
 
-    Fields of the sensor data packets (0x80), in order, with their decimations.
+    Sets the fields of the sensor data packets (0x80), their order and their decimations.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `ImuMessageFormatResponse`. Supported by 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
@@ -6141,7 +6141,7 @@ class ImuMessageFormat(Command[R]):
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
     # Required for `write`.
     descriptors: tuple[types.DescriptorRate, ...] | None
@@ -6231,7 +6231,7 @@ _GNSS_MESSAGE_FORMAT_GROUPS = ((2, ("descriptors",), False),)
 class GnssMessageFormat(Command[R]):
     """GNSS Message Format (0x0C,0x09).
 
-    Fields of the GNSS data packets, in order, with their decimations.
+    Sets the fields of the GNSS data packets, their order and their decimations.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `GnssMessageFormatResponse`. Supported by 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and
@@ -6256,7 +6256,7 @@ class GnssMessageFormat(Command[R]):
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
     # Range: 0 to 82. Required for `write`.
     descriptors: tuple[types.DescriptorRate, ...] | None
@@ -6346,7 +6346,7 @@ _FILTER_MESSAGE_FORMAT_GROUPS = ((2, ("descriptors",), False),)
 class FilterMessageFormat(Command[R]):
     """Estimation Filter Message Format (0x0C,0x0A).
 
-    Fields of the filter data packets (0x82), in order, with their decimations.
+    Sets the fields of the filter data packets (0x82), their order and their decimations.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `FilterMessageFormatResponse`. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT
@@ -6373,7 +6373,7 @@ class FilterMessageFormat(Command[R]):
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
     # Required for `write`.
     descriptors: tuple[types.DescriptorRate, ...] | None
@@ -6495,7 +6495,7 @@ _NMEA_MESSAGE_FORMAT_GROUPS = ((2, ("format_entries",), False),)
 class NmeaMessageFormat(Command[R]):
     """NMEA Message Format (0x0C,0x0C).
 
-    NMEA sentences that the device streams.
+    Sets the NMEA sentences that the device streams.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `NmeaMessageFormatResponse`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS,
@@ -6521,7 +6521,7 @@ class NmeaMessageFormat(Command[R]):
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     # On the wire only: count. Number of sentences. The number of elements of `format_entries`.
     # Required for `write`.
     format_entries: tuple[types.NmeaMessage, ...] | None
@@ -6728,7 +6728,7 @@ _MESSAGE_FORMAT_GROUPS = ((1, ("descriptor_set",), False), (3, ("descriptors",),
 class MessageFormat(Command[R]):
     """Message Format (0x0C,0x0F).
 
-    Fields of the data packets of a descriptor set, in order, with their decimations.
+    Sets the fields of the data packets of a descriptor set, their order and their decimations.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `MessageFormatResponse`.
     Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS,
@@ -6754,7 +6754,7 @@ class MessageFormat(Command[R]):
     REQUIRED = {1: 3, 2: 1, 3: 1, 4: 1, 5: 1}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     descriptor_set: int | None
     """Data descriptor set; 0 means all of them (save, load, default)."""
     # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
@@ -6881,7 +6881,7 @@ class FactoryStreaming(Command[None]):
     _LAYOUT = (("action", "B", FactoryStreamingAction), ("reserved", "B", None))
 
     action: FactoryStreamingAction
-    """What happens to the existing formats."""
+    """Treatment of the existing formats."""
     reserved: int
     """Reserved: send 0."""
 
@@ -6942,7 +6942,7 @@ class DataStreamControl(Command[R]):
     REQUIRED = {1: 2, 2: 1, 3: 1, 4: 1, 5: 1}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     descriptor_set: int | None
     """Data descriptor set; 0 means all streams (save, load, default).
 
@@ -6955,7 +6955,7 @@ class DataStreamControl(Command[R]):
       `LegacyDataStream.FILTER`.
     """
     enable: bool | None
-    """Whether the stream is sent. Default: true. Required for `write`. The stream starts with
+    """True if the stream is sent. Default: true. Required for `write`. The stream starts with
     current data. What was measured while it was disabled is not sent.
     """
 
@@ -7096,7 +7096,8 @@ _CONSTELLATION_SETTINGS_GROUPS = ((1, ("max_channels",), False), (3, ("settings"
 class ConstellationSettings(Command[R]):
     """Constellation Settings (0x0C,0x21).
 
-    Constellations that the GNSS receiver tracks, and how its tracking channels are shared.
+    Selects the constellations that the GNSS receiver tracks, and their shares of its tracking
+    channels.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `ConstellationSettingsResponse`. Probably changes `gnss_data.FixInfo`, `gnss_data.SvInfo` and
@@ -7127,7 +7128,7 @@ class ConstellationSettings(Command[R]):
     REQUIRED = {1: 3, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     max_channels: int | None
     """Maximum number of tracking channels in use; at most the number that the response reports as
     available. Unit: 1. Required for `write`.
@@ -7242,7 +7243,7 @@ _GNSS_SBAS_SETTINGS_GROUPS = (
 class GnssSbasSettings(Command[R]):
     """GNSS SBAS Settings (0x0C,0x22).
 
-    How the GNSS receivers use satellite based augmentation.
+    Sets how the GNSS receivers use satellite based augmentation.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `GnssSbasSettingsResponse`. Probably changes `gnss_data.SbasInfo` and
@@ -7265,14 +7266,14 @@ class GnssSbasSettings(Command[R]):
     REQUIRED = {1: 4, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     enable_sbas: int | None
     """1 switches SBAS on, 0 off. Range: 0 to 1. Required for `write`.
 
     - On the 3DM-GX5-35: default 1.
     """
     sbas_options: SbasOptions | None
-    """What SBAS is used for. Required for `write`.
+    """Purposes of SBAS. Required for `write`.
 
     - On the 3DM-GX5-35: default `SbasOptions.ENABLE_RANGING` and `SbasOptions.ENABLE_CORRECTIONS`.
     """
@@ -7399,7 +7400,7 @@ _GNSS_ASSISTED_FIX_GROUPS = ((1, ("option",), False), (2, ("flags",), False))
 class GnssAssistedFix(Command[R]):
     """GNSS Assisted Fix (0x0C,0x23).
 
-    Whether the GNSS receiver keeps the data of its last fix and starts from it at the next
+    Sets whether the GNSS receiver keeps the data of its last fix and starts from it at the next
     power-up.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GnssAssistedFixResponse`.
@@ -7426,10 +7427,10 @@ class GnssAssistedFix(Command[R]):
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     option: AssistedFixOption | None
-    """Whether the receiver keeps data for a faster first fix. Default: `AssistedFixOption.NONE`.
-    Required for `write`.
+    """Storage of data for a faster first fix. Default: `AssistedFixOption.NONE`. Required for
+    `write`.
 
     - On the 3DM-GX5-35: default `AssistedFixOption.NONE`.
     """
@@ -7535,7 +7536,7 @@ _GNSS_TIME_ASSISTANCE_GROUPS = (
 class GnssTimeAssistance(Command[R]):
     """GNSS Time Assistance (0x0C,0x24).
 
-    Gives the GNSS receiver the current GPS time.
+    Sends the current GPS time to the GNSS receiver.
 
     Functions: `write` and `read`. Answered by `GnssTimeAssistanceResponse`. Supported by
     3DM-GX5-35. Probably supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45 and 3DM-GX5-45. Known only
@@ -7558,7 +7559,7 @@ class GnssTimeAssistance(Command[R]):
     REQUIRED = {1: 3, 2: 0}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     tow: float | None
     """GPS time of week. Unit: s. Range: at least 0, less than 604800. Required for `write`."""
     week_number: int | None
@@ -7656,7 +7657,7 @@ _PPS_SOURCE_CONTROL_GROUPS = ((1, ("source",), False),)
 class PpsSourceControl(Command[R]):
     """PPS Source Control (0x0C,0x28).
 
-    Where the device takes its pulse per second from.
+    Selects the source of the pulse per second (PPS).
 
     Also called `pps_source`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `PpsSourceControlResponse`. Changes `system_data.TimeSyncStatus`. Probably changes
@@ -7683,7 +7684,7 @@ class PpsSourceControl(Command[R]):
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     source: PpsSource | None
     """Source of the pulse. Required for `write`.
 
@@ -7838,7 +7839,7 @@ class EventControl(Command[R]):
     REQUIRED = {1: 2, 2: 1, 3: 1, 4: 1, 5: 1}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     instance: int | None
     """Trigger instance; 0 means all configured triggers, except for read."""
     mode: types.EventTriggerMode | None
@@ -8049,7 +8050,7 @@ _EVENT_TRIGGER_CONFIG_GROUPS = (
 class EventTriggerConfig(Command[R]):
     """Event Trigger Configuration (0x0C,0x2E).
 
-    Kind and condition of an event trigger.
+    Configures the kind and the condition of an event trigger.
 
     Also called `event_trigger`. Functions: `write`, `read`, `save`, `load` and `default`. Answered
     by `EventTriggerConfigResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
@@ -8074,7 +8075,7 @@ class EventTriggerConfig(Command[R]):
     REQUIRED = {1: 3, 2: 1, 3: 1, 4: 1, 5: 1}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     instance: int | None
     """Trigger instance; 0 means all (save, load, default)."""
     type: types.EventTriggerType | None
@@ -8230,7 +8231,7 @@ _EVENT_ACTION_CONFIG_GROUPS = (
 class EventActionConfig(Command[R]):
     """Event Action Configuration (0x0C,0x2F).
 
-    Trigger and effect of an event action.
+    Configures the trigger and the effect of an event action.
 
     Also called `event_action`. Functions: `write`, `read`, `save`, `load` and `default`. Answered
     by `EventActionConfigResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
@@ -8258,7 +8259,7 @@ class EventActionConfig(Command[R]):
     REQUIRED = {1: 4, 2: 1, 3: 1, 4: 1, 5: 1}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     instance: int | None
     """Action instance; 0 means all (save, load, default)."""
     trigger: int | None
@@ -8266,7 +8267,7 @@ class EventActionConfig(Command[R]):
     type: types.EventActionType | None
     """Kind of action. Default: `types.EventActionType.NONE`. Required for `write`."""
     parameters: types.EventActionGpio | types.EventActionMessage | None
-    """What the action does. Selected by `type`. Required for `write`.
+    """Effect of the action. Selected by `type`. Required for `write`.
 
     - If `type` is `types.EventActionType.NONE`: `None`.
     - If `type` is `types.EventActionType.GPIO`: `types.EventActionGpio`.
@@ -8415,8 +8416,8 @@ class DeviceSettings(Command[None]):
     3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10,
     3DM-GX5-25 and 3DM-RTK.
 
-    A save may disturb the data output for a short time. A save may take up to 1 s. A host should
-    wait longer, because the answer must come through, too.
+    A save may disturb the data output for a short time. A save may take up to 1 s. Use a reply
+    time-out of at least 2 s.
 
     - 3dm-gx5-15: 4.2.8 Device Startup Settings (0x0C, 0x30)
     - 3dm-cv7-gnss-ins: Device Start Up Settings (0x0C,0x30)
@@ -8434,7 +8435,7 @@ class DeviceSettings(Command[None]):
     TIMEOUT = 2.0
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
 
     def __init__(self, function: FunctionSelector) -> None:
         self.function = function
@@ -8480,7 +8481,7 @@ _SENSOR_TO_VEHICLE_TRANSFORM_EULER_GROUPS = (
 class SensorToVehicleTransformEuler(Command[R]):
     """Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31).
 
-    Mounting of the sensor in the vehicle as Euler angles.
+    Sets the mounting of the sensor in the vehicle as Euler angles.
 
     Also called `sensor_2_vehicle_transform_euler`. Functions: `write`, `read`, `save`, `load` and
     `default`. Answered by `SensorToVehicleTransformEulerResponse`. Changes `sensor.ScaledAccel`,
@@ -8516,7 +8517,7 @@ class SensorToVehicleTransformEuler(Command[R]):
     REQUIRED = {1: 3, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     roll: float | None
     """Rotation about the x axis. Unit: rad. Required for `write`."""
     pitch: float | None
@@ -8633,7 +8634,7 @@ _SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_GROUPS = ((1, ("q",), False),)
 class SensorToVehicleTransformQuaternion(Command[R]):
     """Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32).
 
-    Mounting of the sensor in the vehicle as a quaternion.
+    Sets the mounting of the sensor in the vehicle as a quaternion.
 
     Also called `sensor_2_vehicle_transform_quaternion`. Functions: `write`, `read`, `save`, `load`
     and `default`. Answered by `SensorToVehicleTransformQuaternionResponse`. Changes
@@ -8668,7 +8669,7 @@ class SensorToVehicleTransformQuaternion(Command[R]):
     _VECTORS = {"q": (types.Quatf,)}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     q: types.Quatf | None
     """Unit quaternion that transforms vectors from the sensor frame to the vehicle frame. Elements:
     w, x, y, z. Unit: 1. Required for `write`.
@@ -8759,7 +8760,7 @@ _SENSOR_TO_VEHICLE_TRANSFORM_DCM_GROUPS = ((1, ("dcm",), False),)
 class SensorToVehicleTransformDcm(Command[R]):
     """Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33).
 
-    Mounting of the sensor in the vehicle as a direction cosine matrix.
+    Sets the mounting of the sensor in the vehicle as a direction cosine matrix.
 
     Also called `sensor_2_vehicle_transform_dcm`. Functions: `write`, `read`, `save`, `load` and
     `default`. Answered by `SensorToVehicleTransformDcmResponse`. Changes `sensor.ScaledAccel`,
@@ -8794,7 +8795,7 @@ class SensorToVehicleTransformDcm(Command[R]):
     _VECTORS = {"dcm": (types.Matrix3f,)}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     dcm: types.Matrix3f | None
     """The matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit:
     1. Required for `write`.
@@ -8904,7 +8905,7 @@ class GpsDynamicsMode(Command[R]):
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     mode: ReceiverDynamics | None
     """Assumed dynamics. Required for `write`."""
 
@@ -9049,7 +9050,7 @@ class ImuSignalConditioning(Command[R]):
     REQUIRED = {1: 8, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     orientation_decimation: int | None
     """Divides 1000 Hz to the rate at which the orientation is computed. Unit: 1. Range: 1 to 1000.
     Required for `write`.
@@ -9285,9 +9286,9 @@ class ImuTimestamp(Command[R]):
     REQUIRED = {1: 2, 2: 1}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     selector: ImuTimestampSelector | None
-    """Which counter."""
+    """Counter to set or read."""
     time: int | None
     """Value of the counter, in the unit that `selector` states. Required for `write`."""
 
@@ -9368,7 +9369,7 @@ _ACCEL_BIAS_GROUPS = ((1, ("bias",), False),)
 class AccelBias(Command[R]):
     """Accelerometer Bias Configuration (0x0C,0x37).
 
-    Bias that is subtracted from the scaled acceleration.
+    Sets the bias that is subtracted from the scaled acceleration.
 
     For advanced use. Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Answered by
     `AccelBiasResponse`. Changes `sensor.ScaledAccel`. Probably changes `sensor.DeltaVelocity` and
@@ -9397,7 +9398,7 @@ class AccelBias(Command[R]):
     _VECTORS = {"bias": (types.Vector3f,)}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     bias: types.Vector3f | None
     """Bias that the device subtracts from the measured acceleration. Elements: x, y, z. Unit: g.
     Frame: sensor. Required for `write` and `apply`.
@@ -9491,7 +9492,7 @@ _GYRO_BIAS_GROUPS = ((1, ("bias",), False),)
 class GyroBias(Command[R]):
     """Gyroscope Bias Configuration (0x0C,0x38).
 
-    Bias that is subtracted from the scaled angular rate.
+    Sets the bias that is subtracted from the scaled angular rate.
 
     For advanced use. Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Answered by
     `GyroBiasResponse`. Changes `sensor.ScaledGyro`. Probably changes `sensor.DeltaTheta` and
@@ -9521,7 +9522,7 @@ class GyroBias(Command[R]):
     _VECTORS = {"bias": (types.Vector3f,)}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     bias: types.Vector3f | None
     """Bias that the device subtracts from the measured angular rate. Elements: x, y, z. Unit:
     rad/s. Frame: sensor. Required for `write` and `apply`.
@@ -9667,7 +9668,7 @@ _MAG_HARD_IRON_OFFSET_GROUPS = ((1, ("offset",), False),)
 class MagHardIronOffset(Command[R]):
     """Magnetometer Hard Iron Offset (0x0C,0x3A).
 
-    Offset that corrects the scaled magnetic field for hard iron.
+    Sets the offset that corrects the scaled magnetic field for hard iron.
 
     Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Answered by
     `MagHardIronOffsetResponse`. Changes `sensor.ScaledMag`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
@@ -9699,7 +9700,7 @@ class MagHardIronOffset(Command[R]):
     _VECTORS = {"offset": (types.Vector3f,)}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     offset: types.Vector3f | None
     """Offset that the device subtracts from the measured magnetic field. Elements: x, y, z. Unit:
     gauss. Frame: sensor. Required for `write` and `apply`.
@@ -9795,7 +9796,7 @@ _MAG_SOFT_IRON_MATRIX_GROUPS = ((1, ("matrix",), False),)
 class MagSoftIronMatrix(Command[R]):
     """Magnetometer Soft Iron Matrix (0x0C,0x3B).
 
-    Matrix that corrects the scaled magnetic field for soft iron.
+    Sets the matrix that corrects the scaled magnetic field for soft iron.
 
     Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Answered by
     `MagSoftIronMatrixResponse`. Changes `sensor.ScaledMag`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
@@ -9827,7 +9828,7 @@ class MagSoftIronMatrix(Command[R]):
     _VECTORS = {"matrix": (types.Matrix3f,)}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     matrix: types.Matrix3f | None
     """Soft iron matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
     Unit: 1. Frame: sensor. Required for `write` and `apply`.
@@ -9945,9 +9946,9 @@ class ConingScullingEnable(Command[R]):
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     enable: bool | None
-    """Whether the compensation is on. Default: true. Required for `write`."""
+    """True if the compensation is on. Default: true. Required for `write`."""
 
     def __init__(self, function: FunctionSelector, enable: bool | None = None) -> None:
         self.function = function
@@ -10024,7 +10025,7 @@ _UART_BAUD_RATE_GROUPS = ((1, ("baud",), False),)
 class UartBaudRate(Command[R]):
     """UART Baud Rate (0x0C,0x40).
 
-    Baud rate of the main port.
+    Sets the baud rate of the main port.
 
     Also called `uart_baudrate`. Functions: `write`, `read`, `save`, `load` and `default`. Answered
     by `UartBaudRateResponse`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45,
@@ -10053,7 +10054,7 @@ class UartBaudRate(Command[R]):
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     baud: int | None
     """Baud rate, one of those that the port supports. Unit: Bd. Required for `write`.
 
@@ -10141,7 +10142,7 @@ _GPIO_CONFIG_GROUPS = (
 class GpioConfig(Command[R]):
     """GPIO Configuration (0x0C,0x41).
 
-    What a GPIO pin is used for.
+    Sets the use of a GPIO pin.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GpioConfigResponse`.
     Probably changes `system_data.GpioState` and `system_data.GpioAnalogValue`. Supported by
@@ -10170,7 +10171,7 @@ class GpioConfig(Command[R]):
     REQUIRED = {1: 4, 2: 1, 3: 1, 4: 1, 5: 1}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     pin: int | None
     """GPIO pin, counted from 1; 0 means all pins (save, load, default)."""
     feature: types.GpioFeature | None
@@ -10334,7 +10335,7 @@ class GpioState(Command[R]):
     REQUIRED = {1: 2, 2: 1}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     pin: int | None
     """GPIO pin, counted from 1. Range: at least 1."""
     state: bool | None
@@ -10416,7 +10417,7 @@ _ODOMETER_CONFIG_GROUPS = (
 class OdometerConfig(Command[R]):
     """Odometer Configuration (0x0C,0x43).
 
-    Input from a wheel encoder.
+    Configures the input from a wheel encoder.
 
     Also called `odometer`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `OdometerConfigResponse`. Changes `sensor.Odometer`. Supported by 3DM-CV7-GNSS/INS. Probably
@@ -10437,9 +10438,9 @@ class OdometerConfig(Command[R]):
     REQUIRED = {1: 3, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     mode: OdometerMode | None
-    """How the input works. Required for `write`."""
+    """Operation of the input. Required for `write`."""
     scaling: float | None
     """Pulses per distance travelled; negative if the encoder turns backwards. Unit: pulse/m.
     Required for `write`. Pulses on line A per turn of the wheel, divided by the circumference of
@@ -10561,7 +10562,7 @@ _IMU_LOW_PASS_FILTER_GROUPS = (
 class ImuLowPassFilter(Command[R]):
     """Advanced Low-Pass Filter Settings (0x0C,0x50).
 
-    Low-pass filter of one quantity of the sensor data.
+    Configures the low-pass filter of one quantity of the sensor data.
 
     For advanced use. Also called `imu_lowpass_filter`. Functions: `write`, `read`, `save`, `load`
     and `default`. Answered by `ImuLowPassFilterResponse`. Changes `sensor.ScaledAccel`,
@@ -10595,7 +10596,7 @@ class ImuLowPassFilter(Command[R]):
     REQUIRED = {1: 5, 2: 1, 3: 1, 4: 1, 5: 1}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     target_descriptor: int | None
     """Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05,
     magnetic field 0x06 or pressure 0x17. Refers to fields of Sensor data.
@@ -10604,7 +10605,7 @@ class ImuLowPassFilter(Command[R]):
       angular rate 0x05, magnetic field 0x06 or pressure 0x17; 0 means all of them, except for read.
     """
     enable: bool | None
-    """Whether the quantity is filtered. Default: true. Required for `write`."""
+    """True if the quantity is filtered. Default: true. Required for `write`."""
     manual: bool | None
     """True uses `frequency`; false uses half the rate of the message format. Default: false.
     Required for `write`.
@@ -10763,8 +10764,8 @@ _COMPLEMENTARY_FILTER_GROUPS = (
 class ComplementaryFilter(Command[R]):
     """Complementary Filter Configuration (0x0C,0x51).
 
-    Corrections of the complementary filter, which computes the attitude independently of the
-    estimation filter.
+    Configures the complementary filter, which computes the attitude independently of the estimation
+    filter.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `ComplementaryFilterResponse`. Changes `sensor.CompOrientationMatrix`, `sensor.CompQuaternion`
@@ -10808,7 +10809,7 @@ class ComplementaryFilter(Command[R]):
     REQUIRED = {1: 4, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     pitch_roll_enable: bool | None
     """Corrects pitch and roll (up, in terms of the 5-series). Required for `write`.
 
@@ -10961,7 +10962,7 @@ _SENSOR_RANGE_GROUPS = ((1, ("sensor",), False), (2, ("setting",), False))
 class SensorRange(Command[R]):
     """Sensor Range (0x0C,0x52).
 
-    Measuring range of a sensor.
+    Sets the measuring range of a sensor.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `SensorRangeResponse`.
     Probably changes `sensor.ScaledAccel`, `sensor.ScaledGyro` and `sensor.OverrangeStatus`.
@@ -10987,7 +10988,7 @@ class SensorRange(Command[R]):
     REQUIRED = {1: 2, 2: 1, 3: 1, 4: 1, 5: 1}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     sensor: SensorRangeType | None
     """Sensor whose range is set or read."""
     setting: int | None
@@ -11140,7 +11141,7 @@ _LOW_PASS_FILTER_GROUPS = (
 class LowPassFilter(Command[R]):
     """Low-Pass Anti-Aliasing Filter (0x0C,0x54).
 
-    Low-pass filter of a data field.
+    Configures the low-pass filter of a data field.
 
     Also called `lowpass_filter`. Functions: `write`, `read`, `save`, `load` and `default`. Answered
     by `LowPassFilterResponse`. Changes `sensor.ScaledAccel`, `sensor.ScaledGyro`,
@@ -11176,13 +11177,13 @@ class LowPassFilter(Command[R]):
     REQUIRED = {1: 5, 2: 2, 3: 2, 4: 2, 5: 2}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     descriptor_set: int | None
     """Descriptor set of the field."""
     field_descriptor: int | None
     """Field descriptor; 0 if the set is 0. Refers to fields of `descriptor_set`."""
     enable: bool | None
-    """Whether the field is filtered. Required for `write`."""
+    """True if the field is filtered. Required for `write`."""
     manual: bool | None
     """True uses `frequency`; false uses half the rate of the field in the message format. Required
     for `write`.
@@ -11374,7 +11375,7 @@ class DataStreamFormat(Command[R]):
     REQUIRED = {1: 2, 2: 2, 3: 2, 4: 2, 5: 2}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     stream: InternalSensor | None
     """Stream whose format is set or read."""
     format: StreamFormat | None
@@ -11506,7 +11507,7 @@ class DevicePowerState(Command[R]):
     TIMEOUT = 5.0
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     device: InternalSensor | None
     """The sensor."""
     state: SensorPowerState | None
@@ -11628,7 +11629,7 @@ class GpsAdvancedSettings(Command[None]):
     REQUIRED = {3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
 
     def __init__(self, function: FunctionSelector) -> None:
         self.function = function

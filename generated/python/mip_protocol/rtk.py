@@ -236,7 +236,7 @@ class GetRssiResponse(Response):
     _LAYOUT = (("valid", "B", codec.truth), ("rssi", "i", None), ("signal_quality", "i", None))
 
     valid: bool
-    """Whether the modem is connected."""
+    """True if the modem is connected."""
     rssi: int
     """Received signal strength. Valid if `valid` is true. Uncertain: The unit; dBm is likely."""
     signal_quality: int
@@ -377,7 +377,7 @@ _SERVICE_STATUS_RESPONSE_0 = codec.Block(
 class ServiceStatusResponse(Response):
     """Service status response (0x0F,0x8A).
 
-    What the server knows of the connection.
+    Connection status according to the server.
 
     Answers `ServiceStatus`. Known only from the MicroStrain MIP SDK. Uncertain: What the counters
     count.
@@ -585,7 +585,7 @@ _CONNECTED_DEVICE_TYPE_GROUPS = ((1, ("device_type",), False),)
 class ConnectedDeviceType(Command[R]):
     """Connected device type (0x0F,0x06).
 
-    The device that the modem serves.
+    Sets the device that the modem serves.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `ConnectedDeviceTypeResponse`. Not listed in any device profile. Known only from the MicroStrain
@@ -606,7 +606,7 @@ class ConnectedDeviceType(Command[R]):
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     device_type: ConnectedDevice | None
     """Device that the modem is connected to. Required for `write`."""
 
@@ -838,7 +838,7 @@ _LED_CONTROL_0 = codec.Block(
 class LedControl(Command[None]):
     """LED control (0x0F,0x21).
 
-    Colours and pattern of the LED.
+    Sets the colours and the pattern of the LED.
 
     For advanced use. Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 

@@ -43,7 +43,7 @@ class OverrangeFlags(IntFlag):
 
 @codec.open_flag(16)
 class OdometerFlags(IntFlag):
-    """Whether the odometer values are valid."""
+    """Validity of the odometer values."""
 
     ODOMETER = 1 << 0
     """Set if an odometer is configured; its values are then valid. Bit 0."""
@@ -189,7 +189,7 @@ _SCALED_ACCEL_0 = codec.Block("fff", *["scaled_accel"] * 3)
 class ScaledAccel(Data):
     """Scaled accel (0x80,0x04).
 
-    Measured acceleration, temperature compensated.
+    Specific force, temperature compensated: about -1 g on z when level and at rest.
 
     Changed by `mip_3dm.SensorToVehicleTransformEuler`,
     `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm`,
@@ -215,13 +215,14 @@ class ScaledAccel(Data):
     `types.Gq7ContinuousBuiltInTest`, `types.Gq7ContinuousBuiltInTest.ACCEL_OVER_RANGE` of
     `types.Gq7ContinuousBuiltInTest`, `types.Gq7ContinuousBuiltInTest.ACCEL_SELF_TEST_FAIL` of
     `types.Gq7ContinuousBuiltInTest`, `OverrangeFlags.ACCEL_X` of `OverrangeFlags`,
-    `OverrangeFlags.ACCEL_Y` of `OverrangeFlags` and `OverrangeFlags.ACCEL_Z` of `OverrangeFlags`.
-    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CX5-45, 3DM-GQ7-GNSS/INS,
-    3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25,
-    3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
-    3DM-CX5-35, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GV7-AHRS, 3DM-GV7-AR,
-    3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
-    3DM-GX5-10, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    `OverrangeFlags.ACCEL_Y` of `OverrangeFlags`, `OverrangeFlags.ACCEL_Z` of `OverrangeFlags` and
+    `filter_data.Gx5StatusFlags.RUN_IMU_UNAVAILABLE` of `filter_data.Gx5StatusFlags`. Supported by
+    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CX5-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35
+    and 3DM-GX5-45. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10,
+    3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35,
+    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS,
+    3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10,
+    3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     Level and at rest, z reads −1 g: the opposite of the gravity vector. In the packet that both
     manuals show, z is −0.998 g (0xBF7F7FE5) once its exchanged halves are put in order.
@@ -292,14 +293,15 @@ class ScaledGyro(Data):
     `types.Gq7ContinuousBuiltInTest.GYRO_GENERAL_FAULT` of `types.Gq7ContinuousBuiltInTest`,
     `types.Gq7ContinuousBuiltInTest.GYRO_OVER_RANGE` of `types.Gq7ContinuousBuiltInTest`,
     `types.Gq7ContinuousBuiltInTest.GYRO_SELF_TEST_FAIL` of `types.Gq7ContinuousBuiltInTest`,
-    `OverrangeFlags.GYRO_X` of `OverrangeFlags`, `OverrangeFlags.GYRO_Y` of `OverrangeFlags` and
-    `OverrangeFlags.GYRO_Z` of `OverrangeFlags`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
-    3DM-CV7-GNSS/INS, 3DM-CX5-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45. Probably
-    supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
-    3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX7-AHRS, 3DM-CX7-AR,
-    3DM-CX7-INS, 3DM-GQ4-45, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25,
-    3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25,
-    3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    `OverrangeFlags.GYRO_X` of `OverrangeFlags`, `OverrangeFlags.GYRO_Y` of `OverrangeFlags`,
+    `OverrangeFlags.GYRO_Z` of `OverrangeFlags` and `filter_data.Gx5StatusFlags.RUN_IMU_UNAVAILABLE`
+    of `filter_data.Gx5StatusFlags`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
+    3DM-CX5-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45. Probably supported by
+    3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS,
+    3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
+    3DM-GQ4-45, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35,
+    3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-RQ1-45-LT and
+    3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 5.1.2 Scaled Gyro Vector (0x80, 0x05)
     - 3dm-cv7-gnss-ins: Scaled Gyro (0x80,0x05)
@@ -1310,7 +1312,7 @@ _OVERRANGE_STATUS_0 = codec.Block("H", "status")
 class OverrangeStatus(Data):
     """Overrange status (0x80,0x18).
 
-    Which sensor axes are near or outside their range.
+    Sensor axes that are near or outside their range.
 
     Probably changed by `mip_3dm.SensorRange`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
     3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS,
@@ -1384,7 +1386,7 @@ class Odometer(Data):
     `valid_flags` is set.
     """
     valid_flags: OdometerFlags
-    """Whether the values are valid."""
+    """Validity of the measured values."""
 
     def __init__(self, speed: float, uncertainty: float, valid_flags: OdometerFlags) -> None:
         self.speed = speed

@@ -17,7 +17,7 @@ from .field import Data, Field, Shared
 
 @codec.open_flag(16)
 class GpsTimestampFlags(IntFlag):
-    """Which parts of the GPS time are valid."""
+    """Valid parts of the GPS time."""
 
     TOW = 1 << 0
     """The whole seconds of the time of week have been set. Bit 0."""
@@ -29,7 +29,7 @@ class GpsTimestampFlags(IntFlag):
 
 @codec.open_flag(16)
 class ExternalTimestampFlags(IntFlag):
-    """Whether the external time is valid."""
+    """Validity of the external time."""
 
     NANOSECONDS = 1 << 0
     """The time is valid. Bit 0."""
@@ -37,7 +37,7 @@ class ExternalTimestampFlags(IntFlag):
 
 @codec.open_flag(16)
 class ExternalTimeDeltaFlags(IntFlag):
-    """Whether the difference of external time is valid."""
+    """Validity of the difference of external time."""
 
     DT_NANOS = 1 << 0
     """The difference is valid. Bit 0."""
@@ -223,7 +223,7 @@ class GpsTimestamp(Shared, Data):
     set.
     """
     valid_flags: GpsTimestampFlags
-    """Which parts are valid."""
+    """Valid parts of the timestamp."""
 
     def __init__(self, tow: float, week_number: int, valid_flags: GpsTimestampFlags) -> None:
         self.tow = tow
@@ -419,7 +419,7 @@ class ExternalTimestamp(Shared, Data):
     set.
     """
     valid_flags: ExternalTimestampFlags
-    """Whether the time is valid."""
+    """Validity of the time."""
 
     def __init__(self, nanoseconds: int, valid_flags: ExternalTimestampFlags) -> None:
         self.nanoseconds = nanoseconds
@@ -471,7 +471,7 @@ class ExternalTimeDelta(Shared, Data):
     `valid_flags` is set.
     """
     valid_flags: ExternalTimeDeltaFlags
-    """Whether the difference is valid."""
+    """Validity of the difference."""
 
     def __init__(self, dt_nanos: int, valid_flags: ExternalTimeDeltaFlags) -> None:
         self.dt_nanos = dt_nanos

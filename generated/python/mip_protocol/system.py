@@ -36,7 +36,7 @@ class CommProtocols(IntFlag):
 
 
 class ProtocolMode(codec.OpenEnum):
-    """Which part of the device the host communicates with, and by which protocol."""
+    """Part of the device that the host communicates with, and its protocol."""
 
     STANDARD = 1
     """The device itself, MIP."""
@@ -163,7 +163,7 @@ _INTERFACE_CONTROL_GROUPS = (
 class InterfaceControl(Command[R]):
     """Interface control (0x7F,0x02).
 
-    Protocols that a port receives and sends.
+    Sets the protocols that a port receives and sends.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `InterfaceControlResponse`. Supported by 3DM-CV7-GNSS/INS.
@@ -191,7 +191,7 @@ class InterfaceControl(Command[R]):
     REQUIRED = {1: 3, 2: 1, 3: 1, 4: 1, 5: 1}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     port: types.CommInterface | None
     """Port whose protocols are set or read. Uncertain: Whether write and read accept `all`."""
     protocols_incoming: CommProtocols | None
@@ -342,7 +342,7 @@ class CommMode(Command[R]):
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     mode: ProtocolMode | None
     """Communication mode. Default: `ProtocolMode.STANDARD`. Required for `write`.
 

@@ -89,7 +89,7 @@ _TIME_SYNC_STATUS_0 = codec.Block("BB", "time_sync", "last_pps_received")
 class TimeSyncStatus(Data):
     """Time sync status (0xA0,0x02).
 
-    Whether the device time is locked to the pulse per second.
+    Synchronization of the device time with the pulse per second.
 
     Changed by `mip_3dm.PpsSourceControl`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and
     3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,

@@ -96,8 +96,7 @@ class Cv7ContinuousBuiltInTest(IntFlag):
     IMU_STALL = 1 << 19
     """The inertial sensor subsystem produces no data. Bit 19."""
     FILTER_PROCESS_FAULT = 0xF00000
-    """Any of these faults: the filter does not work normally. Bits 20 to 23. Overlaps other bits.
-    """
+    """Set if any filter fault (bits 20-23) is set. Bits 20 to 23. Overlaps other bits."""
     FILTER_MAJOR_CYCLE_FAULT = 1 << 20
     """Fault of the major cycle of the filter; bits 22 and 23 say which fault. Bit 20."""
     FILTER_MINOR_CYCLE_FAULT = 1 << 21
@@ -107,7 +106,7 @@ class Cv7ContinuousBuiltInTest(IntFlag):
     FILTER_PROCESS_STALL = 1 << 23
     """A filter process produces no data; bits 20 and 21 say which. Bit 23."""
     GNSS_SUBSYSTEM_FAULT = 0xF000000
-    """Any of these faults: GNSS does not work normally. Bits 24 to 27. Overlaps other bits."""
+    """Set if any GNSS fault (bits 24-27) is set. Bits 24 to 27. Overlaps other bits."""
     GNSS_MAIN_PROCESS_FAULT = 1 << 24
     """The main GNSS process did not run in time. Bit 24."""
     GNSS_RECEIVER_1_STALL = 1 << 25
@@ -516,7 +515,7 @@ class EventTriggerStatus(IntFlag):
 
 
 class EventTriggerGpioMode(codec.OpenEnum):
-    """How a GPIO pin activates a trigger.
+    """Condition of a GPIO pin that activates a trigger.
 
     - 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
     - 3dm-cv7-gnss-ins: Trigger: GPIO
@@ -536,7 +535,7 @@ class EventTriggerGpioMode(codec.OpenEnum):
 
 
 class EventThresholdType(codec.OpenEnum):
-    """How a threshold trigger compares.
+    """Comparison of a threshold trigger.
 
     - 3dm-cv7-gnss-ins: ThresholdParams
     """
@@ -548,7 +547,7 @@ class EventThresholdType(codec.OpenEnum):
 
 
 class EventActionGpioMode(codec.OpenEnum):
-    """How an action controls a GPIO pin.
+    """Control of a GPIO pin by an action.
 
     - 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
     - 3dm-cv7-gnss-ins: Action: GPIO
@@ -565,7 +564,7 @@ class EventActionGpioMode(codec.OpenEnum):
     ONESHOT_LOW = 6
     """Set low at each activation and never set high."""
     TOGGLE = 7
-    """Inverted at each activation."""
+    """The pin is inverted each time the trigger activates."""
 
 
 _EVENT_TRIGGER_GPIO_0 = codec.Block("BB", "pin", "mode")
@@ -583,7 +582,7 @@ class EventTriggerGpio(Structure):
     pin: int
     """GPIO pin, counted from 1. Range: at least 1."""
     mode: EventTriggerGpioMode
-    """How the pin activates the trigger."""
+    """Condition of the pin that activates the trigger."""
 
     def __init__(self, pin: int, mode: EventTriggerGpioMode) -> None:
         self.pin = pin
@@ -706,7 +705,7 @@ class EventTriggerThreshold(Structure):
     type: EventThresholdType
     """Kind of comparison."""
     thresholds: EventThresholdWindow | EventThresholdInterval | None
-    """What the value is compared with. Selected by `type`.
+    """Kind of comparison. Selected by `type`.
 
     - If `type` is `EventThresholdType.WINDOW`: `EventThresholdWindow`.
     - If `type` is `EventThresholdType.INTERVAL`: `EventThresholdInterval`.
@@ -814,7 +813,7 @@ class EventActionGpio(Structure):
     pin: int
     """GPIO pin, counted from 1. Range: at least 1."""
     mode: EventActionGpioMode
-    """How the action controls the pin."""
+    """Control of the pin by the action."""
 
     def __init__(self, pin: int, mode: EventActionGpioMode) -> None:
         self.pin = pin
@@ -898,7 +897,7 @@ class GnssConstellation(codec.OpenEnum):
     GALILEO = 3
     BEIDOU = 4
     SBAS = 5
-    """Satellite based augmentation."""
+    """Satellites of augmentation systems (SBAS)."""
 
 
 class GnssFixType(codec.OpenEnum):
@@ -1065,7 +1064,7 @@ class GnssSignal(codec.OpenEnum):
 
 
 class GpioFeature(codec.OpenEnum):
-    """What a GPIO pin is used for.
+    """Use of a GPIO pin.
 
     - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
     - 3dm-cv7-gnss-ins: GPIO Features
@@ -1207,13 +1206,13 @@ class NmeaTalkerId(codec.OpenEnum):
     IGNORED = 0
     """For sentences whose talker cannot be chosen (GSV and the proprietary ones)."""
     GNSS = 1
-    """GN."""
+    """Talker GN: several constellations."""
     GPS = 2
-    """GP."""
+    """Talker GP: GPS only."""
     GALILEO = 3
-    """GA."""
+    """Talker GA: Galileo only."""
     GLONASS = 4
-    """GL."""
+    """Talker GL: GLONASS only."""
 
 
 _NMEA_MESSAGE_0 = codec.Block(

@@ -126,8 +126,7 @@ bitfield! {
         /// The inertial sensor subsystem produces no data. Bit 19.
         IMU_STALL: bool = 19,
             imu_stall, set_imu_stall, with_imu_stall;
-        /// Any of these faults: the filter does not work normally. Bits 20 to 23. Overlaps other
-        /// bits.
+        /// Set if any filter fault (bits 20-23) is set. Bits 20 to 23. Overlaps other bits.
         FILTER_PROCESS_FAULT: u8 = 20..=23,
             filter_process_fault, set_filter_process_fault, with_filter_process_fault;
         /// Fault of the major cycle of the filter; bits 22 and 23 say which fault. Bit 20.
@@ -142,7 +141,7 @@ bitfield! {
         /// A filter process produces no data; bits 20 and 21 say which. Bit 23.
         FILTER_PROCESS_STALL: bool = 23,
             filter_process_stall, set_filter_process_stall, with_filter_process_stall;
-        /// Any of these faults: GNSS does not work normally. Bits 24 to 27. Overlaps other bits.
+        /// Set if any GNSS fault (bits 24-27) is set. Bits 24 to 27. Overlaps other bits.
         GNSS_SUBSYSTEM_FAULT: u8 = 24..=27,
             gnss_subsystem_fault, set_gnss_subsystem_fault, with_gnss_subsystem_fault;
         /// The main GNSS process did not run in time. Bit 24.
@@ -631,7 +630,7 @@ bitfield! {
 }
 
 open_enum! {
-    /// How a GPIO pin activates a trigger.
+    /// Condition of a GPIO pin that activates a trigger.
     ///
     /// Source: 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E); 3dm-cv7-gnss-ins:
     /// Trigger: GPIO.
@@ -650,7 +649,7 @@ open_enum! {
 }
 
 open_enum! {
-    /// How a threshold trigger compares.
+    /// Comparison of a threshold trigger.
     ///
     /// Source: 3dm-cv7-gnss-ins: ThresholdParams.
     EventThresholdType: u8 {
@@ -662,7 +661,7 @@ open_enum! {
 }
 
 open_enum! {
-    /// How an action controls a GPIO pin.
+    /// Control of a GPIO pin by an action.
     ///
     /// Source: 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F); 3dm-cv7-gnss-ins: Action:
     /// GPIO.
@@ -677,7 +676,7 @@ open_enum! {
         ONESHOT_HIGH = 5, "oneshot_high";
         /// Set low at each activation and never set high.
         ONESHOT_LOW = 6, "oneshot_low";
-        /// Inverted at each activation.
+        /// The pin is inverted each time the trigger activates.
         TOGGLE = 7, "toggle";
     }
 }
@@ -692,7 +691,7 @@ record! {
         ///
         /// Range: at least 1.
         pub pin: u8,
-        /// How the pin activates the trigger.
+        /// Condition of the pin that activates the trigger.
         pub mode: EventTriggerGpioMode,
     }
 }
@@ -808,7 +807,7 @@ record! {
         /// Kind of comparison.
         #[cfg_attr(feature = "serde", serde(rename = "type"))]
         pub type_: EventThresholdType,
-        /// What the value is compared with.
+        /// Kind of comparison.
         ///
         /// Selected by [`type_`](EventTriggerThreshold::type_).
         pub thresholds: EventTriggerThresholdThresholds,
@@ -896,7 +895,7 @@ record! {
         ///
         /// Range: at least 1.
         pub pin: u8,
-        /// How the action controls the pin.
+        /// Control of the pin by the action.
         pub mode: EventActionGpioMode,
     }
 }
@@ -974,7 +973,7 @@ open_enum! {
         GALILEO = 3, "galileo";
         /// Beidou.
         BEIDOU = 4, "beidou";
-        /// Satellite based augmentation.
+        /// Satellites of augmentation systems (SBAS).
         SBAS = 5, "sbas";
     }
 }
@@ -1144,7 +1143,7 @@ open_enum! {
 }
 
 open_enum! {
-    /// What a GPIO pin is used for.
+    /// Use of a GPIO pin.
     ///
     /// Source: 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41); 3dm-cv7-gnss-ins: GPIO Features.
     GpioFeature: u8 {
@@ -1287,13 +1286,13 @@ open_enum! {
     NmeaTalkerId: u8 {
         /// For sentences whose talker cannot be chosen (GSV and the proprietary ones).
         IGNORED = 0, "ignored";
-        /// GN.
+        /// Talker GN: several constellations.
         GNSS = 1, "gnss";
-        /// GP.
+        /// Talker GP: GPS only.
         GPS = 2, "gps";
-        /// GA.
+        /// Talker GA: Galileo only.
         GALILEO = 3, "galileo";
-        /// GL.
+        /// Talker GL: GLONASS only.
         GLONASS = 4, "glonass";
     }
 }

@@ -102,7 +102,8 @@ def descriptors(model: m.Model, problems: Problems) -> None:
     for s in model.families:
         seen: dict[int, list[m.Field]] = {}
         for f in s.fields:
-            _descriptor_range(s, f, problems)
+            if not _descriptor_range(s, f, problems):
+                continue
             layouts = seen.setdefault(f.descriptor, [])
             beside = (g for g in layouts if not set(g.sets).isdisjoint(f.sets))
             other = next((g for g in beside if not _told_apart(g, f)), None)
@@ -116,7 +117,7 @@ def descriptors(model: m.Model, problems: Problems) -> None:
             )
 
 
-def _descriptor_range(s: m.Family, f: m.Field | m.Named, problems: Problems) -> None:
+def _descriptor_range(s: m.Family, f: m.Field | m.Named, problems: Problems) -> bool:
     allowed = (
         RESPONSE_DESCRIPTORS if f.role == m.RESPONSE
         else COMMAND_DESCRIPTORS if f.role == m.COMMAND
@@ -127,6 +128,7 @@ def _descriptor_range(s: m.Family, f: m.Field | m.Named, problems: Problems) -> 
         what = "shared data" if s.kind == "shared" else f.role
         span = f"0x{allowed.start:02X} to 0x{allowed.stop - 1:02X}"
         problems.add(f.position, f"'{f.name}': 0x{f.descriptor:02X} is not a {what} descriptor; use {span}")
+    return f.descriptor in allowed
 
 
 def _told_apart(a: m.Field, b: m.Field) -> bool:
@@ -147,8 +149,7 @@ def named(model: m.Model, problems: Problems) -> None:
     for s in model.families:
         seen = {f.descriptor: f.name for f in s.fields}
         for x in s.named:
-            _descriptor_range(s, x, problems)
-            if x.descriptor in seen:
+            if _descriptor_range(s, x, problems) and x.descriptor in seen:
                 problems.add(
                     x.position,
                     f"'{x.name}' has the descriptor 0x{x.descriptor:02X} of '{seen[x.descriptor]}'; "

@@ -327,7 +327,7 @@ class Layout:
 
     def with_selector(self, parameters: tuple[m.Parameter, ...]) -> Record:
         words = self.types.vocabulary
-        selector = m.Parameter("function", words.selector, None, "What to do with the setting.", selector=True)
+        selector = m.Parameter("function", words.selector, None, "Operation on the setting.", selector=True)
         if not self.unclear and self.check_order(parameters):
             self.check_groups(parameters)
         whole = (selector, *parameters)

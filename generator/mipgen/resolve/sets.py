@@ -71,7 +71,7 @@ class Families:
         commands = first.kind == "command"
         wrong, others = (m.DATA, (m.COMMAND, m.RESPONSE)) if commands else (m.COMMAND, (m.DATA,))
         roles = {role for entry in entries for role in ROLES if role in entry}
-        if len(entries) < 2 or wrong not in roles or roles & {*others}:
+        if wrong not in roles or roles & {*others}:
             return first.kind
         kind: m.Kind = "command" if wrong == m.COMMAND else "data"
         if "set" not in node and commands:

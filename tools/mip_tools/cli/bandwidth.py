@@ -19,7 +19,7 @@ examples:
   mip bandwidth sensor:shared.gps_timestamp@500 sensor.scaled_accel@500 --device 3dm-cv7-gnss-ins
 
 Fields of a set come in one packet as far as their rates allow. A byte takes ten bits on a serial
-line. Leave room for answers to commands: 80 % of the line is a good limit.
+line. Allow headroom for replies to commands: 80 % of the line is a good limit.
 """
 
 #: Rates that serial ports commonly have.

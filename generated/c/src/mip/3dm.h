@@ -37,7 +37,7 @@ struct mip_3dm_poll_entry {
 };
 
 /**
- * What happens to the existing message formats.
+ * Treatment of the existing message formats.
  *
  * - 3dm-cv7-gnss-ins: Factory Streaming (0x0C,0x10)
  */
@@ -84,7 +84,7 @@ typedef uint16_t mip_3dm_constellation_options;
 /** Bit 0. The L1-SAIF signal; QZSS only. */
 #define MIP_3DM_CONSTELLATION_OPTIONS_L1SAIF 0x0001U
 /**
- * How a receiver tracks one constellation.
+ * Tracking of one constellation by a receiver.
  *
  * - mip-sdk-4: Constellation Settings (0x0C,0x21)
  */
@@ -102,7 +102,7 @@ struct mip_3dm_constellation_settings_entry {
 };
 
 /**
- * How SBAS is used.
+ * Use of SBAS.
  *
  * - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
  */
@@ -114,7 +114,7 @@ typedef uint16_t mip_3dm_sbas_options;
 /** Bit 2. Only GPS satellites with SBAS integrity information are used. */
 #define MIP_3DM_SBAS_OPTIONS_APPLY_INTEGRITY 0x0004U
 /**
- * Whether a receiver keeps its last fix.
+ * Storage of the last fix of a receiver.
  *
  * - mip-sdk-4: Gnss Assisted Fix (0x0C,0x23)
  */
@@ -128,7 +128,7 @@ enum mip_3dm_assisted_fix_option MIP_ENUM_8 {
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_3dm_assisted_fix_option_name(uint8_t value);
 /**
- * Where the pulse per second comes from.
+ * Source of the pulse per second.
  *
  * - 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28)
  * - 3dm-cv7-gnss-ins: RECEIVER Source
@@ -160,16 +160,16 @@ MIP_API const char *mip_3dm_pps_source_name(uint8_t value);
  * - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
  */
 enum mip_3dm_event_support_query MIP_ENUM_8 {
-    /** Which types of triggers there are. */
+    /** Supported types of triggers. */
     MIP_3DM_EVENT_SUPPORT_QUERY_TRIGGER_TYPES = 1,
-    /** Which types of actions there are. */
+    /** Supported types of actions. */
     MIP_3DM_EVENT_SUPPORT_QUERY_ACTION_TYPES = 2
 };
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_3dm_event_support_query_name(uint8_t value);
 /**
- * How many instances of one trigger or action type a device can have.
+ * Capacity of a device for one trigger or action type.
  *
  * - 3dm-cv7-gnss-ins: Info
  */
@@ -298,7 +298,7 @@ enum mip_3dm_imu_timestamp_selector MIP_ENUM_8 {
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_3dm_imu_timestamp_selector_name(uint8_t value);
 /**
- * How the odometer input works.
+ * Operation of the odometer input.
  *
  * - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
  */
@@ -845,7 +845,7 @@ MIP_CHECKED static inline mip_error mip_3dm_get_gnss_base_rate_response_encode(
 /**
  * IMU Message Format: command (0x0C,0x08).
  *
- * Fields of the sensor data packets (0x80), in order, with their decimations.
+ * Sets the fields of the sensor data packets (0x80), their order and their decimations.
  *
  * Functions: write, read, save, load and default. Answered by mip_3dm_imu_message_format_response.
  * Supported by 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and
@@ -865,7 +865,7 @@ struct mip_3dm_imu_message_format {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /** Number of fields. The number of elements of descriptors. Required for write. */
     uint8_t num_descriptors;
@@ -978,7 +978,7 @@ MIP_CHECKED static inline mip_error mip_3dm_imu_message_format_response_encode(
 /**
  * GNSS Message Format: command (0x0C,0x09).
  *
- * Fields of the GNSS data packets, in order, with their decimations.
+ * Sets the fields of the GNSS data packets, their order and their decimations.
  *
  * Functions: write, read, save, load and default. Answered by mip_3dm_gnss_message_format_response.
  * Supported by 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
@@ -995,7 +995,7 @@ struct mip_3dm_gnss_message_format {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
      * Number of fields. The number of elements of descriptors. Range: 0 to 82. Required for write.
@@ -1113,7 +1113,7 @@ MIP_CHECKED static inline mip_error mip_3dm_gnss_message_format_response_encode(
 /**
  * Estimation Filter Message Format: command (0x0C,0x0A).
  *
- * Fields of the filter data packets (0x82), in order, with their decimations.
+ * Sets the fields of the filter data packets (0x82), their order and their decimations.
  *
  * Functions: write, read, save, load and default. Answered by
  * mip_3dm_filter_message_format_response. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45,
@@ -1133,7 +1133,7 @@ struct mip_3dm_filter_message_format {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /** Number of fields. The number of elements of descriptors. Required for write. */
     uint8_t num_descriptors;
@@ -1319,7 +1319,7 @@ MIP_CHECKED static inline mip_error mip_3dm_get_filter_base_rate_response_encode
 /**
  * NMEA Message Format: command (0x0C,0x0C).
  *
- * NMEA sentences that the device streams.
+ * Sets the NMEA sentences that the device streams.
  *
  * Functions: write, read, save, load and default. Answered by mip_3dm_nmea_message_format_response.
  * Supported by 3DM-CV7-GNSS/INS.
@@ -1339,7 +1339,7 @@ struct mip_3dm_nmea_message_format {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /** Number of sentences. The number of elements of format_entries. Required for write. */
     uint8_t count;
@@ -1606,7 +1606,7 @@ MIP_CHECKED static inline mip_error mip_3dm_get_base_rate_response_encode(
 /**
  * Message Format: command (0x0C,0x0F).
  *
- * Fields of the data packets of a descriptor set, in order, with their decimations.
+ * Sets the fields of the data packets of a descriptor set, their order and their decimations.
  *
  * Functions: write, read, save, load and default. Answered by mip_3dm_message_format_response.
  * Supported by 3DM-CV7-GNSS/INS.
@@ -1625,7 +1625,7 @@ struct mip_3dm_message_format {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /** Data descriptor set; 0 means all of them (save, load, default). */
     uint8_t descriptor_set;
@@ -1770,7 +1770,7 @@ MIP_CHECKED static inline mip_error mip_3dm_message_format_response_encode(
  * - 3dm-cv7-gnss-ins: Factory Streaming (0x0C,0x10)
  */
 struct mip_3dm_factory_streaming {
-    /** What happens to the existing formats. A value of enum mip_3dm_factory_streaming_action. */
+    /** Treatment of the existing formats. A value of enum mip_3dm_factory_streaming_action. */
     uint8_t action;
     /** Reserved: send 0. */
     uint8_t reserved;
@@ -1799,8 +1799,7 @@ MIP_CHECKED static inline mip_error mip_3dm_factory_streaming_encode(
 } /**
    * Factory Streaming. Fills the structure and returns its address.
    *
-   * - action: What happens to the existing formats. A value of enum
-   * mip_3dm_factory_streaming_action.
+   * - action: Treatment of the existing formats. A value of enum mip_3dm_factory_streaming_action.
    */
 static inline struct mip_3dm_factory_streaming *mip_3dm_factory_streaming_make(
     struct mip_3dm_factory_streaming *command, enum mip_3dm_factory_streaming_action action) {
@@ -1832,7 +1831,7 @@ struct mip_3dm_data_stream_control {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
      * Data descriptor set; 0 means all streams (save, load, default). On the 3DM-CL5-10,
@@ -1845,7 +1844,7 @@ struct mip_3dm_data_stream_control {
      */
     uint8_t descriptor_set;
     /**
-     * Whether the stream is sent. Default: true. Required for write.
+     * True if the stream is sent. Default: true. Required for write.
      *
      * The stream starts with current data. What was measured while it was disabled is not sent.
      */
@@ -1882,7 +1881,7 @@ MIP_CHECKED static inline mip_error mip_3dm_data_stream_control_encode(
    * 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum
    *   mip_3dm_legacy_data_stream. On the 3DM-GX5-15: values of enum mip_3dm_legacy_data_stream;
    * only MIP_3DM_LEGACY_DATA_STREAM_IMU and MIP_3DM_LEGACY_DATA_STREAM_FILTER.
-   * - enable: Whether the stream is sent. Default: true. Required for write. The stream starts with
+   * - enable: True if the stream is sent. Default: true. Required for write. The stream starts with
    *   current data. What was measured while it was disabled is not sent.
    */
 static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_write(
@@ -1987,7 +1986,7 @@ struct mip_3dm_data_stream_control_response {
      * and MIP_3DM_LEGACY_DATA_STREAM_FILTER.
      */
     uint8_t descriptor_set;
-    /** Whether the stream is sent. */
+    /** True if the stream is sent. */
     mip_bool enabled;
 };
 
@@ -2071,7 +2070,8 @@ static inline struct mip_3dm_raw_rtcm_2_3_message *mip_3dm_raw_rtcm_2_3_message_
 /**
  * Constellation Settings: command (0x0C,0x21).
  *
- * Constellations that the GNSS receiver tracks, and how its tracking channels are shared.
+ * Selects the constellations that the GNSS receiver tracks, and their shares of its tracking
+ * channels.
  *
  * Functions: write, read, save, load and default. Answered by
  * mip_3dm_constellation_settings_response. Probably changes mip_gnss_data_fix_info,
@@ -2101,7 +2101,7 @@ struct mip_3dm_constellation_settings {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
      * Maximum number of tracking channels in use; at most the number that the response reports as
@@ -2232,7 +2232,7 @@ MIP_CHECKED static inline mip_error mip_3dm_constellation_settings_response_enco
 /**
  * GNSS SBAS Settings: command (0x0C,0x22).
  *
- * How the GNSS receivers use satellite based augmentation.
+ * Sets how the GNSS receivers use satellite based augmentation.
  *
  * Functions: write, read, save, load and default. Answered by mip_3dm_gnss_sbas_settings_response.
  * Probably changes mip_gnss_data_sbas_info and mip_gnss_data_sbas_correction. Supported by
@@ -2246,14 +2246,14 @@ struct mip_3dm_gnss_sbas_settings {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
      * 1 switches SBAS on, 0 off. Range: 0 to 1. Required for write. On the 3DM-GX5-35: default 1.
      */
     uint8_t enable_sbas;
     /**
-     * What SBAS is used for. Required for write. On the 3DM-GX5-35: default
+     * Purposes of SBAS. Required for write. On the 3DM-GX5-35: default
      * MIP_3DM_SBAS_OPTIONS_ENABLE_RANGING and MIP_3DM_SBAS_OPTIONS_ENABLE_CORRECTIONS.
      */
     mip_3dm_sbas_options sbas_options;
@@ -2291,7 +2291,7 @@ MIP_CHECKED static inline mip_error mip_3dm_gnss_sbas_settings_encode(
    *
    * - enable_sbas: 1 switches SBAS on, 0 off. Range: 0 to 1. Required for write. On the 3DM-GX5-35:
    *   default 1.
-   * - sbas_options: What SBAS is used for. Required for write. On the 3DM-GX5-35: default
+   * - sbas_options: Purposes of SBAS. Required for write. On the 3DM-GX5-35: default
    *   MIP_3DM_SBAS_OPTIONS_ENABLE_RANGING and MIP_3DM_SBAS_OPTIONS_ENABLE_CORRECTIONS.
    * - num_included_prns: Number of satellites listed; 0 searches for all. The number of elements of
    *   included_prns. Required for write.
@@ -2348,7 +2348,7 @@ mip_3dm_gnss_sbas_settings_default(struct mip_3dm_gnss_sbas_settings *command) {
 struct mip_3dm_gnss_sbas_settings_response {
     /** 1 switches SBAS on, 0 off. Range: 0 to 1. */
     uint8_t enable_sbas;
-    /** What SBAS is used for. */
+    /** Purposes of SBAS. */
     mip_3dm_sbas_options sbas_options;
     /** Number of satellites listed; 0 searches for all. The number of elements of included_prns. */
     uint8_t num_included_prns;
@@ -2381,7 +2381,8 @@ MIP_CHECKED static inline mip_error mip_3dm_gnss_sbas_settings_response_encode(
 /**
  * GNSS Assisted Fix: command (0x0C,0x23).
  *
- * Whether the GNSS receiver keeps the data of its last fix and starts from it at the next power-up.
+ * Sets whether the GNSS receiver keeps the data of its last fix and starts from it at the next
+ * power-up.
  *
  * Functions: write, read, save, load and default. Answered by mip_3dm_gnss_assisted_fix_response.
  * Supported by 3DM-GX5-35. Known only from the MicroStrain MIP SDK.
@@ -2404,12 +2405,12 @@ struct mip_3dm_gnss_assisted_fix {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
-     * Whether the receiver keeps data for a faster first fix. A value of enum
-     * mip_3dm_assisted_fix_option. Default: MIP_3DM_ASSISTED_FIX_OPTION_NONE. Required for write.
-     * On the 3DM-GX5-35: default MIP_3DM_ASSISTED_FIX_OPTION_NONE.
+     * Storage of data for a faster first fix. A value of enum mip_3dm_assisted_fix_option. Default:
+     * MIP_3DM_ASSISTED_FIX_OPTION_NONE. Required for write. On the 3DM-GX5-35: default
+     * MIP_3DM_ASSISTED_FIX_OPTION_NONE.
      */
     uint8_t option;
     /** Reserved: send 255. Required for write. On the 3DM-GX5-35: default 255. */
@@ -2439,9 +2440,9 @@ MIP_CHECKED static inline mip_error mip_3dm_gnss_assisted_fix_encode(
 } /**
    * Apply the new setting. Fills the structure and returns its address.
    *
-   * - option: Whether the receiver keeps data for a faster first fix. A value of enum
-   *   mip_3dm_assisted_fix_option. Default: MIP_3DM_ASSISTED_FIX_OPTION_NONE. Required for write.
-   * On the 3DM-GX5-35: default MIP_3DM_ASSISTED_FIX_OPTION_NONE.
+   * - option: Storage of data for a faster first fix. A value of enum mip_3dm_assisted_fix_option.
+   *   Default: MIP_3DM_ASSISTED_FIX_OPTION_NONE. Required for write. On the 3DM-GX5-35: default
+   *   MIP_3DM_ASSISTED_FIX_OPTION_NONE.
    */
 static inline struct mip_3dm_gnss_assisted_fix *mip_3dm_gnss_assisted_fix_write(
     struct mip_3dm_gnss_assisted_fix *command, enum mip_3dm_assisted_fix_option option) {
@@ -2494,8 +2495,8 @@ mip_3dm_gnss_assisted_fix_default(struct mip_3dm_gnss_assisted_fix *command) {
  */
 struct mip_3dm_gnss_assisted_fix_response {
     /**
-     * Whether the receiver keeps data for a faster first fix. A value of enum
-     * mip_3dm_assisted_fix_option. Default: MIP_3DM_ASSISTED_FIX_OPTION_NONE.
+     * Storage of data for a faster first fix. A value of enum mip_3dm_assisted_fix_option. Default:
+     * MIP_3DM_ASSISTED_FIX_OPTION_NONE.
      */
     uint8_t option;
     /** Reserved. */
@@ -2527,7 +2528,7 @@ MIP_CHECKED static inline mip_error mip_3dm_gnss_assisted_fix_response_encode(
 /**
  * GNSS Time Assistance: command (0x0C,0x24).
  *
- * Gives the GNSS receiver the current GPS time.
+ * Sends the current GPS time to the GNSS receiver.
  *
  * Functions: write and read. Answered by mip_3dm_gnss_time_assistance_response. Supported by
  * 3DM-GX5-35. Known only from the MicroStrain MIP SDK.
@@ -2542,7 +2543,7 @@ struct mip_3dm_gnss_time_assistance {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /** GPS time of week. Unit: s. Range: at least 0, less than 604800. Required for write. */
     double tow;
@@ -2642,7 +2643,7 @@ MIP_CHECKED static inline mip_error mip_3dm_gnss_time_assistance_response_encode
 /**
  * PPS Source Control: command (0x0C,0x28).
  *
- * Where the device takes its pulse per second from.
+ * Selects the source of the pulse per second (PPS).
  *
  * Also called `pps_source`. Functions: write, read, save, load and default. Answered by
  * mip_3dm_pps_source_control_response. Changes mip_system_data_time_sync_status. Probably changes
@@ -2661,7 +2662,7 @@ struct mip_3dm_pps_source_control {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
      * Source of the pulse. A value of enum mip_3dm_pps_source. Required for write. On the
@@ -2885,7 +2886,7 @@ struct mip_3dm_event_control {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /** Trigger instance; 0 means all configured triggers, except for read. */
     uint8_t instance;
@@ -3224,7 +3225,7 @@ union mip_3dm_event_trigger_config_parameters {
 /**
  * Event Trigger Configuration: command (0x0C,0x2E).
  *
- * Kind and condition of an event trigger.
+ * Configures the kind and the condition of an event trigger.
  *
  * Also called `event_trigger`. Functions: write, read, save, load and default. Answered by
  * mip_3dm_event_trigger_config_response. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and
@@ -3242,7 +3243,7 @@ struct mip_3dm_event_trigger_config {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /** Trigger instance; 0 means all (save, load, default). */
     uint8_t instance;
@@ -3418,7 +3419,7 @@ union mip_3dm_event_action_config_parameters {
 /**
  * Event Action Configuration: command (0x0C,0x2F).
  *
- * Trigger and effect of an event action.
+ * Configures the trigger and the effect of an event action.
  *
  * Also called `event_action`. Functions: write, read, save, load and default. Answered by
  * mip_3dm_event_action_config_response. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
@@ -3439,7 +3440,7 @@ struct mip_3dm_event_action_config {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /** Action instance; 0 means all (save, load, default). */
     uint8_t instance;
@@ -3451,7 +3452,7 @@ struct mip_3dm_event_action_config {
      */
     uint8_t type;
     /**
-     * What the action does. Selected by type. Required for write. Empty if type is
+     * Effect of the action. Selected by type. Required for write. Empty if type is
      * MIP_EVENT_ACTION_TYPE_NONE.
      */
     union mip_3dm_event_action_config_parameters parameters;
@@ -3484,7 +3485,7 @@ MIP_CHECKED static inline mip_error mip_3dm_event_action_config_encode(
    * - trigger: Trigger instance that the action follows. Required for write.
    * - type: Kind of action. A value of enum mip_event_action_type. Default:
    *   MIP_EVENT_ACTION_TYPE_NONE. Required for write.
-   * - parameters: What the action does. Selected by type. Required for write. Empty if type is
+   * - parameters: Effect of the action. Selected by type. Required for write. Empty if type is
    *   MIP_EVENT_ACTION_TYPE_NONE.
    */
 static inline struct mip_3dm_event_action_config *
@@ -3576,7 +3577,7 @@ struct mip_3dm_event_action_config_response {
      * Kind of action. A value of enum mip_event_action_type. Default: MIP_EVENT_ACTION_TYPE_NONE.
      */
     uint8_t type;
-    /** What the action does. Selected by type. Empty if type is MIP_EVENT_ACTION_TYPE_NONE. */
+    /** Effect of the action. Selected by type. Empty if type is MIP_EVENT_ACTION_TYPE_NONE. */
     union mip_3dm_event_action_config_response_parameters parameters;
 };
 
@@ -3613,13 +3614,13 @@ MIP_CHECKED static inline mip_error mip_3dm_event_action_config_response_encode(
  *
  * A save may disturb the data output for a short time.
  *
- * A save may take up to 1 s. A host should wait longer, because the answer must come through, too.
+ * A save may take up to 1 s. Use a reply time-out of at least 2 s.
  *
  * - 3dm-gx5-15: 4.2.8 Device Startup Settings (0x0C, 0x30)
  * - 3dm-cv7-gnss-ins: Device Start Up Settings (0x0C,0x30)
  */
 struct mip_3dm_device_settings {
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
 };
 
@@ -3669,7 +3670,7 @@ mip_3dm_device_settings_default(struct mip_3dm_device_settings *command) {
 /**
  * Sensor-to-Vehicle Frame Transformation Euler: command (0x0C,0x31).
  *
- * Mounting of the sensor in the vehicle as Euler angles.
+ * Sets the mounting of the sensor in the vehicle as Euler angles.
  *
  * Also called `sensor_2_vehicle_transform_euler`. Functions: write, read, save, load and default.
  * Answered by mip_3dm_sensor_to_vehicle_transform_euler_response. Changes mip_sensor_scaled_accel,
@@ -3700,7 +3701,7 @@ struct mip_3dm_sensor_to_vehicle_transform_euler {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /** Rotation about the x axis. Unit: rad. Required for write. */
     float roll;
@@ -3826,7 +3827,7 @@ MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_transform_euler_re
 /**
  * Sensor-to-Vehicle Frame Transformation Quaternion: command (0x0C,0x32).
  *
- * Mounting of the sensor in the vehicle as a quaternion.
+ * Sets the mounting of the sensor in the vehicle as a quaternion.
  *
  * Also called `sensor_2_vehicle_transform_quaternion`. Functions: write, read, save, load and
  * default. Answered by mip_3dm_sensor_to_vehicle_transform_quaternion_response. Changes
@@ -3853,7 +3854,7 @@ struct mip_3dm_sensor_to_vehicle_transform_quaternion {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
      * Unit quaternion that transforms vectors from the sensor frame to the vehicle frame. Elements:
@@ -3977,7 +3978,7 @@ MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_transform_quaterni
 /**
  * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix: command (0x0C,0x33).
  *
- * Mounting of the sensor in the vehicle as a direction cosine matrix.
+ * Sets the mounting of the sensor in the vehicle as a direction cosine matrix.
  *
  * Also called `sensor_2_vehicle_transform_dcm`. Functions: write, read, save, load and default.
  * Answered by mip_3dm_sensor_to_vehicle_transform_dcm_response. Changes mip_sensor_scaled_accel,
@@ -4004,7 +4005,7 @@ struct mip_3dm_sensor_to_vehicle_transform_dcm {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
      * The matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit:
@@ -4141,7 +4142,7 @@ struct mip_3dm_gps_dynamics_mode {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /** Assumed dynamics. A value of enum mip_3dm_receiver_dynamics. Required for write. */
     uint8_t mode;
@@ -4271,7 +4272,7 @@ struct mip_3dm_imu_signal_conditioning {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
      * Divides 1000 Hz to the rate at which the orientation is computed. Unit: 1. Range: 1 to 1000.
@@ -4468,9 +4469,9 @@ struct mip_3dm_imu_timestamp {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
-    /** Which counter. A value of enum mip_3dm_imu_timestamp_selector. */
+    /** Counter to set or read. A value of enum mip_3dm_imu_timestamp_selector. */
     uint8_t selector;
     /** Value of the counter, in the unit that `selector` states. Required for write. */
     uint32_t time;
@@ -4499,7 +4500,7 @@ MIP_CHECKED static inline mip_error mip_3dm_imu_timestamp_encode(
 } /**
    * Apply the new setting. Fills the structure and returns its address.
    *
-   * - selector: Which counter. A value of enum mip_3dm_imu_timestamp_selector.
+   * - selector: Counter to set or read. A value of enum mip_3dm_imu_timestamp_selector.
    * - time: Value of the counter, in the unit that `selector` states. Required for write.
    */
 static inline struct mip_3dm_imu_timestamp *
@@ -4514,7 +4515,7 @@ mip_3dm_imu_timestamp_write(struct mip_3dm_imu_timestamp *command,
 /**
  * Return the current setting in a response. Fills the structure and returns its address.
  *
- * - selector: Which counter. A value of enum mip_3dm_imu_timestamp_selector.
+ * - selector: Counter to set or read. A value of enum mip_3dm_imu_timestamp_selector.
  */
 static inline struct mip_3dm_imu_timestamp *mip_3dm_imu_timestamp_read(
     struct mip_3dm_imu_timestamp *command, enum mip_3dm_imu_timestamp_selector selector) {
@@ -4533,7 +4534,7 @@ static inline struct mip_3dm_imu_timestamp *mip_3dm_imu_timestamp_read(
  * - mip-sdk-2014: IMU timestamp (0x0C,0x36)
  */
 struct mip_3dm_imu_timestamp_response {
-    /** Which counter. A value of enum mip_3dm_imu_timestamp_selector. */
+    /** Counter to set or read. A value of enum mip_3dm_imu_timestamp_selector. */
     uint8_t selector;
     /** Value of the counter, in the unit that `selector` states. */
     uint32_t time;
@@ -4564,7 +4565,7 @@ MIP_CHECKED static inline mip_error mip_3dm_imu_timestamp_response_encode(
 /**
  * Accelerometer Bias Configuration: command (0x0C,0x37).
  *
- * Bias that is subtracted from the scaled acceleration.
+ * Sets the bias that is subtracted from the scaled acceleration.
  *
  * For advanced use. Functions: write, read, save, load, default and apply. Answered by
  * mip_3dm_accel_bias_response. Changes mip_sensor_scaled_accel. Probably changes
@@ -4581,7 +4582,7 @@ struct mip_3dm_accel_bias {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
      * Bias that the device subtracts from the measured acceleration. Elements: x, y, z. Unit: g.
@@ -4707,7 +4708,7 @@ MIP_CHECKED static inline mip_error mip_3dm_accel_bias_response_encode(
 /**
  * Gyroscope Bias Configuration: command (0x0C,0x38).
  *
- * Bias that is subtracted from the scaled angular rate.
+ * Sets the bias that is subtracted from the scaled angular rate.
  *
  * For advanced use. Functions: write, read, save, load, default and apply. Answered by
  * mip_3dm_gyro_bias_response. Changes mip_sensor_scaled_gyro. Probably changes
@@ -4725,7 +4726,7 @@ struct mip_3dm_gyro_bias {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
      * Bias that the device subtracts from the measured angular rate. Elements: x, y, z. Unit:
@@ -4909,7 +4910,7 @@ static inline struct mip_3dm_capture_gyro_bias *mip_3dm_capture_gyro_bias_make(
 /**
  * Magnetometer Hard Iron Offset: command (0x0C,0x3A).
  *
- * Offset that corrects the scaled magnetic field for hard iron.
+ * Sets the offset that corrects the scaled magnetic field for hard iron.
  *
  * Functions: write, read, save, load, default and apply. Answered by
  * mip_3dm_mag_hard_iron_offset_response. Changes mip_sensor_scaled_mag. Supported by 3DM-CV7-AHRS,
@@ -4933,7 +4934,7 @@ struct mip_3dm_mag_hard_iron_offset {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
      * Offset that the device subtracts from the measured magnetic field. Elements: x, y, z. Unit:
@@ -5060,7 +5061,7 @@ MIP_CHECKED static inline mip_error mip_3dm_mag_hard_iron_offset_response_encode
 /**
  * Magnetometer Soft Iron Matrix: command (0x0C,0x3B).
  *
- * Matrix that corrects the scaled magnetic field for soft iron.
+ * Sets the matrix that corrects the scaled magnetic field for soft iron.
  *
  * Functions: write, read, save, load, default and apply. Answered by
  * mip_3dm_mag_soft_iron_matrix_response. Changes mip_sensor_scaled_mag. Supported by 3DM-CV7-AHRS,
@@ -5084,7 +5085,7 @@ struct mip_3dm_mag_soft_iron_matrix {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
      * Soft iron matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
@@ -5225,9 +5226,9 @@ struct mip_3dm_coning_sculling_enable {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
-    /** Whether the compensation is on. Default: true. Required for write. */
+    /** True if the compensation is on. Default: true. Required for write. */
     mip_bool enable;
 };
 
@@ -5255,7 +5256,7 @@ MIP_CHECKED static inline mip_error mip_3dm_coning_sculling_enable_encode(
 } /**
    * Apply the new setting. Fills the structure and returns its address.
    *
-   * - enable: Whether the compensation is on. Default: true. Required for write.
+   * - enable: True if the compensation is on. Default: true. Required for write.
    */
 static inline struct mip_3dm_coning_sculling_enable *mip_3dm_coning_sculling_enable_write(
     struct mip_3dm_coning_sculling_enable *command, mip_bool enable) {
@@ -5302,7 +5303,7 @@ mip_3dm_coning_sculling_enable_default(struct mip_3dm_coning_sculling_enable *co
  * - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
  */
 struct mip_3dm_coning_sculling_enable_response {
-    /** Whether the compensation is on. Default: true. */
+    /** True if the compensation is on. Default: true. */
     mip_bool enable;
 };
 
@@ -5331,7 +5332,7 @@ MIP_CHECKED static inline mip_error mip_3dm_coning_sculling_enable_response_enco
 /**
  * UART Baud Rate: command (0x0C,0x40).
  *
- * Baud rate of the main port.
+ * Sets the baud rate of the main port.
  *
  * Also called `uart_baudrate`. Functions: write, read, save, load and default. Answered by
  * mip_3dm_uart_baud_rate_response. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15,
@@ -5353,7 +5354,7 @@ struct mip_3dm_uart_baud_rate {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
      * Baud rate, one of those that the port supports. Unit: Bd. Required for write. On the
@@ -5463,7 +5464,7 @@ MIP_CHECKED static inline mip_error mip_3dm_uart_baud_rate_response_encode(
 /**
  * GPIO Configuration: command (0x0C,0x41).
  *
- * What a GPIO pin is used for.
+ * Sets the use of a GPIO pin.
  *
  * Functions: write, read, save, load and default. Answered by mip_3dm_gpio_config_response.
  * Probably changes mip_system_data_gpio_state and mip_system_data_gpio_analog_value. Supported by
@@ -5489,7 +5490,7 @@ struct mip_3dm_gpio_config {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /** GPIO pin, counted from 1; 0 means all pins (save, load, default). */
     uint8_t pin;
@@ -5680,7 +5681,7 @@ struct mip_3dm_gpio_state {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /** GPIO pin, counted from 1. Range: at least 1. */
     uint8_t pin;
@@ -5773,7 +5774,7 @@ MIP_CHECKED static inline mip_error mip_3dm_gpio_state_response_encode(
 /**
  * Odometer Configuration: command (0x0C,0x43).
  *
- * Input from a wheel encoder.
+ * Configures the input from a wheel encoder.
  *
  * Also called `odometer`. Functions: write, read, save, load and default. Answered by
  * mip_3dm_odometer_config_response. Changes mip_sensor_odometer. Supported by 3DM-CV7-GNSS/INS.
@@ -5786,9 +5787,9 @@ struct mip_3dm_odometer_config {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
-    /** How the input works. A value of enum mip_3dm_odometer_mode. Required for write. */
+    /** Operation of the input. A value of enum mip_3dm_odometer_mode. Required for write. */
     uint8_t mode;
     /**
      * Pulses per distance travelled; negative if the encoder turns backwards. Unit: pulse/m.
@@ -5826,7 +5827,7 @@ MIP_CHECKED static inline mip_error mip_3dm_odometer_config_encode(
 } /**
    * Apply the new setting. Fills the structure and returns its address.
    *
-   * - mode: How the input works. A value of enum mip_3dm_odometer_mode. Required for write.
+   * - mode: Operation of the input. A value of enum mip_3dm_odometer_mode. Required for write.
    * - scaling: Pulses per distance travelled; negative if the encoder turns backwards. Unit:
    * pulse/m. Required for write. Pulses on line A per turn of the wheel, divided by the
    * circumference of the wheel.
@@ -5880,7 +5881,7 @@ mip_3dm_odometer_config_default(struct mip_3dm_odometer_config *command) {
  * - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
  */
 struct mip_3dm_odometer_config_response {
-    /** How the input works. A value of enum mip_3dm_odometer_mode. */
+    /** Operation of the input. A value of enum mip_3dm_odometer_mode. */
     uint8_t mode;
     /**
      * Pulses per distance travelled; negative if the encoder turns backwards. Unit: pulse/m.
@@ -5917,7 +5918,7 @@ MIP_CHECKED static inline mip_error mip_3dm_odometer_config_response_encode(
 /**
  * Advanced Low-Pass Filter Settings: command (0x0C,0x50).
  *
- * Low-pass filter of one quantity of the sensor data.
+ * Configures the low-pass filter of one quantity of the sensor data.
  *
  * For advanced use. Also called `imu_lowpass_filter`. Functions: write, read, save, load and
  * default. Answered by mip_3dm_imu_low_pass_filter_response. Changes mip_sensor_scaled_accel,
@@ -5941,7 +5942,7 @@ struct mip_3dm_imu_low_pass_filter {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
      * Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05,
@@ -5950,7 +5951,7 @@ struct mip_3dm_imu_low_pass_filter {
      * rate 0x05, magnetic field 0x06 or pressure 0x17; 0 means all of them, except for read.
      */
     uint8_t target_descriptor;
-    /** Whether the quantity is filtered. Default: true. Required for write. */
+    /** True if the quantity is filtered. Default: true. Required for write. */
     mip_bool enable;
     /**
      * True uses `frequency`; false uses half the rate of the message format. Default: false.
@@ -5993,7 +5994,7 @@ MIP_CHECKED static inline mip_error mip_3dm_imu_low_pass_filter_encode(
    *   rate 0x05, magnetic field 0x06 or pressure 0x17. Refers to fields of MIP_SENSOR_SET. On the
    *   3DM-CV7-GNSS/INS: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
    *   rate 0x05, magnetic field 0x06 or pressure 0x17; 0 means all of them, except for read.
-   * - enable: Whether the quantity is filtered. Default: true. Required for write.
+   * - enable: True if the quantity is filtered. Default: true. Required for write.
    * - manual: True uses `frequency`; false uses half the rate of the message format. Default:
    * false. Required for write.
    * - frequency: Cutoff (-3 dB). It has no meaning if `manual` is false. Unit: Hz. Required for
@@ -6087,7 +6088,7 @@ struct mip_3dm_imu_low_pass_filter_response {
      * magnetic field 0x06 or pressure 0x17. Refers to fields of MIP_SENSOR_SET.
      */
     uint8_t target_descriptor;
-    /** Whether the quantity is filtered. Default: true. */
+    /** True if the quantity is filtered. Default: true. */
     mip_bool enable;
     /** True uses `frequency`; false uses half the rate of the message format. Default: false. */
     mip_bool manual;
@@ -6122,8 +6123,8 @@ MIP_CHECKED static inline mip_error mip_3dm_imu_low_pass_filter_response_encode(
 /**
  * Complementary Filter Configuration: command (0x0C,0x51).
  *
- * Corrections of the complementary filter, which computes the attitude independently of the
- * estimation filter.
+ * Configures the complementary filter, which computes the attitude independently of the estimation
+ * filter.
  *
  * Functions: write, read, save, load and default. Answered by
  * mip_3dm_complementary_filter_response. Changes mip_sensor_comp_orientation_matrix,
@@ -6148,7 +6149,7 @@ struct mip_3dm_complementary_filter {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
      * Corrects pitch and roll (up, in terms of the 5-series). Required for write. On the
@@ -6293,7 +6294,7 @@ MIP_CHECKED static inline mip_error mip_3dm_complementary_filter_response_encode
 /**
  * Sensor Range: command (0x0C,0x52).
  *
- * Measuring range of a sensor.
+ * Sets the measuring range of a sensor.
  *
  * Functions: write, read, save, load and default. Answered by mip_3dm_sensor_range_response.
  * Probably changes mip_sensor_scaled_accel, mip_sensor_scaled_gyro and mip_sensor_overrange_status.
@@ -6310,7 +6311,7 @@ struct mip_3dm_sensor_range {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /** Sensor whose range is set or read. A value of enum mip_3dm_sensor_range_type. */
     uint8_t sensor;
@@ -6535,7 +6536,7 @@ MIP_CHECKED static inline mip_error mip_3dm_get_calibrated_sensor_ranges_respons
 /**
  * Low-Pass Anti-Aliasing Filter: command (0x0C,0x54).
  *
- * Low-pass filter of a data field.
+ * Configures the low-pass filter of a data field.
  *
  * Also called `lowpass_filter`. Functions: write, read, save, load and default. Answered by
  * mip_3dm_low_pass_filter_response. Changes mip_sensor_scaled_accel, mip_sensor_scaled_gyro,
@@ -6555,13 +6556,13 @@ struct mip_3dm_low_pass_filter {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /** Descriptor set of the field. */
     uint8_t descriptor_set;
     /** Field descriptor; 0 if the set is 0. Refers to fields of descriptor_set. */
     uint8_t field_descriptor;
-    /** Whether the field is filtered. Required for write. */
+    /** True if the field is filtered. Required for write. */
     mip_bool enable;
     /**
      * True uses `frequency`; false uses half the rate of the field in the message format. Required
@@ -6600,7 +6601,7 @@ MIP_CHECKED static inline mip_error mip_3dm_low_pass_filter_encode(
    *
    * - descriptor_set: Descriptor set of the field.
    * - field_descriptor: Field descriptor; 0 if the set is 0. Refers to fields of descriptor_set.
-   * - enable: Whether the field is filtered. Required for write.
+   * - enable: True if the field is filtered. Required for write.
    * - manual: True uses `frequency`; false uses half the rate of the field in the message format.
    *   Required for write.
    * - frequency: Cutoff; a write ignores it if `manual` is false, a read returns the cutoff in use.
@@ -6688,7 +6689,7 @@ struct mip_3dm_low_pass_filter_response {
     uint8_t descriptor_set;
     /** Descriptor of the field that is filtered. Refers to fields of descriptor_set. */
     uint8_t field_descriptor;
-    /** Whether the field is filtered. */
+    /** True if the field is filtered. */
     mip_bool enable;
     /** True uses `frequency`; false uses half the rate of the field in the message format. */
     mip_bool manual;
@@ -6741,7 +6742,7 @@ struct mip_3dm_data_stream_format {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /** Stream whose format is set or read. A value of enum mip_3dm_internal_sensor. */
     uint8_t stream;
@@ -6905,7 +6906,7 @@ struct mip_3dm_device_power_state {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /** The sensor. A value of enum mip_3dm_internal_sensor. */
     uint8_t device;
@@ -7055,7 +7056,7 @@ MIP_CHECKED static inline mip_error mip_3dm_device_power_state_response_encode(
  * - mscl: GPS advanced settings (0x0C,0x62)
  */
 struct mip_3dm_gps_advanced_settings {
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
 };
 
@@ -7369,9 +7370,9 @@ struct mip_3dm_device_status_diagnostic_response {
     uint16_t system_state;
     /** Time since start-up. Unit: ms. */
     uint32_t system_timer;
-    /** Whether sensor data is streamed. */
+    /** True if sensor data is streamed. */
     mip_bool imu_stream_enabled;
-    /** Whether filter data is streamed. */
+    /** True if filter data is streamed. */
     mip_bool filter_stream_enabled;
     /** Sensor data packets that were not sent. Unit: 1. */
     uint32_t imu_dropped_packets;
@@ -7457,11 +7458,11 @@ struct mip_3dm_device_status_diagnostic_gnss_response {
     uint32_t pps_count;
     /** System timer at the last pulse. Unit: ms. */
     uint32_t pps_last_time;
-    /** Whether sensor data is streamed. */
+    /** True if sensor data is streamed. */
     mip_bool imu_stream_enabled;
-    /** Whether GNSS data is streamed. */
+    /** True if GNSS data is streamed. */
     mip_bool gnss_stream_enabled;
-    /** Whether filter data is streamed. */
+    /** True if filter data is streamed. */
     mip_bool filter_stream_enabled;
     /** Sensor data packets that were not sent. Unit: 1. */
     uint32_t imu_dropped_packets;
@@ -7556,11 +7557,11 @@ struct mip_3dm_device_status_diagnostic_gq4_45_response {
     uint32_t pps_count;
     /** System timer at the last pulse. Unit: ms. */
     uint32_t pps_last_time;
-    /** Whether sensor data is streamed. */
+    /** True if sensor data is streamed. */
     mip_bool imu_stream_enabled;
-    /** Whether GNSS data is streamed. */
+    /** True if GNSS data is streamed. */
     mip_bool gnss_stream_enabled;
-    /** Whether filter data is streamed. */
+    /** True if filter data is streamed. */
     mip_bool filter_stream_enabled;
     /** Sensor data packets that were not sent. Unit: 1. */
     uint32_t imu_dropped_packets;
@@ -7588,11 +7589,11 @@ struct mip_3dm_device_status_diagnostic_gq4_45_response {
     uint32_t gnss_message_count;
     /** System timer at the last message of the receiver. Unit: ms. */
     uint32_t gnss_last_message_time;
-    /** Whether the magnetometer could not be started. */
+    /** True if the magnetometer could not be started. */
     mip_bool mag_init_failed;
-    /** Whether the pressure sensor could not be started. */
+    /** True if the pressure sensor could not be started. */
     mip_bool pressure_init_failed;
-    /** Whether the GNSS receiver could not be started. */
+    /** True if the GNSS receiver could not be started. */
     mip_bool receiver_init_failed;
 };
 
@@ -7657,7 +7658,7 @@ struct mip_3dm_device_status_diagnostic_rq1_45_response {
     uint32_t system_timer;
     /** Power state of the GNSS receiver. */
     uint8_t gnss_power_state;
-    /** Whether the receiver starts cold at power-on. */
+    /** True if the receiver starts cold at power-up. */
     uint8_t cold_start_on_power_on;
     /** Temperature of the board. Unit: degC. Uncertain: The unit is inferred. */
     float temperature;
@@ -7667,11 +7668,11 @@ struct mip_3dm_device_status_diagnostic_rq1_45_response {
     uint32_t pps_count;
     /** System timer at the last pulse. Unit: ms. */
     uint32_t pps_last_time;
-    /** Whether sensor data is streamed. */
+    /** True if sensor data is streamed. */
     mip_bool imu_stream_enabled;
-    /** Whether GNSS data is streamed. */
+    /** True if GNSS data is streamed. */
     mip_bool gnss_stream_enabled;
-    /** Whether filter data is streamed. */
+    /** True if filter data is streamed. */
     mip_bool filter_stream_enabled;
     /** Sensor data packets that were not sent. Unit: 1. */
     uint32_t imu_dropped_packets;
@@ -7764,9 +7765,9 @@ struct mip_3dm_device_status_diagnostic_gx4_response {
     uint32_t pps_count;
     /** System timer at the last pulse. Unit: ms. */
     uint32_t pps_last_time;
-    /** Whether sensor data is streamed. */
+    /** True if sensor data is streamed. */
     mip_bool imu_stream_enabled;
-    /** Whether filter data is streamed. */
+    /** True if filter data is streamed. */
     mip_bool filter_stream_enabled;
     /** Sensor data packets that were not sent. Unit: 1. */
     uint32_t imu_dropped_packets;
@@ -7855,9 +7856,9 @@ struct mip_3dm_device_status_diagnostic_imu_response {
     uint32_t status_flags;
     /** Time since start-up. Unit: ms. */
     uint32_t system_timer;
-    /** Whether it has a magnetometer. */
+    /** True if it has a magnetometer. */
     mip_bool has_mag;
-    /** Whether it has a pressure sensor. */
+    /** True if it has a pressure sensor. */
     mip_bool has_pressure;
     /** Power state of the sensors. */
     uint8_t power_state;
@@ -7877,7 +7878,7 @@ struct mip_3dm_device_status_diagnostic_imu_response {
     uint32_t pps_count;
     /** System timer at the last pulse. Unit: ms. */
     uint32_t pps_last_time;
-    /** Whether sensor data is streamed. */
+    /** True if sensor data is streamed. */
     mip_bool imu_stream_enabled;
     /** Sensor data packets that were not sent. Unit: 1. */
     uint32_t imu_dropped_packets;
@@ -7949,9 +7950,9 @@ struct mip_3dm_device_status_diagnostic_gx4_imu_response {
     uint32_t status_flags;
     /** Time since start-up. Unit: ms. */
     uint32_t system_timer;
-    /** Whether it has a magnetometer. */
+    /** True if it has a magnetometer. */
     mip_bool has_mag;
-    /** Whether it has a pressure sensor. */
+    /** True if it has a pressure sensor. */
     mip_bool has_pressure;
     /** Largest angular rate that can be measured. */
     uint16_t gyro_range;
@@ -7971,7 +7972,7 @@ struct mip_3dm_device_status_diagnostic_gx4_imu_response {
     uint32_t pps_count;
     /** System timer at the last pulse. Unit: ms. */
     uint32_t pps_last_time;
-    /** Whether sensor data is streamed. */
+    /** True if sensor data is streamed. */
     mip_bool imu_stream_enabled;
     /** Sensor data packets that were not sent. Unit: 1. */
     uint32_t imu_dropped_packets;
@@ -8046,17 +8047,17 @@ struct mip_3dm_device_status_diagnostic_rq1_imu_response {
     float temperature;
     /** System timer at the last temperature. Unit: ms. */
     uint32_t temperature_last_time;
-    /** Whether a temperature sensor is faulty. */
+    /** True if a temperature sensor is faulty. */
     mip_bool bad_temperature_sensor_detected;
-    /** Whether the temperature is too low. */
+    /** True if the temperature is too low. */
     mip_bool cold_temperature_detected;
-    /** Whether a supply voltage is out of range. */
+    /** True if a supply voltage is out of range. */
     mip_bool bad_voltage_detected;
     /** Pulses per second that were counted. Unit: 1. */
     uint32_t pps_count;
     /** System timer at the last pulse. Unit: ms. */
     uint32_t pps_last_time;
-    /** Whether sensor data is streamed. */
+    /** True if sensor data is streamed. */
     mip_bool imu_stream_enabled;
     /** Sensor data packets that were not sent. Unit: 1. */
     uint32_t imu_dropped_packets;

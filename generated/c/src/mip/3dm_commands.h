@@ -820,7 +820,7 @@ static inline mip_error mip_send_3dm_factory_streaming(
 /**
  * Factory Streaming. See mip_device_call.
  *
- * - action: What happens to the existing formats. A value of enum mip_3dm_factory_streaming_action.
+ * - action: Treatment of the existing formats. A value of enum mip_3dm_factory_streaming_action.
  */
 static inline struct mip_result mip_call_3dm_factory_streaming(
     struct mip_device *device, enum mip_3dm_factory_streaming_action action) {
@@ -866,7 +866,7 @@ static inline mip_error mip_send_3dm_data_stream_control(
  *   3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum
  *   mip_3dm_legacy_data_stream. On the 3DM-GX5-15: values of enum mip_3dm_legacy_data_stream; only
  *   MIP_3DM_LEGACY_DATA_STREAM_IMU and MIP_3DM_LEGACY_DATA_STREAM_FILTER.
- * - enable: Whether the stream is sent. Default: true. Required for write. The stream starts with
+ * - enable: True if the stream is sent. Default: true. Required for write. The stream starts with
  *   current data. What was measured while it was disabled is not sent.
  */
 static inline struct mip_result mip_call_3dm_data_stream_control_write(struct mip_device *device,
@@ -1120,7 +1120,7 @@ static inline mip_error mip_send_3dm_gnss_sbas_settings(
  *
  * - enable_sbas: 1 switches SBAS on, 0 off. Range: 0 to 1. Required for write. On the 3DM-GX5-35:
  *   default 1.
- * - sbas_options: What SBAS is used for. Required for write. On the 3DM-GX5-35: default
+ * - sbas_options: Purposes of SBAS. Required for write. On the 3DM-GX5-35: default
  *   MIP_3DM_SBAS_OPTIONS_ENABLE_RANGING and MIP_3DM_SBAS_OPTIONS_ENABLE_CORRECTIONS.
  * - num_included_prns: Number of satellites listed; 0 searches for all. The number of elements of
  *   included_prns. Required for write.
@@ -1206,9 +1206,9 @@ static inline mip_error mip_send_3dm_gnss_assisted_fix(
 /**
  * GNSS Assisted Fix: write. Apply the new setting. See mip_device_call.
  *
- * - option: Whether the receiver keeps data for a faster first fix. A value of enum
- *   mip_3dm_assisted_fix_option. Default: MIP_3DM_ASSISTED_FIX_OPTION_NONE. Required for write. On
- *   the 3DM-GX5-35: default MIP_3DM_ASSISTED_FIX_OPTION_NONE.
+ * - option: Storage of data for a faster first fix. A value of enum mip_3dm_assisted_fix_option.
+ *   Default: MIP_3DM_ASSISTED_FIX_OPTION_NONE. Required for write. On the 3DM-GX5-35: default
+ *   MIP_3DM_ASSISTED_FIX_OPTION_NONE.
  */
 static inline struct mip_result mip_call_3dm_gnss_assisted_fix_write(
     struct mip_device *device, enum mip_3dm_assisted_fix_option option) {
@@ -1765,7 +1765,7 @@ static inline mip_error mip_send_3dm_event_action_config(
  * - trigger: Trigger instance that the action follows. Required for write.
  * - type: Kind of action. A value of enum mip_event_action_type. Default:
  *   MIP_EVENT_ACTION_TYPE_NONE. Required for write.
- * - parameters: What the action does. Selected by type. Required for write. Empty if type is
+ * - parameters: Effect of the action. Selected by type. Required for write. Empty if type is
  *   MIP_EVENT_ACTION_TYPE_NONE.
  */
 static inline struct mip_result mip_call_3dm_event_action_config_write(
@@ -2381,7 +2381,7 @@ static inline mip_error mip_send_3dm_imu_timestamp(struct mip_client *client,
 /**
  * IMU timestamp: write. Apply the new setting. See mip_device_call.
  *
- * - selector: Which counter. A value of enum mip_3dm_imu_timestamp_selector.
+ * - selector: Counter to set or read. A value of enum mip_3dm_imu_timestamp_selector.
  * - time: Value of the counter, in the unit that `selector` states. Required for write.
  */
 static inline struct mip_result mip_call_3dm_imu_timestamp_write(
@@ -2396,7 +2396,7 @@ static inline struct mip_result mip_call_3dm_imu_timestamp_write(
 /**
  * IMU timestamp: read. Return the current setting in a response. See mip_device_call.
  *
- * - selector: Which counter. A value of enum mip_3dm_imu_timestamp_selector.
+ * - selector: Counter to set or read. A value of enum mip_3dm_imu_timestamp_selector.
  */
 static inline struct mip_result mip_call_3dm_imu_timestamp_read(
     struct mip_device *device, enum mip_3dm_imu_timestamp_selector selector,
@@ -2883,7 +2883,7 @@ static inline mip_error mip_send_3dm_coning_sculling_enable(
 /**
  * Coning and Sculling Enable: write. Apply the new setting. See mip_device_call.
  *
- * - enable: Whether the compensation is on. Default: true. Required for write.
+ * - enable: True if the compensation is on. Default: true. Required for write.
  */
 static inline struct mip_result mip_call_3dm_coning_sculling_enable_write(struct mip_device *device,
                                                                           mip_bool enable) {
@@ -3206,7 +3206,7 @@ static inline mip_error mip_send_3dm_odometer_config(
 /**
  * Odometer Configuration: write. Apply the new setting. See mip_device_call.
  *
- * - mode: How the input works. A value of enum mip_3dm_odometer_mode. Required for write.
+ * - mode: Operation of the input. A value of enum mip_3dm_odometer_mode. Required for write.
  * - scaling: Pulses per distance travelled; negative if the encoder turns backwards. Unit: pulse/m.
  *   Required for write. Pulses on line A per turn of the wheel, divided by the circumference of the
  *   wheel.
@@ -3294,7 +3294,7 @@ static inline mip_error mip_send_3dm_imu_low_pass_filter(
  *   rate 0x05, magnetic field 0x06 or pressure 0x17. Refers to fields of MIP_SENSOR_SET. On the
  *   3DM-CV7-GNSS/INS: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
  *   rate 0x05, magnetic field 0x06 or pressure 0x17; 0 means all of them, except for read.
- * - enable: Whether the quantity is filtered. Default: true. Required for write.
+ * - enable: True if the quantity is filtered. Default: true. Required for write.
  * - manual: True uses `frequency`; false uses half the rate of the message format. Default: false.
  *   Required for write.
  * - frequency: Cutoff (-3 dB). It has no meaning if `manual` is false. Unit: Hz. Required for
@@ -3654,7 +3654,7 @@ static inline mip_error mip_send_3dm_low_pass_filter(
  *
  * - descriptor_set: Descriptor set of the field.
  * - field_descriptor: Field descriptor; 0 if the set is 0. Refers to fields of descriptor_set.
- * - enable: Whether the field is filtered. Required for write.
+ * - enable: True if the field is filtered. Required for write.
  * - manual: True uses `frequency`; false uses half the rate of the field in the message format.
  *   Required for write.
  * - frequency: Cutoff; a write ignores it if `manual` is false, a read returns the cutoff in use.

@@ -26,7 +26,7 @@ extern "C" {
 #define MIP_AIDING_SET 0x13
 
 /**
- * How the rotation of an aiding frame is given.
+ * Format of the rotation of an aiding frame.
  *
  * - 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01)
  */
@@ -40,7 +40,7 @@ enum mip_aiding_frame_format MIP_ENUM_8 {
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_aiding_frame_format_name(uint8_t value);
 /**
- * How the device answers aiding measurements.
+ * Answers of the device to aiding measurements.
  *
  * - 3dm-cv7-gnss-ins: Echo Control (0x13,0x1F)
  */
@@ -67,7 +67,7 @@ enum mip_aiding_timebase MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_aiding_timebase_name(uint8_t value);
-/** When a measurement was taken. */
+/** Time at which a measurement was taken. */
 struct mip_aiding_measurement_time {
     /** Clock of the time. A value of enum mip_aiding_timebase. */
     uint8_t timebase;
@@ -77,7 +77,7 @@ struct mip_aiding_measurement_time {
     uint64_t nanoseconds;
 };
 
-/** Which axes of a measurement are valid; the others are ignored. */
+/** Valid axes of a measurement; the others are ignored. */
 typedef uint16_t mip_aiding_axis_flags;
 /** Bit 0. First axis. */
 #define MIP_AIDING_AXIS_FLAGS_X 0x0001U
@@ -85,7 +85,7 @@ typedef uint16_t mip_aiding_axis_flags;
 #define MIP_AIDING_AXIS_FLAGS_Y 0x0002U
 /** Bit 2. Third axis. */
 #define MIP_AIDING_AXIS_FLAGS_Z 0x0004U
-/** Which coordinates of a position are valid; the others are ignored. */
+/** Valid coordinates of a position; the others are ignored. */
 typedef uint16_t mip_aiding_llh_axis_flags;
 /** Bit 0. Latitude and its uncertainty are valid. */
 #define MIP_AIDING_LLH_AXIS_FLAGS_LATITUDE 0x0001U
@@ -111,7 +111,7 @@ union mip_aiding_frame_config_rotation {
 /**
  * Frame configuration: command (0x13,0x01).
  *
- * Where and how an external sensor is mounted on the vehicle.
+ * Sets the position and the orientation of an external sensor on the vehicle.
  *
  * Functions: write, read, save, load and default. Answered by mip_aiding_frame_config_response.
  * Changes mip_filter_data_aiding_frame_config_error. Probably changes
@@ -136,16 +136,15 @@ struct mip_aiding_frame_config {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /** Number of the frame. Range: 1 to 4. */
     uint8_t frame_id;
     /**
-     * How the rotation is given. A value of enum mip_aiding_frame_format. Required for write and
-     * read.
+     * Format of the rotation. A value of enum mip_aiding_frame_format. Required for write and read.
      */
     uint8_t format;
-    /** Whether the filter estimates the errors of the frame. Required for write. */
+    /** True if the filter estimates the errors of the frame. Required for write. */
     mip_bool tracking_enabled;
     /**
      * Origin of the frame in the vehicle. Elements: x, y, z. Unit: m. Frame: vehicle. Required for
@@ -180,9 +179,9 @@ MIP_CHECKED static inline mip_error mip_aiding_frame_config_encode(
    * Apply the new setting. Fills the structure and returns its address.
    *
    * - frame_id: Number of the frame. Range: 1 to 4.
-   * - format: How the rotation is given. A value of enum mip_aiding_frame_format. Required for
-   * write and read.
-   * - tracking_enabled: Whether the filter estimates the errors of the frame. Required for write.
+   * - format: Format of the rotation. A value of enum mip_aiding_frame_format. Required for write
+   * and read.
+   * - tracking_enabled: True if the filter estimates the errors of the frame. Required for write.
    * - translation: Origin of the frame in the vehicle. Elements: x, y, z. Unit: m. Frame: vehicle.
    *   Required for write.
    * - rotation: Rotation from the frame to the vehicle. Selected by format. Required for write.
@@ -206,8 +205,8 @@ static inline struct mip_aiding_frame_config *mip_aiding_frame_config_write(
  * Return the current setting in a response. Fills the structure and returns its address.
  *
  * - frame_id: Number of the frame. Range: 1 to 4.
- * - format: How the rotation is given. A value of enum mip_aiding_frame_format. Required for write
- *   and read.
+ * - format: Format of the rotation. A value of enum mip_aiding_frame_format. Required for write and
+ *   read.
  */
 static inline struct mip_aiding_frame_config *
 mip_aiding_frame_config_read(struct mip_aiding_frame_config *command, uint8_t frame_id,
@@ -281,9 +280,9 @@ union mip_aiding_frame_config_response_rotation {
 struct mip_aiding_frame_config_response {
     /** Number of the frame. Range: 1 to 4. */
     uint8_t frame_id;
-    /** How the rotation is given. A value of enum mip_aiding_frame_format. */
+    /** Format of the rotation. A value of enum mip_aiding_frame_format. */
     uint8_t format;
-    /** Whether the filter estimates the errors of the frame. */
+    /** True if the filter estimates the errors of the frame. */
     mip_bool tracking_enabled;
     /** Origin of the frame in the vehicle. Elements: x, y, z. Unit: m. Frame: vehicle. */
     float translation[3];
@@ -316,7 +315,7 @@ MIP_CHECKED static inline mip_error mip_aiding_frame_config_response_encode(
 /**
  * Echo control: command (0x13,0x1F).
  *
- * How the device answers aiding measurements.
+ * Sets how the device answers aiding measurements.
  *
  * Functions: write, read, save, load and default. Answered by mip_aiding_echo_control_response.
  * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
@@ -332,11 +331,9 @@ struct mip_aiding_echo_control {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
-    /**
-     * How the measurements are answered. A value of enum mip_aiding_echo_mode. Required for write.
-     */
+    /** Answers to the measurements. A value of enum mip_aiding_echo_mode. Required for write. */
     uint8_t mode;
 };
 
@@ -363,8 +360,7 @@ MIP_CHECKED static inline mip_error mip_aiding_echo_control_encode(
 } /**
    * Apply the new setting. Fills the structure and returns its address.
    *
-   * - mode: How the measurements are answered. A value of enum mip_aiding_echo_mode. Required for
-   *   write.
+   * - mode: Answers to the measurements. A value of enum mip_aiding_echo_mode. Required for write.
    */
 static inline struct mip_aiding_echo_control *mip_aiding_echo_control_write(
     struct mip_aiding_echo_control *command, enum mip_aiding_echo_mode mode) {
@@ -411,7 +407,7 @@ mip_aiding_echo_control_default(struct mip_aiding_echo_control *command) {
  * - 3dm-cv7-gnss-ins: Aiding Command Echo Control
  */
 struct mip_aiding_echo_control_response {
-    /** How the measurements are answered. A value of enum mip_aiding_echo_mode. */
+    /** Answers to the measurements. A value of enum mip_aiding_echo_mode. */
     uint8_t mode;
 };
 
@@ -440,7 +436,7 @@ MIP_CHECKED static inline mip_error mip_aiding_echo_control_response_encode(
 /**
  * ECEF position: command (0x13,0x21).
  *
- * A measured position in Earth-fixed coordinates.
+ * Sends a measured position in Earth-fixed coordinates.
  *
  * Also called `pos_ecef`. Not acknowledged if mode of mip_aiding_echo_control is
  * MIP_AIDING_ECHO_MODE_SUPPRESS_ACK. Supported by 3DM-CV7-GNSS/INS.
@@ -454,7 +450,7 @@ MIP_CHECKED static inline mip_error mip_aiding_echo_control_response_encode(
  * - 3dm-cv7-gnss-ins: Filter Aiding Measurements > ECEF Position
  */
 struct mip_aiding_ecef_position {
-    /** When the measurement was taken. */
+    /** Time of the measurement. */
     struct mip_aiding_measurement_time time;
     /** Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4. */
     uint8_t frame_id;
@@ -470,7 +466,7 @@ struct mip_aiding_ecef_position {
      * MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
      */
     float uncertainty[3];
-    /** Which axes are valid. */
+    /** Valid axes. */
     mip_aiding_axis_flags valid_flags;
 };
 
@@ -497,7 +493,7 @@ MIP_CHECKED static inline mip_error mip_aiding_ecef_position_encode(
 } /**
    * ECEF position. Fills the structure and returns its address.
    *
-   * - time: When the measurement was taken.
+   * - time: Time of the measurement.
    * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
    * - position: Position of the origin of the frame. Elements: x, y, z. Unit: m. Frame: ecef. Each
    *   element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y:
@@ -506,7 +502,7 @@ MIP_CHECKED static inline mip_error mip_aiding_ecef_position_encode(
    *   greater than 0. Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in
    * valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in
    * valid_flags.
-   * - valid_flags: Which axes are valid.
+   * - valid_flags: Valid axes.
    */
 static inline struct mip_aiding_ecef_position *mip_aiding_ecef_position_make(
     struct mip_aiding_ecef_position *command, const struct mip_aiding_measurement_time *time,
@@ -524,7 +520,7 @@ static inline struct mip_aiding_ecef_position *mip_aiding_ecef_position_make(
 /**
  * LLH position: command (0x13,0x22).
  *
- * A measured position as latitude, longitude and height.
+ * Sends a measured position as latitude, longitude and height.
  *
  * Also called `pos_llh`. Not acknowledged if mode of mip_aiding_echo_control is
  * MIP_AIDING_ECHO_MODE_SUPPRESS_ACK. Supported by 3DM-CV7-GNSS/INS.
@@ -541,7 +537,7 @@ static inline struct mip_aiding_ecef_position *mip_aiding_ecef_position_make(
  * - 3dm-cv7-gnss-ins: Filter Aiding Measurements > LLH Position
  */
 struct mip_aiding_llh_position {
-    /** When the measurement was taken. */
+    /** Time of the measurement. */
     struct mip_aiding_measurement_time time;
     /** Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4. */
     uint8_t frame_id;
@@ -567,7 +563,7 @@ struct mip_aiding_llh_position {
      * MIP_AIDING_LLH_AXIS_FLAGS_HEIGHT in valid_flags.
      */
     float uncertainty[3];
-    /** Which coordinates are valid. */
+    /** Valid coordinates. */
     mip_aiding_llh_axis_flags valid_flags;
 };
 
@@ -594,7 +590,7 @@ MIP_CHECKED static inline mip_error mip_aiding_llh_position_encode(
 } /**
    * LLH position. Fills the structure and returns its address.
    *
-   * - time: When the measurement was taken.
+   * - time: Time of the measurement.
    * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
    * - latitude: Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid
    * if MIP_AIDING_LLH_AXIS_FLAGS_LATITUDE in valid_flags is set.
@@ -606,7 +602,7 @@ MIP_CHECKED static inline mip_error mip_aiding_llh_position_encode(
    *   Range: greater than 0. Each element has its own valid flag. north:
    *   MIP_AIDING_LLH_AXIS_FLAGS_LATITUDE in valid_flags, east: MIP_AIDING_LLH_AXIS_FLAGS_LONGITUDE
    * in valid_flags, down: MIP_AIDING_LLH_AXIS_FLAGS_HEIGHT in valid_flags.
-   * - valid_flags: Which coordinates are valid.
+   * - valid_flags: Valid coordinates.
    */
 static inline struct mip_aiding_llh_position *mip_aiding_llh_position_make(
     struct mip_aiding_llh_position *command, const struct mip_aiding_measurement_time *time,
@@ -626,7 +622,7 @@ static inline struct mip_aiding_llh_position *mip_aiding_llh_position_make(
 /**
  * Height above ellipsoid: command (0x13,0x23).
  *
- * A measured height.
+ * Sends a measured height above the ellipsoid.
  *
  * Not acknowledged if mode of mip_aiding_echo_control is MIP_AIDING_ECHO_MODE_SUPPRESS_ACK.
  * Supported by 3DM-CV7-GNSS/INS.
@@ -637,7 +633,7 @@ static inline struct mip_aiding_llh_position *mip_aiding_llh_position_make(
  * - 3dm-cv7-gnss-ins: Height Above Ellipsoid (0x13,0x23)
  */
 struct mip_aiding_height_above_ellipsoid {
-    /** When the measurement was taken. */
+    /** Time of the measurement. */
     struct mip_aiding_measurement_time time;
     /** Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4. */
     uint8_t frame_id;
@@ -673,7 +669,7 @@ MIP_CHECKED static inline mip_error mip_aiding_height_above_ellipsoid_encode(
 } /**
    * Height above ellipsoid. Fills the structure and returns its address.
    *
-   * - time: When the measurement was taken.
+   * - time: Time of the measurement.
    * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
    * - height: Height above the ellipsoid. Unit: m. Frame: llh.
    * - uncertainty: Uncertainty of the height. Unit: m. Range: at least 0.
@@ -695,7 +691,7 @@ static inline struct mip_aiding_height_above_ellipsoid *mip_aiding_height_above_
 /**
  * ECEF velocity: command (0x13,0x28).
  *
- * A measured velocity in Earth-fixed coordinates.
+ * Sends a measured velocity in Earth-fixed coordinates.
  *
  * Also called `vel_ecef`. Not acknowledged if mode of mip_aiding_echo_control is
  * MIP_AIDING_ECHO_MODE_SUPPRESS_ACK. Supported by 3DM-CV7-GNSS/INS.
@@ -712,7 +708,7 @@ static inline struct mip_aiding_height_above_ellipsoid *mip_aiding_height_above_
  * - 3dm-cv7-gnss-ins: Filter Aiding Measurements > ECEF Velocity
  */
 struct mip_aiding_ecef_velocity {
-    /** When the measurement was taken. */
+    /** Time of the measurement. */
     struct mip_aiding_measurement_time time;
     /** Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4. */
     uint8_t frame_id;
@@ -728,7 +724,7 @@ struct mip_aiding_ecef_velocity {
      * MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
      */
     float uncertainty[3];
-    /** Which axes are valid. */
+    /** Valid axes. */
     mip_aiding_axis_flags valid_flags;
 };
 
@@ -755,7 +751,7 @@ MIP_CHECKED static inline mip_error mip_aiding_ecef_velocity_encode(
 } /**
    * ECEF velocity. Fills the structure and returns its address.
    *
-   * - time: When the measurement was taken.
+   * - time: Time of the measurement.
    * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
    * - velocity: Velocity of the origin of the frame. Elements: x, y, z. Unit: m/s. Frame: ecef.
    * Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y:
@@ -764,7 +760,7 @@ MIP_CHECKED static inline mip_error mip_aiding_ecef_velocity_encode(
    *   greater than 0. Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in
    * valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in
    * valid_flags.
-   * - valid_flags: Which axes are valid.
+   * - valid_flags: Valid axes.
    */
 static inline struct mip_aiding_ecef_velocity *mip_aiding_ecef_velocity_make(
     struct mip_aiding_ecef_velocity *command, const struct mip_aiding_measurement_time *time,
@@ -782,7 +778,7 @@ static inline struct mip_aiding_ecef_velocity *mip_aiding_ecef_velocity_make(
 /**
  * NED velocity: command (0x13,0x29).
  *
- * A measured velocity in the local level frame.
+ * Sends a measured velocity in the local level frame.
  *
  * Also called `vel_ned`. Not acknowledged if mode of mip_aiding_echo_control is
  * MIP_AIDING_ECHO_MODE_SUPPRESS_ACK. Supported by 3DM-CV7-GNSS/INS.
@@ -799,7 +795,7 @@ static inline struct mip_aiding_ecef_velocity *mip_aiding_ecef_velocity_make(
  * - 3dm-cv7-gnss-ins: Filter Aiding Measurements > NED Velocity
  */
 struct mip_aiding_ned_velocity {
-    /** When the measurement was taken. */
+    /** Time of the measurement. */
     struct mip_aiding_measurement_time time;
     /** Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4. */
     uint8_t frame_id;
@@ -816,7 +812,7 @@ struct mip_aiding_ned_velocity {
      * valid_flags.
      */
     float uncertainty[3];
-    /** Which axes are valid. */
+    /** Valid axes. */
     mip_aiding_axis_flags valid_flags;
 };
 
@@ -843,7 +839,7 @@ MIP_CHECKED static inline mip_error mip_aiding_ned_velocity_encode(
 } /**
    * NED velocity. Fills the structure and returns its address.
    *
-   * - time: When the measurement was taken.
+   * - time: Time of the measurement.
    * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
    * - velocity: Velocity of the origin of the frame. Elements: north, east, down. Unit: m/s. Frame:
    *   ned. Each element has its own valid flag. north: MIP_AIDING_AXIS_FLAGS_X in valid_flags,
@@ -852,7 +848,7 @@ MIP_CHECKED static inline mip_error mip_aiding_ned_velocity_encode(
    *   Range: greater than 0. Each element has its own valid flag. north: MIP_AIDING_AXIS_FLAGS_X in
    *   valid_flags, east: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, down: MIP_AIDING_AXIS_FLAGS_Z in
    *   valid_flags.
-   * - valid_flags: Which axes are valid.
+   * - valid_flags: Valid axes.
    */
 static inline struct mip_aiding_ned_velocity *mip_aiding_ned_velocity_make(
     struct mip_aiding_ned_velocity *command, const struct mip_aiding_measurement_time *time,
@@ -870,7 +866,7 @@ static inline struct mip_aiding_ned_velocity *mip_aiding_ned_velocity_make(
 /**
  * Body frame velocity: command (0x13,0x2A).
  *
- * A measured velocity of the vehicle in the frame of the sensor.
+ * Sends a measured velocity of the vehicle in the frame of the sensor.
  *
  * Also called `vel_body_frame`. Not acknowledged if mode of mip_aiding_echo_control is
  * MIP_AIDING_ECHO_MODE_SUPPRESS_ACK. Supported by 3DM-CV7-GNSS/INS.
@@ -892,7 +888,7 @@ static inline struct mip_aiding_ned_velocity *mip_aiding_ned_velocity_make(
  * - 3dm-cv7-gnss-ins: Filter Kinematic Constraints
  */
 struct mip_aiding_body_frame_velocity {
-    /** When the measurement was taken. */
+    /** Time of the measurement. */
     struct mip_aiding_measurement_time time;
     /** Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4. */
     uint8_t frame_id;
@@ -909,7 +905,7 @@ struct mip_aiding_body_frame_velocity {
      * valid_flags.
      */
     float uncertainty[3];
-    /** Which axes are valid. */
+    /** Valid axes. */
     mip_aiding_axis_flags valid_flags;
 };
 
@@ -937,7 +933,7 @@ MIP_CHECKED static inline mip_error mip_aiding_body_frame_velocity_encode(
 } /**
    * Body frame velocity. Fills the structure and returns its address.
    *
-   * - time: When the measurement was taken.
+   * - time: Time of the measurement.
    * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
    * - velocity: Velocity of the origin of the frame. Elements: x, y, z. Unit: m/s. Frame: aiding.
    *   Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y:
@@ -946,7 +942,7 @@ MIP_CHECKED static inline mip_error mip_aiding_body_frame_velocity_encode(
    *   Range: greater than 0. Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in
    *   valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in
    *   valid_flags.
-   * - valid_flags: Which axes are valid.
+   * - valid_flags: Valid axes.
    */
 static inline struct mip_aiding_body_frame_velocity *mip_aiding_body_frame_velocity_make(
     struct mip_aiding_body_frame_velocity *command, const struct mip_aiding_measurement_time *time,
@@ -964,7 +960,7 @@ static inline struct mip_aiding_body_frame_velocity *mip_aiding_body_frame_veloc
 /**
  * True heading: command (0x13,0x31).
  *
- * A measured heading relative to true north.
+ * Sends a measured heading relative to true north.
  *
  * Also called `heading_true`. Not acknowledged if mode of mip_aiding_echo_control is
  * MIP_AIDING_ECHO_MODE_SUPPRESS_ACK. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
@@ -976,7 +972,7 @@ static inline struct mip_aiding_body_frame_velocity *mip_aiding_body_frame_veloc
  * - 3dm-cv7-gnss-ins: Filter Aiding Measurements > True Heading
  */
 struct mip_aiding_true_heading {
-    /** When the measurement was taken. */
+    /** Time of the measurement. */
     struct mip_aiding_measurement_time time;
     /** Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4. */
     uint8_t frame_id;
@@ -1014,7 +1010,7 @@ MIP_CHECKED static inline mip_error mip_aiding_true_heading_encode(
 } /**
    * True heading. Fills the structure and returns its address.
    *
-   * - time: When the measurement was taken.
+   * - time: Time of the measurement.
    * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
    * - heading: Heading relative to true north. Unit: rad. Frame: ned. Range: -3.141592653589793 to
    *   3.141592653589793. Positive: clockwise seen from above.
@@ -1036,7 +1032,7 @@ static inline struct mip_aiding_true_heading *mip_aiding_true_heading_make(
 /**
  * Magnetic field: command (0x13,0x32).
  *
- * A magnetic field measured by an external magnetometer.
+ * Sends a magnetic field measured by an external magnetometer.
  *
  * Not acknowledged if mode of mip_aiding_echo_control is MIP_AIDING_ECHO_MODE_SUPPRESS_ACK.
  * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
@@ -1050,7 +1046,7 @@ static inline struct mip_aiding_true_heading *mip_aiding_true_heading_make(
  * - 3dm-cv7-gnss-ins: Filter Aiding Measurements > External Magnetometer
  */
 struct mip_aiding_magnetic_field {
-    /** When the measurement was taken. */
+    /** Time of the measurement. */
     struct mip_aiding_measurement_time time;
     /** Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4. */
     uint8_t frame_id;
@@ -1067,7 +1063,7 @@ struct mip_aiding_magnetic_field {
      * valid_flags.
      */
     float uncertainty[3];
-    /** Which axes are valid. */
+    /** Valid axes. */
     mip_aiding_axis_flags valid_flags;
 };
 
@@ -1094,7 +1090,7 @@ MIP_CHECKED static inline mip_error mip_aiding_magnetic_field_encode(
 } /**
    * Magnetic field. Fills the structure and returns its address.
    *
-   * - time: When the measurement was taken.
+   * - time: Time of the measurement.
    * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
    * - magnetic_field: Calibrated magnetic field. Elements: x, y, z. Unit: gauss. Frame: aiding.
    * Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y:
@@ -1103,7 +1099,7 @@ MIP_CHECKED static inline mip_error mip_aiding_magnetic_field_encode(
    *   aiding. Range: greater than 0. Each element has its own valid flag. x:
    * MIP_AIDING_AXIS_FLAGS_X in valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z:
    * MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
-   * - valid_flags: Which axes are valid.
+   * - valid_flags: Valid axes.
    */
 static inline struct mip_aiding_magnetic_field *mip_aiding_magnetic_field_make(
     struct mip_aiding_magnetic_field *command, const struct mip_aiding_measurement_time *time,
@@ -1121,7 +1117,7 @@ static inline struct mip_aiding_magnetic_field *mip_aiding_magnetic_field_make(
 /**
  * Pressure: command (0x13,0x33).
  *
- * A static air pressure measured by an external sensor.
+ * Sends a static air pressure measured by an external sensor.
  *
  * Not acknowledged if mode of mip_aiding_echo_control is MIP_AIDING_ECHO_MODE_SUPPRESS_ACK.
  * Supported by 3DM-CV7-GNSS/INS.
@@ -1133,7 +1129,7 @@ static inline struct mip_aiding_magnetic_field *mip_aiding_magnetic_field_make(
  * - 3dm-cv7-gnss-ins: Filter Aiding Measurements > External Pressure
  */
 struct mip_aiding_pressure {
-    /** When the measurement was taken. */
+    /** Time of the measurement. */
     struct mip_aiding_measurement_time time;
     /** Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4. */
     uint8_t frame_id;
@@ -1168,7 +1164,7 @@ mip_aiding_pressure_encode(const struct mip_aiding_pressure *value, struct mip_b
 } /**
    * Pressure. Fills the structure and returns its address.
    *
-   * - time: When the measurement was taken.
+   * - time: Time of the measurement.
    * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
    * - pressure: Air pressure. Unit: mbar.
    * - uncertainty: Standard deviation of the pressure. Unit: mbar. Range: greater than 0.

@@ -40,9 +40,9 @@ static inline mip_error mip_send_aiding_frame_config(
  * Frame configuration: write. Apply the new setting. See mip_device_call.
  *
  * - frame_id: Number of the frame. Range: 1 to 4.
- * - format: How the rotation is given. A value of enum mip_aiding_frame_format. Required for write
- *   and read.
- * - tracking_enabled: Whether the filter estimates the errors of the frame. Required for write.
+ * - format: Format of the rotation. A value of enum mip_aiding_frame_format. Required for write and
+ *   read.
+ * - tracking_enabled: True if the filter estimates the errors of the frame. Required for write.
  * - translation: Origin of the frame in the vehicle. Elements: x, y, z. Unit: m. Frame: vehicle.
  *   Required for write.
  * - rotation: Rotation from the frame to the vehicle. Selected by format. Required for write.
@@ -62,8 +62,8 @@ static inline struct mip_result mip_call_aiding_frame_config_write(
  * Frame configuration: read. Return the current setting in a response. See mip_device_call.
  *
  * - frame_id: Number of the frame. Range: 1 to 4.
- * - format: How the rotation is given. A value of enum mip_aiding_frame_format. Required for write
- *   and read.
+ * - format: Format of the rotation. A value of enum mip_aiding_frame_format. Required for write and
+ *   read.
  */
 static inline struct mip_result mip_call_aiding_frame_config_read(
     struct mip_device *device, uint8_t frame_id, enum mip_aiding_frame_format format,
@@ -146,8 +146,7 @@ static inline mip_error mip_send_aiding_echo_control(
 /**
  * Echo control: write. Apply the new setting. See mip_device_call.
  *
- * - mode: How the measurements are answered. A value of enum mip_aiding_echo_mode. Required for
- *   write.
+ * - mode: Answers to the measurements. A value of enum mip_aiding_echo_mode. Required for write.
  */
 static inline struct mip_result mip_call_aiding_echo_control_write(struct mip_device *device,
                                                                    enum mip_aiding_echo_mode mode) {
@@ -214,7 +213,7 @@ static inline mip_error mip_send_aiding_ecef_position(
 /**
  * ECEF position. See mip_device_call.
  *
- * - time: When the measurement was taken.
+ * - time: Time of the measurement.
  * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
  * - position: Position of the origin of the frame. Elements: x, y, z. Unit: m. Frame: ecef. Each
  *   element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y:
@@ -222,7 +221,7 @@ static inline mip_error mip_send_aiding_ecef_position(
  * - uncertainty: Uncertainty of the position. Elements: x, y, z. Unit: m. Frame: ecef. Range:
  *   greater than 0. Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags,
  *   y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
- * - valid_flags: Which axes are valid.
+ * - valid_flags: Valid axes.
  */
 static inline struct mip_result mip_call_aiding_ecef_position(
     struct mip_device *device, const struct mip_aiding_measurement_time *time, uint8_t frame_id,
@@ -261,7 +260,7 @@ static inline mip_error mip_send_aiding_llh_position(struct mip_client *client,
 /**
  * LLH position. See mip_device_call.
  *
- * - time: When the measurement was taken.
+ * - time: Time of the measurement.
  * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
  * - latitude: Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if
  *   MIP_AIDING_LLH_AXIS_FLAGS_LATITUDE in valid_flags is set.
@@ -273,7 +272,7 @@ static inline mip_error mip_send_aiding_llh_position(struct mip_client *client,
  *   Range: greater than 0. Each element has its own valid flag. north:
  *   MIP_AIDING_LLH_AXIS_FLAGS_LATITUDE in valid_flags, east: MIP_AIDING_LLH_AXIS_FLAGS_LONGITUDE in
  *   valid_flags, down: MIP_AIDING_LLH_AXIS_FLAGS_HEIGHT in valid_flags.
- * - valid_flags: Which coordinates are valid.
+ * - valid_flags: Valid coordinates.
  */
 static inline struct mip_result mip_call_aiding_llh_position(
     struct mip_device *device, const struct mip_aiding_measurement_time *time, uint8_t frame_id,
@@ -315,7 +314,7 @@ static inline mip_error mip_send_aiding_height_above_ellipsoid(
 /**
  * Height above ellipsoid. See mip_device_call.
  *
- * - time: When the measurement was taken.
+ * - time: Time of the measurement.
  * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
  * - height: Height above the ellipsoid. Unit: m. Frame: llh.
  * - uncertainty: Uncertainty of the height. Unit: m. Range: at least 0.
@@ -356,7 +355,7 @@ static inline mip_error mip_send_aiding_ecef_velocity(
 /**
  * ECEF velocity. See mip_device_call.
  *
- * - time: When the measurement was taken.
+ * - time: Time of the measurement.
  * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
  * - velocity: Velocity of the origin of the frame. Elements: x, y, z. Unit: m/s. Frame: ecef. Each
  *   element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y:
@@ -364,7 +363,7 @@ static inline mip_error mip_send_aiding_ecef_velocity(
  * - uncertainty: Uncertainty of the velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Range:
  *   greater than 0. Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags,
  *   y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
- * - valid_flags: Which axes are valid.
+ * - valid_flags: Valid axes.
  */
 static inline struct mip_result mip_call_aiding_ecef_velocity(
     struct mip_device *device, const struct mip_aiding_measurement_time *time, uint8_t frame_id,
@@ -403,7 +402,7 @@ static inline mip_error mip_send_aiding_ned_velocity(struct mip_client *client,
 /**
  * NED velocity. See mip_device_call.
  *
- * - time: When the measurement was taken.
+ * - time: Time of the measurement.
  * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
  * - velocity: Velocity of the origin of the frame. Elements: north, east, down. Unit: m/s. Frame:
  *   ned. Each element has its own valid flag. north: MIP_AIDING_AXIS_FLAGS_X in valid_flags, east:
@@ -412,7 +411,7 @@ static inline mip_error mip_send_aiding_ned_velocity(struct mip_client *client,
  *   Range: greater than 0. Each element has its own valid flag. north: MIP_AIDING_AXIS_FLAGS_X in
  *   valid_flags, east: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, down: MIP_AIDING_AXIS_FLAGS_Z in
  *   valid_flags.
- * - valid_flags: Which axes are valid.
+ * - valid_flags: Valid axes.
  */
 static inline struct mip_result mip_call_aiding_ned_velocity(
     struct mip_device *device, const struct mip_aiding_measurement_time *time, uint8_t frame_id,
@@ -451,7 +450,7 @@ static inline mip_error mip_send_aiding_body_frame_velocity(
 /**
  * Body frame velocity. See mip_device_call.
  *
- * - time: When the measurement was taken.
+ * - time: Time of the measurement.
  * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
  * - velocity: Velocity of the origin of the frame. Elements: x, y, z. Unit: m/s. Frame: aiding.
  *   Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y:
@@ -460,7 +459,7 @@ static inline mip_error mip_send_aiding_body_frame_velocity(
  *   Range: greater than 0. Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in
  *   valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in
  *   valid_flags.
- * - valid_flags: Which axes are valid.
+ * - valid_flags: Valid axes.
  */
 static inline struct mip_result mip_call_aiding_body_frame_velocity(
     struct mip_device *device, const struct mip_aiding_measurement_time *time, uint8_t frame_id,
@@ -499,7 +498,7 @@ static inline mip_error mip_send_aiding_true_heading(struct mip_client *client,
 /**
  * True heading. See mip_device_call.
  *
- * - time: When the measurement was taken.
+ * - time: Time of the measurement.
  * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
  * - heading: Heading relative to true north. Unit: rad. Frame: ned. Range: -3.141592653589793 to
  *   3.141592653589793. Positive: clockwise seen from above.
@@ -541,7 +540,7 @@ static inline mip_error mip_send_aiding_magnetic_field(
 /**
  * Magnetic field. See mip_device_call.
  *
- * - time: When the measurement was taken.
+ * - time: Time of the measurement.
  * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
  * - magnetic_field: Calibrated magnetic field. Elements: x, y, z. Unit: gauss. Frame: aiding. Each
  *   element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y:
@@ -550,7 +549,7 @@ static inline mip_error mip_send_aiding_magnetic_field(
  *   aiding. Range: greater than 0. Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X
  *   in valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in
  *   valid_flags.
- * - valid_flags: Which axes are valid.
+ * - valid_flags: Valid axes.
  */
 static inline struct mip_result mip_call_aiding_magnetic_field(
     struct mip_device *device, const struct mip_aiding_measurement_time *time, uint8_t frame_id,
@@ -589,7 +588,7 @@ static inline mip_error mip_send_aiding_pressure(struct mip_client *client,
 /**
  * Pressure. See mip_device_call.
  *
- * - time: When the measurement was taken.
+ * - time: Time of the measurement.
  * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
  * - pressure: Air pressure. Unit: mbar.
  * - uncertainty: Standard deviation of the pressure. Unit: mbar. Range: greater than 0.

@@ -34,7 +34,7 @@ extern "C" {
 struct mip_base_device_info {
     /** Firmware version as one decimal number: 1202 means 1.2.02. */
     uint16_t firmware_version;
-    /** What the model is called, such as 3DM-GQ7. */
+    /** Product name, such as 3DM-GQ7. */
     char model_name[17];
     /** Part number of the model. */
     char model_number[17];
@@ -597,7 +597,7 @@ MIP_CHECKED static inline mip_error mip_base_continuous_built_in_test_response_e
 /**
  * Comm port speed: command (0x01,0x09).
  *
- * Baud rate of one communication port.
+ * Sets the baud rate of one communication port.
  *
  * Functions: write, read, save, load and default. Answered by mip_base_comm_speed_response.
  * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
@@ -616,7 +616,7 @@ struct mip_base_comm_speed {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
      * Port id of the device; 0 means all ports, and is for save, load and default only. On the
@@ -845,7 +845,7 @@ struct mip_base_gps_time_update {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /** Meaning of the value. A value of enum mip_base_gps_time_field. */
     uint8_t field_id;

@@ -115,7 +115,7 @@ MIP_CHECKED static inline mip_error mip_displacement_get_calibration_response_en
  * - mscl: Displacement Output Data Rate (0x11,0x02)
  */
 struct mip_displacement_output_rate {
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
 };
 
@@ -199,7 +199,7 @@ struct mip_displacement_device_time {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /** UTC since 1970-01-01, without leap seconds. Unit: ns. */
     uint64_t time;

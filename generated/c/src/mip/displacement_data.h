@@ -26,8 +26,8 @@ extern "C" {
 #define MIP_DISPLACEMENT_DATA_SET 0x90
 
 /**
- * Whether the time of displacement data is valid. Uncertain: That it is a bitfield. MSCL takes the
- * time for valid if the number is 1.
+ * Validity of the time of displacement data. Uncertain: That it is a bitfield. MSCL takes the time
+ * for valid if the number is 1.
  */
 typedef uint8_t mip_displacement_data_timestamp_flags;
 /** Bit 0. The clock has been set; `time` is valid. */
@@ -116,7 +116,7 @@ MIP_CHECKED static inline mip_error mip_displacement_data_displacement_encode(
  * - mscl: Displacement Device Timestamp (0x90,0x04)
  */
 struct mip_displacement_data_timestamp {
-    /** Whether the time of displacement data is valid. */
+    /** Validity of the time of displacement data. */
     mip_displacement_data_timestamp_flags flags;
     /**
      * UTC since 1970-01-01, without leap seconds, if the clock was set so. Unit: ns. Valid if

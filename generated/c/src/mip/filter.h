@@ -65,7 +65,7 @@ typedef uint16_t mip_filter_estimated_states;
 #define MIP_FILTER_ESTIMATED_STATES_AUTO_HARD_IRON 0x0020U
 /** Bit 6. Estimate the soft iron matrix of the magnetometer. */
 #define MIP_FILTER_ESTIMATED_STATES_AUTO_SOFT_IRON 0x0040U
-/** Where the filter takes GNSS data from. */
+/** Source of the GNSS data that aids the filter. */
 enum mip_filter_gnss_aiding_source MIP_ENUM_8 {
     /** All internal receivers. */
     MIP_FILTER_GNSS_AIDING_SOURCE_ALL_INTERNAL = 1,
@@ -90,7 +90,7 @@ enum mip_filter_heading_type MIP_ENUM_8 {
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_heading_type_name(uint8_t value);
 /**
- * Where the filter takes heading updates from.
+ * Source of the heading updates that aid the filter.
  *
  * - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
  * - 3dm-gx5-45: (0x0D, 0x18)
@@ -131,7 +131,7 @@ typedef uint16_t mip_filter_measurement_flags;
 #define MIP_FILTER_MEASUREMENT_FLAGS_ACCEL 0x0001U
 /** Bit 1. Magnetometer measurements, on models that have a magnetometer. */
 #define MIP_FILTER_MEASUREMENT_FLAGS_MAG 0x0002U
-/** Where the declination, the inclination or the magnitude of the magnetic field comes from. */
+/** Source of the declination, the inclination or the magnitude of the magnetic field. */
 enum mip_filter_mag_parameter_source MIP_ENUM_8 {
     /** No source. Uncertain: What the device does without a source. */
     MIP_FILTER_MAG_PARAMETER_SOURCE_NONE = 1,
@@ -143,7 +143,7 @@ enum mip_filter_mag_parameter_source MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_mag_parameter_source_name(uint8_t value);
-/** How measurements are weighted whose magnitude is not as expected. */
+/** Weighting of measurements whose magnitude is not as expected. */
 enum mip_filter_adaptive_measurement_selector MIP_ENUM_8 {
     /** No adaptation. */
     MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_DISABLED = 0,
@@ -156,7 +156,7 @@ enum mip_filter_adaptive_measurement_selector MIP_ENUM_8 {
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_adaptive_measurement_selector_name(uint8_t value);
 /**
- * What aids the altitude.
+ * Source that aids the altitude.
  *
  * - mip-sdk-4: Altitude Aiding (0x0D,0x47)
  */
@@ -169,7 +169,7 @@ enum mip_filter_altitude_aiding_source MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_altitude_aiding_source_name(uint8_t value);
-/** What aids pitch and roll. */
+/** Source that aids pitch and roll. */
 enum mip_filter_pitch_roll_aiding_source MIP_ENUM_8 {
     /** No aiding. */
     MIP_FILTER_PITCH_ROLL_AIDING_SOURCE_NONE = 0,
@@ -207,7 +207,7 @@ MIP_API const char *mip_filter_pitch_roll_aiding_source_name(uint8_t value);
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_aiding_source_name(uint16_t value);
 /**
- * What the filter assumes about the acceleration.
+ * Assumption of the filter about the acceleration.
  *
  * - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
  */
@@ -221,7 +221,7 @@ enum mip_filter_accel_constraint MIP_ENUM_8 {
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_accel_constraint_name(uint8_t value);
 /**
- * What the filter assumes about the velocity.
+ * Assumption of the filter about the velocity.
  *
  * - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
  */
@@ -237,7 +237,7 @@ enum mip_filter_velocity_constraint MIP_ENUM_8 {
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_velocity_constraint_name(uint8_t value);
 /**
- * What the filter assumes about the angular rate.
+ * Assumption of the filter about the angular rate.
  *
  * - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
  */
@@ -250,7 +250,7 @@ enum mip_filter_angular_constraint MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_angular_constraint_name(uint8_t value);
-/** Which initial conditions the device determines automatically and which the user provides. */
+/** Initial conditions that the user provides instead of the device. */
 enum mip_filter_initial_condition_source MIP_ENUM_8 {
     /** Position, velocity and attitude are automatic. */
     MIP_FILTER_INITIAL_CONDITION_SOURCE_AUTO_POSITION_VELOCITY_ATTITUDE = 0,
@@ -284,7 +284,7 @@ enum mip_filter_reference_frame MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_reference_frame_name(uint8_t value);
-/** How strongly the filter adapts to inconsistent measurements. */
+/** Strength of the adaptation to inconsistent measurements. */
 enum mip_filter_adaptive_level MIP_ENUM_8 {
     /** No adaptation. */
     MIP_FILTER_ADAPTIVE_LEVEL_OFF = 0,
@@ -298,7 +298,7 @@ enum mip_filter_adaptive_level MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_adaptive_level_name(uint8_t value);
-/** Where the reference of relative positions comes from. */
+/** Source of the reference of relative positions. */
 enum mip_filter_relative_position_source MIP_ENUM_8 {
     /** The base station of the RTK corrections. */
     MIP_FILTER_RELATIVE_POSITION_SOURCE_AUTO = 0,
@@ -363,7 +363,7 @@ MIP_CHECKED static inline mip_error mip_filter_reset_encode(const struct mip_fil
 /**
  * Set initial attitude: command (0x0D,0x02).
  *
- * Gives the filter its initial attitude, the orientation of the sensor frame in the NED frame.
+ * Sets the initial attitude of the filter, the orientation of the sensor frame in the NED frame.
  *
  * Changes mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm and
  * mip_filter_data_euler_angles. Supported by 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
@@ -433,7 +433,7 @@ static inline struct mip_filter_set_initial_attitude *mip_filter_set_initial_att
 /**
  * Set initial heading: command (0x0D,0x03).
  *
- * Gives the filter its initial heading; pitch and roll come from the accelerometers.
+ * Sets the initial heading of the filter; pitch and roll come from the accelerometers.
  *
  * Changes mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm and
  * mip_filter_data_euler_angles. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
@@ -603,7 +603,7 @@ struct mip_filter_vehicle_dynamics_mode {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
      * Kind of vehicle. A value of enum mip_filter_dynamics_mode. Required for write. On the
@@ -715,7 +715,7 @@ MIP_CHECKED static inline mip_error mip_filter_vehicle_dynamics_mode_response_en
 /**
  * Sensor to vehicle frame transformation: command (0x0D,0x11).
  *
- * Euler angles of the rotation from the sensor frame to the vehicle frame (5-series).
+ * Sets the rotation from the sensor frame to the vehicle frame as Euler angles (5-series).
  *
  * Functions: write, read, save, load and default. Answered by
  * mip_filter_sensor_to_vehicle_rotation_euler_response. Changes mip_sensor_scaled_accel,
@@ -738,7 +738,7 @@ struct mip_filter_sensor_to_vehicle_rotation_euler {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /** Roll angle. Unit: rad. Required for write. */
     float roll;
@@ -864,7 +864,7 @@ MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_rotation_euler_
 /**
  * Sensor to vehicle offset: command (0x0D,0x12).
  *
- * Origin of the vehicle frame, as seen from the sensor.
+ * Sets the origin of the vehicle frame, as seen from the sensor.
  *
  * Functions: write, read, save, load and default. Answered by
  * mip_filter_sensor_to_vehicle_offset_response. Changes mip_filter_data_llh_position. Supported by
@@ -881,7 +881,7 @@ struct mip_filter_sensor_to_vehicle_offset {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
      * From the sensor to the origin of the vehicle frame. Elements: x, y, z. Unit: m. Frame:
@@ -994,7 +994,7 @@ MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_offset_response
 /**
  * GNSS antenna offset: command (0x0D,0x13).
  *
- * Position of the GNSS antenna relative to the origin of the sensor.
+ * Sets the position of the GNSS antenna relative to the origin of the sensor.
  *
  * Functions: write, read, save, load and default. Answered by mip_filter_antenna_offset_response.
  * Probably changes mip_filter_data_llh_position, mip_filter_data_ecef_position,
@@ -1015,7 +1015,7 @@ struct mip_filter_antenna_offset {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
      * From the sensor origin to the phase centre of the antenna. Elements: x, y, z. Unit: m. Frame:
@@ -1127,7 +1127,7 @@ MIP_CHECKED static inline mip_error mip_filter_antenna_offset_response_encode(
 /**
  * Estimation control flags: command (0x0D,0x14).
  *
- * Which states the filter estimates.
+ * Selects the states that the filter estimates.
  *
  * Functions: write, read, save, load and default. Answered by
  * mip_filter_estimation_control_response. Changes mip_filter_data_gyro_bias,
@@ -1147,7 +1147,7 @@ struct mip_filter_estimation_control {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
      * States to estimate. Required for write. On the 3DM-CL5-15, 3DM-CV5-15, 3DM-CX5-15,
@@ -1278,7 +1278,7 @@ MIP_CHECKED static inline mip_error mip_filter_estimation_control_response_encod
 /**
  * GNSS aiding source: command (0x0D,0x15).
  *
- * Which GNSS receiver aids the filter.
+ * Selects the GNSS receiver that aids the filter.
  *
  * Functions: write, read, save, load and default. Answered by mip_filter_gnss_source_response.
  * Probably changes mip_filter_data_llh_position, mip_filter_data_ecef_position,
@@ -1297,7 +1297,7 @@ struct mip_filter_gnss_source {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
      * Source of the GNSS data. A value of enum mip_filter_gnss_aiding_source. Required for write.
@@ -1407,7 +1407,7 @@ MIP_CHECKED static inline mip_error mip_filter_gnss_source_response_encode(
 /**
  * External GNSS update: command (0x0D,0x16).
  *
- * One measurement of position and velocity by a GNSS receiver of the user.
+ * Sends one measurement of position and velocity by a GNSS receiver of the user to the filter.
  *
  * Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
  *
@@ -1498,7 +1498,7 @@ static inline struct mip_filter_external_gnss_update *mip_filter_external_gnss_u
 /**
  * External heading update: command (0x0D,0x17).
  *
- * Gives the filter one measurement of the heading of the sensor frame in the NED frame.
+ * Sends one measurement of the heading of the sensor frame in the NED frame to the filter.
  *
  * Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
  *
@@ -1571,7 +1571,7 @@ static inline struct mip_filter_external_heading_update *mip_filter_external_hea
 /**
  * Heading update control: command (0x0D,0x18).
  *
- * Source of the heading that aids the filter.
+ * Selects the source of the heading that aids the filter.
  *
  * Functions: write, read, save, load and default. Answered by mip_filter_heading_source_response.
  * Changes mip_filter_data_heading_update_state. Probably changes
@@ -1586,7 +1586,7 @@ struct mip_filter_heading_source {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
      * Source of the heading. A value of enum mip_filter_heading_update_source. Required for write.
@@ -1722,7 +1722,7 @@ MIP_CHECKED static inline mip_error mip_filter_heading_source_response_encode(
 /**
  * Automatic initialization: command (0x0D,0x19).
  *
- * Whether the filter initializes by itself when the device starts.
+ * Sets whether the filter initializes automatically at power-up.
  *
  * Also called `auto_init_control`. Functions: write, read, save, load and default. Answered by
  * mip_filter_auto_initialization_control_response. Supported by 3DM-GX5-15 and 3DM-GX5-45.
@@ -1737,7 +1737,7 @@ struct mip_filter_auto_initialization_control {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /** 0 disables, 1 enables. Range: 0 to 1. Required for write. */
     uint8_t enable;
@@ -1850,7 +1850,7 @@ MIP_CHECKED static inline mip_error mip_filter_auto_initialization_control_respo
 /**
  * Accelerometer noise: command (0x0D,0x1A).
  *
- * Standard deviation of the accelerometer noise that the filter assumes (process noise).
+ * Sets the standard deviation of the accelerometer noise that the filter assumes (process noise).
  *
  * Functions: write, read, save, load and default. Answered by mip_filter_accel_noise_response.
  * Probably changes mip_filter_data_llh_position_uncertainty,
@@ -1869,7 +1869,7 @@ struct mip_filter_accel_noise {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
      * Standard deviation per axis. Elements: x, y, z. Unit: m/s^2. Range: greater than 0. Required
@@ -1978,7 +1978,7 @@ MIP_CHECKED static inline mip_error mip_filter_accel_noise_response_encode(
 /**
  * Gyroscope noise: command (0x0D,0x1B).
  *
- * Standard deviation of the gyroscope noise that the filter assumes (process noise).
+ * Sets the standard deviation of the gyroscope noise that the filter assumes (process noise).
  *
  * Functions: write, read, save, load and default. Answered by mip_filter_gyro_noise_response.
  * Probably changes mip_filter_data_euler_angles_uncertainty,
@@ -1996,7 +1996,7 @@ struct mip_filter_gyro_noise {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
      * Standard deviation per axis. Elements: x, y, z. Unit: rad/s. Range: greater than 0. Required
@@ -2105,7 +2105,7 @@ MIP_CHECKED static inline mip_error mip_filter_gyro_noise_response_encode(
 /**
  * Accelerometer bias model: command (0x0D,0x1C).
  *
- * Parameters of the model by which the accelerometer bias drifts.
+ * Sets the parameters of the model by which the accelerometer bias drifts.
  *
  * Functions: write, read, save, load and default. Answered by mip_filter_accel_bias_model_response.
  * Probably changes mip_filter_data_accel_bias and mip_filter_data_accel_bias_uncertainty. Supported
@@ -2119,7 +2119,7 @@ struct mip_filter_accel_bias_model {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
      * Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s. Required for
@@ -2240,7 +2240,7 @@ MIP_CHECKED static inline mip_error mip_filter_accel_bias_model_response_encode(
 /**
  * Gyroscope bias model: command (0x0D,0x1D).
  *
- * Parameters of the model by which the gyroscope bias drifts.
+ * Sets the parameters of the model by which the gyroscope bias drifts.
  *
  * Functions: write, read, save, load and default. Answered by mip_filter_gyro_bias_model_response.
  * Probably changes mip_filter_data_gyro_bias and mip_filter_data_gyro_bias_uncertainty. Supported
@@ -2255,7 +2255,7 @@ struct mip_filter_gyro_bias_model {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
      * Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s. Required for
@@ -2394,7 +2394,7 @@ struct mip_filter_auto_zupt {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /** 0 disables, 1 enables. Range: 0 to 1. Required for write. */
     uint8_t enable;
@@ -2506,7 +2506,7 @@ MIP_CHECKED static inline mip_error mip_filter_auto_zupt_response_encode(
 /**
  * External heading update with time: command (0x0D,0x1F).
  *
- * Gives the filter one measurement of the heading of the sensor frame with its GPS time.
+ * Sends one measurement of the heading of the sensor frame with its GPS time to the filter.
  *
  * Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
  *
@@ -2610,7 +2610,7 @@ struct mip_filter_auto_angular_zupt {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /** 0 disables, 1 enables. Range: 0 to 1. Required for write. */
     uint8_t enable;
@@ -2747,7 +2747,7 @@ struct mip_filter_tare_orientation {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /** Axes to tare; 0 resets all axes. Required for write. */
     mip_filter_tare_axes axes;
@@ -2933,7 +2933,7 @@ MIP_CHECKED static inline mip_error mip_filter_commanded_angular_zupt_encode(
 /**
  * Set reference position: command (0x0D,0x26).
  *
- * Position for which the device computes gravity (WGS84) and the magnetic field (WMM2015).
+ * Sets the position for which the device computes gravity (WGS84) and the magnetic field (WMM2015).
  *
  * Functions: write, read, save, load and default. Answered by
  * mip_filter_reference_position_response. Changes mip_filter_data_wgs84_gravity_magnitude and
@@ -2947,7 +2947,7 @@ struct mip_filter_reference_position {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /** 0 disables, 1 enables. Range: 0 to 1. Required for write. */
     uint8_t enable;
@@ -3088,7 +3088,7 @@ MIP_CHECKED static inline mip_error mip_filter_reference_position_response_encod
 /**
  * Capture automatic magnetometer calibration: command (0x0D,0x27).
  *
- * Moves what the automatic magnetometer calibration has found into the fixed calibration.
+ * Moves the result of the automatic magnetometer calibration into the fixed calibration.
  *
  * Also called `mag_capture_auto_cal`. Functions: write and save. Changes mip_sensor_scaled_mag,
  * mip_filter_data_mag_offset and mip_filter_data_mag_matrix. Supported by 3DM-GX5-45. Known only
@@ -3102,7 +3102,7 @@ MIP_CHECKED static inline mip_error mip_filter_reference_position_response_encod
  * - mip-sdk-4: Mag Capture Auto Cal (0x0D,0x27)
  */
 struct mip_filter_mag_capture_auto_calibration {
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
 };
 
@@ -3147,7 +3147,7 @@ mip_filter_mag_capture_auto_calibration_save(
 /**
  * Gravity noise: command (0x0D,0x28).
  *
- * Standard deviation of the gravity noise that the filter assumes (process noise).
+ * Sets the standard deviation of the gravity noise that the filter assumes (process noise).
  *
  * Functions: write, read, save, load and default. Answered by mip_filter_gravity_noise_response.
  * Probably changes mip_filter_data_euler_angles_uncertainty and
@@ -3165,7 +3165,7 @@ struct mip_filter_gravity_noise {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
      * Standard deviation per axis. Elements: x, y, z. Unit: g. Range: greater than 0. Required for
@@ -3274,7 +3274,7 @@ MIP_CHECKED static inline mip_error mip_filter_gravity_noise_response_encode(
 /**
  * Pressure altitude noise: command (0x0D,0x29).
  *
- * Standard deviation of the noise of the pressure altitude model that the filter assumes.
+ * Sets the standard deviation of the noise of the pressure altitude model that the filter assumes.
  *
  * Functions: write, read, save, load and default. Answered by
  * mip_filter_pressure_altitude_noise_response. Probably changes mip_filter_data_llh_position and
@@ -3292,9 +3292,12 @@ struct mip_filter_pressure_altitude_noise {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
-    /** Standard deviation. Unit: m. Range: greater than 0. Required for write. */
+    /**
+     * Standard deviation of the pressure altitude noise. Unit: m. Range: greater than 0. Required
+     * for write.
+     */
     float noise;
 };
 
@@ -3322,7 +3325,8 @@ MIP_CHECKED static inline mip_error mip_filter_pressure_altitude_noise_encode(
 } /**
    * Apply the new setting. Fills the structure and returns its address.
    *
-   * - noise: Standard deviation. Unit: m. Range: greater than 0. Required for write.
+   * - noise: Standard deviation of the pressure altitude noise. Unit: m. Range: greater than 0.
+   *   Required for write.
    */
 static inline struct mip_filter_pressure_altitude_noise *mip_filter_pressure_altitude_noise_write(
     struct mip_filter_pressure_altitude_noise *command, float noise) {
@@ -3369,7 +3373,7 @@ mip_filter_pressure_altitude_noise_default(struct mip_filter_pressure_altitude_n
  * - mip-sdk-4: Pressure altitude noise (0x0D,0x29)
  */
 struct mip_filter_pressure_altitude_noise_response {
-    /** Standard deviation. Unit: m. Range: greater than 0. */
+    /** Standard deviation of the pressure altitude noise. Unit: m. Range: greater than 0. */
     float noise;
 };
 
@@ -3398,7 +3402,7 @@ MIP_CHECKED static inline mip_error mip_filter_pressure_altitude_noise_response_
 /**
  * Hard iron offset noise: command (0x0D,0x2B).
  *
- * Standard deviation of the noise of the estimated hard iron offset (process noise).
+ * Sets the standard deviation of the noise of the estimated hard iron offset (process noise).
  *
  * Functions: write, read, save, load and default. Answered by
  * mip_filter_hard_iron_offset_noise_response. Probably changes mip_filter_data_mag_offset and
@@ -3413,7 +3417,7 @@ struct mip_filter_hard_iron_offset_noise {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
      * Standard deviation per axis. Elements: x, y, z. Unit: gauss. Range: greater than 0. Required
@@ -3523,7 +3527,7 @@ MIP_CHECKED static inline mip_error mip_filter_hard_iron_offset_noise_response_e
 /**
  * Soft iron matrix noise: command (0x0D,0x2C).
  *
- * Standard deviation of the noise of the estimated soft iron matrix (process noise).
+ * Sets the standard deviation of the noise of the estimated soft iron matrix (process noise).
  *
  * Functions: write, read, save, load and default. Answered by
  * mip_filter_soft_iron_matrix_noise_response. Probably changes mip_filter_data_mag_matrix and
@@ -3538,7 +3542,7 @@ struct mip_filter_soft_iron_matrix_noise {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
      * Standard deviation per element. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit:
@@ -3651,7 +3655,7 @@ MIP_CHECKED static inline mip_error mip_filter_soft_iron_matrix_noise_response_e
 /**
  * Enable or disable measurements: command (0x0D,0x41).
  *
- * Which inertial measurements the filter uses.
+ * Selects the inertial measurements that the filter uses.
  *
  * Functions: write, read, save, load and default. Answered by
  * mip_filter_enable_measurements_response. Probably changes mip_filter_data_attitude_quaternion,
@@ -3667,7 +3671,7 @@ struct mip_filter_enable_measurements {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
      * Measurements to use. Required for write. On the 3DM-GX5-15: only
@@ -3776,7 +3780,7 @@ MIP_CHECKED static inline mip_error mip_filter_enable_measurements_response_enco
 /**
  * Magnetometer noise: command (0x0D,0x42).
  *
- * Standard deviation of the magnetometer noise that the filter assumes.
+ * Sets the standard deviation of the magnetometer noise that the filter assumes.
  *
  * Functions: write, read, save, load and default. Answered by mip_filter_mag_noise_response.
  * Probably changes mip_filter_data_euler_angles_uncertainty and
@@ -3792,7 +3796,7 @@ struct mip_filter_mag_noise {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
      * Standard deviation per axis. Elements: x, y, z. Unit: gauss. Range: greater than 0. Required
@@ -3900,7 +3904,7 @@ MIP_CHECKED static inline mip_error mip_filter_mag_noise_response_encode(
 /**
  * Magnetic declination source: command (0x0D,0x43).
  *
- * Source of the local declination of the magnetic field.
+ * Selects the source of the local declination of the magnetic field.
  *
  * Functions: write, read, save, load and default. Answered by
  * mip_filter_magnetic_declination_source_response. Probably changes
@@ -3919,7 +3923,7 @@ struct mip_filter_magnetic_declination_source {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
      * Source of the declination. A value of enum mip_filter_mag_parameter_source. Required for
@@ -4063,7 +4067,7 @@ MIP_CHECKED static inline mip_error mip_filter_magnetic_declination_source_respo
 /**
  * Gravity magnitude error adaptive measurement: command (0x0D,0x44).
  *
- * How far the filter trusts gravity measurements whose magnitude is not that of gravity.
+ * Sets how far the filter trusts gravity measurements whose magnitude is not that of gravity.
  *
  * Full name: filter.accel_magnitude_error_adaptive_measurement.
  *
@@ -4092,7 +4096,7 @@ struct mip_filter_accel_magnitude_adaptive {
      * that one.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
      * Kind of adaptation. A value of enum mip_filter_adaptive_measurement_selector. Required for
@@ -4246,7 +4250,7 @@ MIP_CHECKED static inline mip_error mip_filter_accel_magnitude_adaptive_response
 /**
  * Magnetometer magnitude error adaptive measurement: command (0x0D,0x45).
  *
- * How far the filter trusts a magnetic field whose magnitude is not as expected.
+ * Sets how far the filter trusts a magnetic field whose magnitude is not as expected.
  *
  * Full name: filter.mag_magnitude_error_adaptive_measurement.
  *
@@ -4272,7 +4276,7 @@ struct mip_filter_mag_magnitude_adaptive {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
      * Kind of adaptation. A value of enum mip_filter_adaptive_measurement_selector. Required for
@@ -4477,7 +4481,7 @@ MIP_CHECKED static inline mip_error mip_filter_mag_magnitude_adaptive_response_e
 /**
  * Magnetometer dip angle error adaptive measurement: command (0x0D,0x46).
  *
- * How far the filter trusts a magnetic field whose dip angle is not as expected.
+ * Sets how far the filter trusts a magnetic field whose dip angle is not as expected.
  *
  * Full name: filter.mag_dip_angle_error_adaptive_measurement.
  *
@@ -4501,9 +4505,9 @@ struct mip_filter_mag_dip_angle_adaptive {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
-    /** Whether the adaptation is on. Required for write. */
+    /** True if the adaptation is on. Required for write. */
     mip_bool enable;
     /**
      * Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required for write.
@@ -4550,7 +4554,7 @@ MIP_CHECKED static inline mip_error mip_filter_mag_dip_angle_adaptive_encode(
 } /**
    * Apply the new setting. Fills the structure and returns its address.
    *
-   * - enable: Whether the adaptation is on. Required for write.
+   * - enable: True if the adaptation is on. Required for write.
    * - frequency: Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required
    * for write.
    * - high_limit: Upper limit of the error. Unit: rad. Required for write. Uncertain: The unit. The
@@ -4613,7 +4617,7 @@ mip_filter_mag_dip_angle_adaptive_default(struct mip_filter_mag_dip_angle_adapti
  * - mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46)
  */
 struct mip_filter_mag_dip_angle_adaptive_response {
-    /** Whether the adaptation is on. */
+    /** True if the adaptation is on. */
     mip_bool enable;
     /** Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0. */
     float frequency;
@@ -4660,7 +4664,7 @@ MIP_CHECKED static inline mip_error mip_filter_mag_dip_angle_adaptive_response_e
 /**
  * Altitude aiding: command (0x0D,0x47).
  *
- * What aids the altitude in addition to GNSS.
+ * Selects the source that aids the altitude in addition to GNSS.
  *
  * Functions: write, read, save, load and default. Answered by mip_filter_altitude_aiding_response.
  * Probably changes mip_filter_data_llh_position and mip_filter_data_llh_position_uncertainty.
@@ -4678,7 +4682,7 @@ struct mip_filter_altitude_aiding {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
      * Source of the aiding. A value of enum mip_filter_altitude_aiding_source. Required for write.
@@ -4786,7 +4790,7 @@ MIP_CHECKED static inline mip_error mip_filter_altitude_aiding_response_encode(
 /**
  * Pitch and roll aiding: command (0x0D,0x4B).
  *
- * What aids pitch and roll while the motion is gentle.
+ * Selects the source that aids pitch and roll while the motion is gentle.
  *
  * Functions: write, read, save, load and default. Answered by
  * mip_filter_pitch_roll_aiding_response. Probably changes mip_filter_data_attitude_quaternion,
@@ -4802,7 +4806,7 @@ struct mip_filter_pitch_roll_aiding {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
      * Source of the aiding. A value of enum mip_filter_pitch_roll_aiding_source. Required for
@@ -4910,7 +4914,7 @@ MIP_CHECKED static inline mip_error mip_filter_pitch_roll_aiding_response_encode
 /**
  * Magnetic inclination source: command (0x0D,0x4C).
  *
- * Source of the local inclination (dip angle) of the magnetic field.
+ * Selects the source of the local inclination (dip angle) of the magnetic field.
  *
  * Also called `inclination_source`. Functions: write, read, save, load and default. Answered by
  * mip_filter_magnetic_inclination_source_response. Probably changes
@@ -4928,7 +4932,7 @@ struct mip_filter_magnetic_inclination_source {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
      * Source of the inclination. A value of enum mip_filter_mag_parameter_source. Required for
@@ -5064,7 +5068,7 @@ MIP_CHECKED static inline mip_error mip_filter_magnetic_inclination_source_respo
 /**
  * Magnetic field magnitude source: command (0x0D,0x4D).
  *
- * Source of the local magnitude of the magnetic field.
+ * Selects the source of the local magnitude of the magnetic field.
  *
  * Also called `mag_field_magnitude_source`. Functions: write, read, save, load and default.
  * Answered by mip_filter_magnetic_magnitude_source_response. Probably changes
@@ -5084,7 +5088,7 @@ struct mip_filter_magnetic_magnitude_source {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
      * Source of the magnitude. A value of enum mip_filter_mag_parameter_source. Required for write.
@@ -5213,7 +5217,7 @@ MIP_CHECKED static inline mip_error mip_filter_magnetic_magnitude_source_respons
 /**
  * Sensor to vehicle rotation, matrix: command (0x0D,0x4E).
  *
- * Rotation from the sensor frame to the vehicle frame as a direction cosine matrix.
+ * Sets the rotation from the sensor frame to the vehicle frame as a direction cosine matrix.
  *
  * Functions: write, read, save, load and default. Answered by
  * mip_filter_sensor_to_vehicle_rotation_dcm_response. Changes mip_sensor_scaled_accel,
@@ -5237,7 +5241,7 @@ struct mip_filter_sensor_to_vehicle_rotation_dcm {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
      * Rotation matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
@@ -5357,7 +5361,7 @@ MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_rotation_dcm_re
 /**
  * Sensor to vehicle rotation, quaternion: command (0x0D,0x4F).
  *
- * Rotation from the sensor frame to the vehicle frame as a quaternion.
+ * Sets the rotation from the sensor frame to the vehicle frame as a quaternion.
  *
  * Full name: filter.sensor_to_vehicle_rotation_quaternion.
  *
@@ -5381,7 +5385,7 @@ struct mip_filter_sensor_to_vehicle_quaternion {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
      * Unit quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. Range: magnitude 0.999 to
@@ -5517,7 +5521,7 @@ struct mip_filter_aiding_measurement_enable {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
      * The source; `all` is for save, load and default. A value of mip_filter_aiding_source. On the
@@ -5535,7 +5539,7 @@ struct mip_filter_aiding_measurement_enable {
      * MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL.
      */
     uint16_t aiding_source;
-    /** Whether the filter uses the source. Required for write. */
+    /** True if the filter uses the source. Required for write. */
     mip_bool enable;
 };
 
@@ -5577,7 +5581,7 @@ MIP_CHECKED static inline mip_error mip_filter_aiding_measurement_enable_encode(
    *   MIP_FILTER_AIDING_SOURCE_ALTIMETER, MIP_FILTER_AIDING_SOURCE_SPEED,
    *   MIP_FILTER_AIDING_SOURCE_MAG, MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and
    *   MIP_FILTER_AIDING_SOURCE_ALL.
-   * - enable: Whether the filter uses the source. Required for write.
+   * - enable: True if the filter uses the source. Required for write.
    */
 static inline struct mip_filter_aiding_measurement_enable *
 mip_filter_aiding_measurement_enable_write(struct mip_filter_aiding_measurement_enable *command,
@@ -5704,7 +5708,7 @@ mip_filter_aiding_measurement_enable_default(struct mip_filter_aiding_measuremen
 struct mip_filter_aiding_measurement_enable_response {
     /** Aiding source that the setting is for. A value of mip_filter_aiding_source. */
     uint16_t aiding_source;
-    /** Whether the filter uses the source. */
+    /** True if the filter uses the source. */
     mip_bool enable;
 };
 
@@ -5735,7 +5739,7 @@ MIP_CHECKED static inline mip_error mip_filter_aiding_measurement_enable_respons
 /**
  * Kinematic constraint: command (0x0D,0x51).
  *
- * What the filter may take for granted about the motion, in place of measurements.
+ * Sets the assumptions about the motion that the filter uses in place of measurements.
  *
  * Functions: write, read, save, load and default. Answered by
  * mip_filter_kinematic_constraint_response. Probably changes mip_filter_data_ned_velocity,
@@ -5752,7 +5756,7 @@ struct mip_filter_kinematic_constraint {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
      * Assumption about the acceleration. A value of enum mip_filter_accel_constraint. Default:
@@ -5895,7 +5899,7 @@ MIP_CHECKED static inline mip_error mip_filter_kinematic_constraint_response_enc
 /**
  * Navigation filter initialization: command (0x0D,0x52).
  *
- * Sources and values of the initial attitude, position and velocity of the filter.
+ * Sets the sources and values of the initial attitude, position and velocity of the filter.
  *
  * Also called `initialization_configuration`. Functions: write, read, save, load and default.
  * Answered by mip_filter_initialization_config_response. Probably changes mip_filter_data_status,
@@ -5919,7 +5923,7 @@ struct mip_filter_initialization_config {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
      * 1: the filter starts only after mip_filter_run; 0: it starts as soon as it can. Range: 0 to
@@ -5927,7 +5931,7 @@ struct mip_filter_initialization_config {
      */
     uint8_t wait_for_run_command;
     /**
-     * Which initial conditions are automatic and which the user provides. A value of enum
+     * Initial conditions that the user provides instead of the device. A value of enum
      * mip_filter_initial_condition_source. Required for write.
      */
     uint8_t initial_condition_source;
@@ -5992,8 +5996,8 @@ MIP_CHECKED static inline mip_error mip_filter_initialization_config_encode(
    *
    * - wait_for_run_command: 1: the filter starts only after mip_filter_run; 0: it starts as soon as
    *   it can. Range: 0 to 1. Required for write.
-   * - initial_condition_source: Which initial conditions are automatic and which the user provides.
-   * A value of enum mip_filter_initial_condition_source. Required for write.
+   * - initial_condition_source: Initial conditions that the user provides instead of the device. A
+   *   value of enum mip_filter_initial_condition_source. Required for write.
    * - auto_heading_alignment_selector: Methods by which the initial heading may be determined.
    *   Required for write. On the 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS: only
    *   MIP_FILTER_HEADING_ALIGNMENT_KINEMATIC, MIP_FILTER_HEADING_ALIGNMENT_MAG and
@@ -6077,7 +6081,7 @@ struct mip_filter_initialization_config_response {
      */
     uint8_t wait_for_run_command;
     /**
-     * Which initial conditions are automatic and which the user provides. A value of enum
+     * Initial conditions that the user provides instead of the device. A value of enum
      * mip_filter_initial_condition_source.
      */
     uint8_t initial_condition_source;
@@ -6132,7 +6136,7 @@ MIP_CHECKED static inline mip_error mip_filter_initialization_config_response_en
 /**
  * Adaptive filter control: command (0x0D,0x53).
  *
- * How the filter adapts to measurements that do not fit its model.
+ * Sets how the filter adapts to measurements that do not fit its model.
  *
  * Functions: write, read, save, load and default. Answered by
  * mip_filter_adaptive_filter_options_response. Probably changes MIP_FILTER_DATA_SET. Supported by
@@ -6146,7 +6150,7 @@ struct mip_filter_adaptive_filter_options {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
      * Strength of the adaptation. A value of enum mip_filter_adaptive_level. Default: 2. Required
@@ -6268,7 +6272,7 @@ MIP_CHECKED static inline mip_error mip_filter_adaptive_filter_options_response_
 /**
  * GNSS multi-antenna offset: command (0x0D,0x54).
  *
- * Position of the antenna of one receiver on devices with several antennas.
+ * Sets the position of the antenna of one receiver on devices with several antennas.
  *
  * Functions: write, read, save, load and default. Answered by
  * mip_filter_multi_antenna_offset_response. Probably changes mip_filter_data_llh_position,
@@ -6285,7 +6289,7 @@ struct mip_filter_multi_antenna_offset {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /** Number of the receiver, from 1. Range: at least 1. */
     uint8_t receiver_id;
@@ -6424,7 +6428,7 @@ MIP_CHECKED static inline mip_error mip_filter_multi_antenna_offset_response_enc
 /**
  * Relative position configuration: command (0x0D,0x55).
  *
- * Reference point of the relative position that the filter reports.
+ * Sets the reference point of the relative position that the filter reports.
  *
  * Also called `rel_pos_configuration`. Functions: write, read, save, load and default. Answered by
  * mip_filter_relative_position_config_response. Changes mip_filter_data_ned_relative_position.
@@ -6438,7 +6442,7 @@ struct mip_filter_relative_position_config {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
      * Source of the reference point. A value of enum mip_filter_relative_position_source. Required
@@ -6595,7 +6599,7 @@ struct mip_filter_reference_point_lever_arm {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
      * Point to move; it must be 1. A value of enum mip_filter_reference_point. Required for write.
@@ -6721,7 +6725,7 @@ MIP_CHECKED static inline mip_error mip_filter_reference_point_lever_arm_respons
 /**
  * Speed measurement: command (0x0D,0x60).
  *
- * Gives the filter one measurement of the forward speed of the vehicle (along its x axis).
+ * Sends one measurement of the forward speed of the vehicle (along its x axis) to the filter.
  *
  * Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: The SDK
  * names a response, `filter.speed_measurement_response`, but has no layout of it.
@@ -6787,7 +6791,7 @@ static inline struct mip_filter_speed_measurement *mip_filter_speed_measurement_
 /**
  * Speed measurement lever arm: command (0x0D,0x61).
  *
- * Position of the point whose speed is measured, such as the wheel that an odometer is on.
+ * Sets the position of the point whose speed is measured, such as the wheel that an odometer is on.
  *
  * Functions: write, read, save, load and default. Answered by mip_filter_speed_lever_arm_response.
  * Probably changes mip_filter_data_ned_velocity, mip_filter_data_ecef_velocity and
@@ -6803,7 +6807,7 @@ struct mip_filter_speed_lever_arm {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /** Reserved: send 1. */
     uint8_t source;
@@ -6938,7 +6942,7 @@ struct mip_filter_vertical_gyro_constraint_control {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /** 0 disables, 1 enables. Range: 0 to 1. Required for write. */
     uint8_t enable;
@@ -7069,7 +7073,7 @@ struct mip_filter_wheeled_vehicle_constraint_control {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /** 0 disables, 1 enables. Range: 0 to 1. Required for write. */
     uint8_t enable;
@@ -7185,7 +7189,7 @@ MIP_CHECKED static inline mip_error mip_filter_wheeled_vehicle_constraint_contro
 /**
  * GNSS antenna offset calibration: command (0x0D,0x64).
  *
- * Lets the filter track the error of the antenna offset.
+ * Enables antenna offset calibration.
  *
  * Also called `gnss_antenna_cal_control`. Functions: write, read, save, load and default. Answered
  * by mip_filter_gnss_antenna_calibration_control_response. Changes
@@ -7202,7 +7206,7 @@ struct mip_filter_gnss_antenna_calibration_control {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /** 0 disables, 1 enables. Range: 0 to 1. Required for write. */
     uint8_t enable;

@@ -1845,7 +1845,8 @@ static inline mip_error mip_send_filter_pressure_altitude_noise(
 /**
  * Pressure altitude noise: write. Apply the new setting. See mip_device_call.
  *
- * - noise: Standard deviation. Unit: m. Range: greater than 0. Required for write.
+ * - noise: Standard deviation of the pressure altitude noise. Unit: m. Range: greater than 0.
+ *   Required for write.
  */
 static inline struct mip_result
 mip_call_filter_pressure_altitude_noise_write(struct mip_device *device, float noise) {
@@ -2571,7 +2572,7 @@ static inline mip_error mip_send_filter_mag_dip_angle_adaptive(
  * Magnetometer dip angle error adaptive measurement: write. Apply the new setting. See
  * mip_device_call.
  *
- * - enable: Whether the adaptation is on. Required for write.
+ * - enable: True if the adaptation is on. Required for write.
  * - frequency: Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required for
  *   write.
  * - high_limit: Upper limit of the error. Unit: rad. Required for write. Uncertain: The unit. The
@@ -3206,7 +3207,7 @@ static inline mip_error mip_send_filter_aiding_measurement_enable(
  *   MIP_FILTER_AIDING_SOURCE_ALTIMETER, MIP_FILTER_AIDING_SOURCE_SPEED,
  *   MIP_FILTER_AIDING_SOURCE_MAG, MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and
  *   MIP_FILTER_AIDING_SOURCE_ALL.
- * - enable: Whether the filter uses the source. Required for write.
+ * - enable: True if the filter uses the source. Required for write.
  */
 static inline struct mip_result mip_call_filter_aiding_measurement_enable_write(
     struct mip_device *device, uint16_t aiding_source, mip_bool enable) {
@@ -3449,7 +3450,7 @@ static inline mip_error mip_send_filter_initialization_config(
  *
  * - wait_for_run_command: 1: the filter starts only after mip_filter_run; 0: it starts as soon as
  *   it can. Range: 0 to 1. Required for write.
- * - initial_condition_source: Which initial conditions are automatic and which the user provides. A
+ * - initial_condition_source: Initial conditions that the user provides instead of the device. A
  *   value of enum mip_filter_initial_condition_source. Required for write.
  * - auto_heading_alignment_selector: Methods by which the initial heading may be determined.
  *   Required for write. On the 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS: only

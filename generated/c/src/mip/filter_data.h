@@ -24,7 +24,7 @@ extern "C" {
 /** Descriptor set of these fields. */
 #define MIP_FILTER_DATA_SET 0x82
 
-/** Whether the values of a field may be used. */
+/** Validity of the values of a field. */
 typedef uint16_t mip_filter_data_valid_flags;
 /** Bit 0. All values of the field are valid. */
 #define MIP_FILTER_DATA_VALID_FLAGS_VALID 0x0001U
@@ -41,7 +41,7 @@ typedef uint16_t mip_filter_data_heading_source_flags;
 #define MIP_FILTER_DATA_HEADING_SOURCE_FLAGS_GNSS_VELOCITY 0x0002U
 /** Bit 2. Heading messages that the user sends. */
 #define MIP_FILTER_DATA_HEADING_SOURCE_FLAGS_EXTERNAL 0x0004U
-/** How the filter uses one GNSS receiver. */
+/** Use of one GNSS receiver by the filter. */
 typedef uint16_t mip_filter_data_gnss_aiding_status;
 /** Bit 0. Raw ranges of the receiver are used. */
 #define MIP_FILTER_DATA_GNSS_AIDING_STATUS_TIGHT_COUPLING 0x0001U
@@ -76,7 +76,7 @@ typedef uint16_t mip_filter_data_gnss_aiding_status;
 /** Bit 15. The antenna offset of the receiver is probably wrong. */
 #define MIP_FILTER_DATA_GNSS_AIDING_STATUS_CONFIG_ERROR 0x8000U
 /**
- * Where a heading measurement comes from.
+ * Source of a heading measurement.
  *
  * - mip-sdk-4: Head Aid Status (0x82,0x45)
  */
@@ -128,7 +128,7 @@ enum mip_filter_data_aiding_measurement_type MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_data_aiding_measurement_type_name(uint8_t value);
-/** What the filter did with an aiding measurement. */
+/** Use of an aiding measurement by the filter. */
 typedef uint8_t mip_filter_data_aiding_measurement_indicator;
 /** Bit 0. The measurement is enabled. */
 #define MIP_FILTER_DATA_AIDING_MEASUREMENT_INDICATOR_ENABLED 0x01U
@@ -228,11 +228,14 @@ MIP_API const char *mip_filter_data_cv7_dynamics_mode_name(uint16_t value);
  * - 3dm-cv7-gnss-ins: Status (0x82,0x10)
  */
 typedef uint16_t mip_filter_data_gx5_status_flags;
-/** Bit 0. No inertial data. */
+/** Bit 0. No inertial data. Concerns mip_sensor_scaled_accel and mip_sensor_scaled_gyro. */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_IMU_UNAVAILABLE 0x0001U
-/** Bit 1. No GNSS data, on models with GNSS. */
+/**
+ * Bit 1. No GNSS data, on models with GNSS. Concerns mip_filter_data_llh_position and
+ * mip_filter_data_ned_velocity.
+ */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_GPS_UNAVAILABLE 0x0002U
-/** Bit 3. A matrix of the computation is singular. */
+/** Bit 3. A matrix of the computation is singular. Concerns mip_filter_reset. */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_MATRIX_SINGULARITY 0x0008U
 /**
  * Bit 4. A position covariance is above its normal limit. Concerns mip_filter_data_llh_position and
@@ -287,7 +290,7 @@ typedef uint16_t mip_filter_data_gx5_status_flags;
  */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_INIT_NO_POSITION_VELOCITY 0x2000U
 /**
- * How settled the estimates of the filter are.
+ * Convergence of the estimates of the filter.
  *
  * - 3dm-cv7-gnss-ins: Filter condition (bits 0-1)
  * - 3dm-cv7-gnss-ins: How do I interpret the Status (0x82,0x10) message?
@@ -311,7 +314,7 @@ MIP_API const char *mip_filter_data_filter_condition_name(uint8_t value);
  * - 3dm-cv7-gnss-ins: Status (0x82,0x10)
  */
 typedef uint16_t mip_filter_data_cv7_status_flags;
-/** Bits 0 to 1. How settled the estimates are. A value of enum mip_filter_data_filter_condition. */
+/** Bits 0 to 1. Convergence of the estimates. A value of enum mip_filter_data_filter_condition. */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_FILTER_CONDITION 0x0003U
 /**
  * Bit 2. Roll and pitch are doubtful; check the mounting transformation. Concerns
@@ -367,7 +370,7 @@ typedef uint16_t mip_filter_data_cv7_status_flags;
  */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_SOLUTION_ERROR 0xF000U
 
-/** Bits 0 to 1. How settled the estimates are. A value of enum mip_filter_data_filter_condition. */
+/** Bits 0 to 1. Convergence of the estimates. A value of enum mip_filter_data_filter_condition. */
 static inline uint8_t
 mip_filter_data_cv7_status_flags_get_filter_condition(mip_filter_data_cv7_status_flags flags) {
     const uint32_t bits = flags & MIP_FILTER_DATA_CV7_STATUS_FLAGS_FILTER_CONDITION;
@@ -423,7 +426,7 @@ struct mip_filter_data_llh_position {
      * in valid_flags is set.
      */
     double ellipsoid_height;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -473,7 +476,7 @@ struct mip_filter_data_ned_velocity {
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float down;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -516,7 +519,7 @@ struct mip_filter_data_attitude_quaternion {
      * x 0, y 0. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float q[4];
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -561,7 +564,7 @@ struct mip_filter_data_attitude_dcm {
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float dcm[9];
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -618,7 +621,7 @@ struct mip_filter_data_euler_angles {
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float yaw;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -659,7 +662,7 @@ struct mip_filter_data_gyro_bias {
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float bias[3];
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -699,7 +702,7 @@ struct mip_filter_data_accel_bias {
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float bias[3];
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -749,7 +752,7 @@ struct mip_filter_data_llh_position_uncertainty {
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float down;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -800,7 +803,7 @@ struct mip_filter_data_ned_velocity_uncertainty {
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float down;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -855,7 +858,7 @@ struct mip_filter_data_euler_angles_uncertainty {
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float yaw;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -897,7 +900,7 @@ struct mip_filter_data_gyro_bias_uncertainty {
      * 0. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float bias_uncertainty[3];
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -938,7 +941,7 @@ struct mip_filter_data_accel_bias_uncertainty {
      * 0. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float bias_uncertainty[3];
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -980,7 +983,7 @@ struct mip_filter_data_linear_accel {
      * and level: x 0, y 0, z 0. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float accel[3];
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -1023,7 +1026,7 @@ struct mip_filter_data_comp_angular_rate {
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float gyro[3];
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -1066,7 +1069,7 @@ struct mip_filter_data_wgs84_gravity_magnitude {
      * level: 9.8. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float gravity_magnitude;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -1111,9 +1114,9 @@ MIP_CHECKED static inline mip_error mip_filter_data_wgs84_gravity_magnitude_enco
  */
 struct mip_filter_data_status {
     /**
-     * How far the filter has come, from start-up to its full solution. On the 3DM-CL5-15,
-     * 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
-     * 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45: values of enum
+     * Progress of the filter from start-up to its full solution. On the 3DM-CL5-15, 3DM-CL5-25,
+     * 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX4-15,
+     * 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45: values of enum
      * mip_filter_data_gx5_filter_state. Inferred: The 3DM-GX5-15 has them, and the SDK gives the
      * same states for all generations up to the fifth. On the 3DM-CV7-AHRS, 3DM-CV7-AR,
      * 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS,
@@ -1198,7 +1201,7 @@ struct mip_filter_data_timestamp {
      * valid_flags is set.
      */
     uint16_t week_number;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -1239,7 +1242,7 @@ struct mip_filter_data_quaternion_attitude_uncertainty {
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float q[4];
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -1284,7 +1287,7 @@ struct mip_filter_data_gravity_vector {
      * Uncertain: The sign, which no source states.
      */
     float gravity[3];
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -1337,7 +1340,7 @@ struct mip_filter_data_heading_update_state {
      * MIP_FILTER_DATA_HEADING_SOURCE_FLAGS_EXTERNAL.
      */
     mip_filter_data_heading_source_flags source;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -1400,7 +1403,7 @@ struct mip_filter_data_magnetic_model {
      * 3.141592653589793. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float declination;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -1441,7 +1444,7 @@ struct mip_filter_data_gyro_scale_factor {
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float scale_factor[3];
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -1482,7 +1485,7 @@ struct mip_filter_data_accel_scale_factor {
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float scale_factor[3];
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -1523,7 +1526,7 @@ struct mip_filter_data_gyro_scale_factor_uncertainty {
      * Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float scale_factor_uncertainty[3];
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -1566,7 +1569,7 @@ struct mip_filter_data_accel_scale_factor_uncertainty {
      * Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float scale_factor_uncertainty[3];
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -1609,7 +1612,7 @@ struct mip_filter_data_mag_bias {
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float bias[3];
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -1649,7 +1652,7 @@ struct mip_filter_data_mag_bias_uncertainty {
      * 0. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float bias_uncertainty[3];
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -1692,7 +1695,7 @@ struct mip_filter_data_comp_accel {
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float accel[3];
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -1754,7 +1757,7 @@ struct mip_filter_data_standard_atmosphere {
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float standard_density;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -1798,7 +1801,7 @@ struct mip_filter_data_pressure_altitude {
      * 84852. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float pressure_altitude;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -1840,7 +1843,7 @@ struct mip_filter_data_density_altitude {
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float density_altitude;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -1884,7 +1887,7 @@ struct mip_filter_data_mag_offset {
      * gauss. Frame: sensor. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float hard_iron[3];
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -1927,7 +1930,7 @@ struct mip_filter_data_mag_matrix {
      * Unit: 1. Frame: sensor. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float soft_iron[9];
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -1968,7 +1971,7 @@ struct mip_filter_data_mag_offset_uncertainty {
      * 0. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float hard_iron_uncertainty[3];
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -2011,7 +2014,7 @@ struct mip_filter_data_mag_matrix_uncertainty {
      * valid_flags is set.
      */
     float soft_iron_uncertainty[9];
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -2054,7 +2057,7 @@ struct mip_filter_data_mag_covariance_matrix {
      * is likely gauss^2, and the frame.
      */
     float covariance[9];
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -2097,7 +2100,7 @@ struct mip_filter_data_mag_residual_vector {
      * valid_flags is set.
      */
     float residual[3];
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -2140,7 +2143,7 @@ struct mip_filter_data_antenna_offset_correction {
      * vehicle. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float offset[3];
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -2181,7 +2184,7 @@ struct mip_filter_data_antenna_offset_correction_uncertainty {
      * Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float offset_uncertainty[3];
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -2231,7 +2234,7 @@ struct mip_filter_data_clock_correction {
      * set.
      */
     float bias_drift;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -2279,7 +2282,7 @@ struct mip_filter_data_clock_correction_uncertainty {
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float bias_drift_uncertainty;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -2324,7 +2327,7 @@ struct mip_filter_data_multi_antenna_offset_correction {
      * vehicle. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float offset[3];
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -2371,7 +2374,7 @@ struct mip_filter_data_multi_antenna_offset_uncertainty {
      * Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float offset_uncertainty[3];
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -2414,7 +2417,7 @@ struct mip_filter_data_ecef_position_uncertainty {
      * Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float position_uncertainty[3];
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -2455,7 +2458,7 @@ struct mip_filter_data_ecef_velocity_uncertainty {
      * Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float velocity_uncertainty[3];
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -2496,7 +2499,7 @@ struct mip_filter_data_ecef_position {
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     double position[3];
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -2537,7 +2540,7 @@ struct mip_filter_data_ecef_velocity {
      * level: x 0, y 0, z 0. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float velocity[3];
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -2578,7 +2581,7 @@ struct mip_filter_data_ned_relative_position {
      * Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     double relative_position[3];
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -2607,7 +2610,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_ned_relative_position_encode
 /**
  * GNSS position aiding status: data (0x82,0x43).
  *
- * How the filter uses the position measurements of one GNSS receiver.
+ * Use of the position measurements of one GNSS receiver by the filter.
  *
  * Also called `gnss_pos_aid_status`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
@@ -2620,7 +2623,7 @@ struct mip_filter_data_gnss_position_aiding_status {
     uint8_t receiver_id;
     /** GPS time of week of the last measurement. Unit: s. Range: 0 to 604800. */
     float tow;
-    /** How the measurements are used. */
+    /** Use of the measurements. */
     mip_filter_data_gnss_aiding_status status;
     /** Reserved. */
     uint8_t reserved[8];
@@ -2666,7 +2669,7 @@ struct mip_filter_data_gnss_attitude_aiding_status {
      * Whether it is the time of the measurement or that of its processing.
      */
     float tow;
-    /** How the measurements are used. */
+    /** Use of the measurements. */
     mip_filter_data_gnss_aiding_status status;
     /** Reserved. Reserved. */
     uint8_t reserved[8];
@@ -2743,7 +2746,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_heading_aiding_status_encode
 /**
  * Aiding measurement summary: data (0x82,0x46).
  *
- * What the filter did with one kind of aiding measurement in the last measurement interval.
+ * Use of one kind of aiding measurement in the last measurement interval.
  *
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
@@ -2758,7 +2761,7 @@ struct mip_filter_data_aiding_measurement_summary {
     uint8_t source;
     /** Kind of measurement. A value of enum mip_filter_data_aiding_measurement_type. */
     uint8_t type;
-    /** What the filter did with it. */
+    /** Use of the measurement by the filter. */
     mip_filter_data_aiding_measurement_indicator indicator;
 };
 
@@ -2800,7 +2803,7 @@ struct mip_filter_data_odometer_scale_factor_error {
      * Relative error. Unit: 1. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float scale_factor_error;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -2841,7 +2844,7 @@ struct mip_filter_data_odometer_scale_factor_error_uncertainty {
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float scale_factor_error_uncertainty;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -2902,7 +2905,7 @@ struct mip_filter_data_gnss_dual_antenna_status {
     uint8_t fix_type;
     /** Inputs available to the solution. */
     mip_filter_data_dual_antenna_status_flags status_flags;
-    /** Whether the values of a field may be used. */
+    /** Validity of the values of a field. */
     mip_filter_data_valid_flags valid_flags;
 };
 

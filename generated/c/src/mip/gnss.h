@@ -93,7 +93,7 @@ enum mip_gnss_receiver_id MIP_ENUM_8 {
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_gnss_receiver_id_name(uint8_t value);
 /**
- * How much a receiver restarts.
+ * Extent of the restart of a receiver.
  *
  * - mip-sdk-4: Receiver Reset (0x0E,0x03)
  */
@@ -118,8 +118,8 @@ enum mip_gnss_receiver_reset_type MIP_ENUM_8 {
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_gnss_receiver_reset_type_name(uint8_t value);
 /**
- * How readily RTK fixes the carrier phase ambiguities to whole numbers. Uncertain: The descriptions
- * of `conservative` and `moderate`, which follow from the names.
+ * Readiness of RTK to fix the carrier phase ambiguities to whole numbers. Uncertain: The
+ * descriptions of `conservative` and `moderate`, which follow from the names.
  *
  * - mip-sdk-4: Rtk Configuration (0x0E,0x04)
  */
@@ -136,7 +136,7 @@ enum mip_gnss_ambiguity_fix_mode MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_gnss_ambiguity_fix_mode_name(uint8_t value);
-/** How SPARTN corrections are received. */
+/** Channel of SPARTN corrections. */
 enum mip_gnss_spartn_connection MIP_ENUM_8 {
     /** No connection. */
     MIP_GNSS_SPARTN_CONNECTION_NONE = 0,
@@ -223,7 +223,7 @@ MIP_CHECKED static inline mip_error mip_gnss_receiver_info_response_encode(
 /**
  * Signal configuration: command (0x0E,0x02).
  *
- * GNSS signals that the device uses.
+ * Selects the GNSS signals that the device uses.
  *
  * Also called `signal_configuration`. Functions: write, read, save, load and default. Answered by
  * mip_gnss_signal_config_response. Probably changes mip_gnss_data_fix_info,
@@ -244,7 +244,7 @@ struct mip_gnss_signal_config {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /** GPS signals. Required for write. */
     mip_gnss_gps_signals gps_enable;
@@ -388,7 +388,7 @@ MIP_CHECKED static inline mip_error mip_gnss_signal_config_response_encode(
 struct mip_gnss_receiver_reset {
     /** Receiver to reset. A value of enum mip_gnss_receiver_id. */
     uint8_t receiver_id;
-    /** How much restarts. A value of enum mip_gnss_receiver_reset_type. */
+    /** Extent of the restart. A value of enum mip_gnss_receiver_reset_type. */
     uint8_t reset_type;
 };
 
@@ -416,7 +416,7 @@ MIP_CHECKED static inline mip_error mip_gnss_receiver_reset_encode(
    * Receiver reset. Fills the structure and returns its address.
    *
    * - receiver_id: Receiver to reset. A value of enum mip_gnss_receiver_id.
-   * - reset_type: How much restarts. A value of enum mip_gnss_receiver_reset_type.
+   * - reset_type: Extent of the restart. A value of enum mip_gnss_receiver_reset_type.
    */
 static inline struct mip_gnss_receiver_reset *mip_gnss_receiver_reset_make(
     struct mip_gnss_receiver_reset *command, enum mip_gnss_receiver_id receiver_id,
@@ -448,10 +448,10 @@ struct mip_gnss_rtk_config {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
-     * How readily ambiguities are fixed. A value of enum mip_gnss_ambiguity_fix_mode. Required for
+     * Readiness to fix ambiguities. A value of enum mip_gnss_ambiguity_fix_mode. Required for
      * write.
      */
     uint8_t ambiguity_fix_mode;
@@ -482,8 +482,8 @@ mip_gnss_rtk_config_encode(const struct mip_gnss_rtk_config *value, struct mip_b
 } /**
    * Apply the new setting. Fills the structure and returns its address.
    *
-   * - ambiguity_fix_mode: How readily ambiguities are fixed. A value of enum
-   *   mip_gnss_ambiguity_fix_mode. Required for write.
+   * - ambiguity_fix_mode: Readiness to fix ambiguities. A value of enum
+   * mip_gnss_ambiguity_fix_mode. Required for write.
    */
 static inline struct mip_gnss_rtk_config *mip_gnss_rtk_config_write(
     struct mip_gnss_rtk_config *command, enum mip_gnss_ambiguity_fix_mode ambiguity_fix_mode) {
@@ -530,7 +530,7 @@ mip_gnss_rtk_config_default(struct mip_gnss_rtk_config *command) {
  * - mip-sdk-4: RTK configuration (0x0E,0x04)
  */
 struct mip_gnss_rtk_config_response {
-    /** How readily ambiguities are fixed. A value of enum mip_gnss_ambiguity_fix_mode. */
+    /** Readiness to fix ambiguities. A value of enum mip_gnss_ambiguity_fix_mode. */
     uint8_t ambiguity_fix_mode;
     /** Reserved. */
     uint8_t reserved[4];
@@ -574,7 +574,7 @@ struct mip_gnss_rtk_dongle_config {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /** 1 enables the dongle, 0 disables it. Range: 0 to 1. Required for write. */
     uint8_t enable;
@@ -683,7 +683,7 @@ MIP_CHECKED static inline mip_error mip_gnss_rtk_dongle_config_response_encode(
 /**
  * SPARTN configuration: command (0x0E,0x20).
  *
- * Source and keys of SPARTN corrections.
+ * Sets the source and the keys of SPARTN corrections.
  *
  * Also called `spartn_configuration`. Functions: write, read, save, load and default. Answered by
  * mip_gnss_spartn_config_response. Probably changes mip_gnss_data_rtk_corrections_status. Supported
@@ -707,13 +707,12 @@ struct mip_gnss_spartn_config {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /** 1 enables SPARTN corrections, 0 disables them. Range: 0 to 1. Required for write. */
     uint8_t enable;
     /**
-     * How the corrections are received. A value of enum mip_gnss_spartn_connection. Required for
-     * write.
+     * Channel of the corrections. A value of enum mip_gnss_spartn_connection. Required for write.
      */
     uint8_t type;
     /** GPS time of week until which the current key is valid. Unit: s. Required for write. */
@@ -754,8 +753,8 @@ MIP_CHECKED static inline mip_error mip_gnss_spartn_config_encode(
    * Apply the new setting. Fills the structure and returns its address.
    *
    * - enable: 1 enables SPARTN corrections, 0 disables them. Range: 0 to 1. Required for write.
-   * - type: How the corrections are received. A value of enum mip_gnss_spartn_connection. Required
-   *   for write.
+   * - type: Channel of the corrections. A value of enum mip_gnss_spartn_connection. Required for
+   *   write.
    * - current_key_tow: GPS time of week until which the current key is valid. Unit: s. Required for
    *   write.
    * - current_key_week: GPS week number until which the current key is valid. Unit: week. Required
@@ -825,7 +824,7 @@ mip_gnss_spartn_config_default(struct mip_gnss_spartn_config *command) {
 struct mip_gnss_spartn_config_response {
     /** 1 enables SPARTN corrections, 0 disables them. Range: 0 to 1. */
     uint8_t enable;
-    /** How the corrections are received. A value of enum mip_gnss_spartn_connection. */
+    /** Channel of the corrections. A value of enum mip_gnss_spartn_connection. */
     uint8_t type;
     /** GPS time of week until which the current key is valid. Unit: s. */
     uint32_t current_key_tow;

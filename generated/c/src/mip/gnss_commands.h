@@ -140,7 +140,7 @@ static inline mip_error mip_send_gnss_receiver_reset(struct mip_client *client,
  * Receiver reset. See mip_device_call.
  *
  * - receiver_id: Receiver to reset. A value of enum mip_gnss_receiver_id.
- * - reset_type: How much restarts. A value of enum mip_gnss_receiver_reset_type.
+ * - reset_type: Extent of the restart. A value of enum mip_gnss_receiver_reset_type.
  */
 static inline struct mip_result
 mip_call_gnss_receiver_reset(struct mip_device *device, enum mip_gnss_receiver_id receiver_id,
@@ -182,8 +182,8 @@ static inline mip_error mip_send_gnss_rtk_config(struct mip_client *client,
 /**
  * RTK configuration: write. Apply the new setting. See mip_device_call.
  *
- * - ambiguity_fix_mode: How readily ambiguities are fixed. A value of enum
- *   mip_gnss_ambiguity_fix_mode. Required for write.
+ * - ambiguity_fix_mode: Readiness to fix ambiguities. A value of enum mip_gnss_ambiguity_fix_mode.
+ *   Required for write.
  */
 static inline struct mip_result mip_call_gnss_rtk_config_write(
     struct mip_device *device, enum mip_gnss_ambiguity_fix_mode ambiguity_fix_mode) {
@@ -332,8 +332,8 @@ static inline mip_error mip_send_gnss_spartn_config(
  * SPARTN configuration: write. Apply the new setting. See mip_device_call.
  *
  * - enable: 1 enables SPARTN corrections, 0 disables them. Range: 0 to 1. Required for write.
- * - type: How the corrections are received. A value of enum mip_gnss_spartn_connection. Required
- *   for write.
+ * - type: Channel of the corrections. A value of enum mip_gnss_spartn_connection. Required for
+ *   write.
  * - current_key_tow: GPS time of week until which the current key is valid. Unit: s. Required for
  *   write.
  * - current_key_week: GPS week number until which the current key is valid. Unit: week. Required

@@ -56,7 +56,7 @@ extern "C" {
  */
 #define MIP_GNSS_EXTERNAL_2_SET 0x95
 
-/** Which parts of the position are valid. */
+/** Valid parts of the position. */
 typedef uint16_t mip_gnss_data_llh_position_flags;
 /** Bit 0. `latitude` and `longitude` are valid. */
 #define MIP_GNSS_DATA_LLH_POSITION_FLAGS_LAT_LON 0x0001U
@@ -70,7 +70,7 @@ typedef uint16_t mip_gnss_data_llh_position_flags;
 #define MIP_GNSS_DATA_LLH_POSITION_FLAGS_VERTICAL_ACCURACY 0x0010U
 /** Bits 0 to 4. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_LLH_POSITION_FLAGS_FLAGS 0x001FU
-/** Which parts of the position are valid. */
+/** Valid parts of the position. */
 typedef uint16_t mip_gnss_data_ecef_position_flags;
 /** Bit 0. `position` is valid. */
 #define MIP_GNSS_DATA_ECEF_POSITION_FLAGS_POSITION 0x0001U
@@ -78,7 +78,7 @@ typedef uint16_t mip_gnss_data_ecef_position_flags;
 #define MIP_GNSS_DATA_ECEF_POSITION_FLAGS_POSITION_ACCURACY 0x0002U
 /** Bits 0 to 1. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_ECEF_POSITION_FLAGS_FLAGS 0x0003U
-/** Which parts of the velocity are valid. */
+/** Valid parts of the velocity. */
 typedef uint16_t mip_gnss_data_ned_velocity_flags;
 /** Bit 0. `velocity` is valid. */
 #define MIP_GNSS_DATA_NED_VELOCITY_FLAGS_VELOCITY 0x0001U
@@ -94,7 +94,7 @@ typedef uint16_t mip_gnss_data_ned_velocity_flags;
 #define MIP_GNSS_DATA_NED_VELOCITY_FLAGS_HEADING_ACCURACY 0x0020U
 /** Bits 0 to 5. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_NED_VELOCITY_FLAGS_FLAGS 0x003FU
-/** Which parts of the velocity are valid. */
+/** Valid parts of the velocity. */
 typedef uint16_t mip_gnss_data_ecef_velocity_flags;
 /** Bit 0. `velocity` is valid. */
 #define MIP_GNSS_DATA_ECEF_VELOCITY_FLAGS_VELOCITY 0x0001U
@@ -102,7 +102,7 @@ typedef uint16_t mip_gnss_data_ecef_velocity_flags;
 #define MIP_GNSS_DATA_ECEF_VELOCITY_FLAGS_VELOCITY_ACCURACY 0x0002U
 /** Bits 0 to 1. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_ECEF_VELOCITY_FLAGS_FLAGS 0x0003U
-/** Which dilutions of precision are valid. */
+/** Valid dilutions of precision. */
 typedef uint16_t mip_gnss_data_dop_flags;
 /** Bit 0. `gdop` is valid. */
 #define MIP_GNSS_DATA_DOP_FLAGS_GDOP 0x0001U
@@ -120,7 +120,7 @@ typedef uint16_t mip_gnss_data_dop_flags;
 #define MIP_GNSS_DATA_DOP_FLAGS_EDOP 0x0040U
 /** Bits 0 to 6. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_DOP_FLAGS_FLAGS 0x007FU
-/** Which parts of the UTC time are valid. */
+/** Valid parts of the UTC time. */
 typedef uint16_t mip_gnss_data_utc_time_flags;
 /** Bit 0. Date and time come from GNSS. */
 #define MIP_GNSS_DATA_UTC_TIME_FLAGS_GNSS_DATE_TIME 0x0001U
@@ -128,7 +128,7 @@ typedef uint16_t mip_gnss_data_utc_time_flags;
 #define MIP_GNSS_DATA_UTC_TIME_FLAGS_LEAP_SECONDS_KNOWN 0x0002U
 /** Bits 0 to 1. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_UTC_TIME_FLAGS_FLAGS 0x0003U
-/** Which parts of the time are valid. */
+/** Valid parts of the time. */
 typedef uint16_t mip_gnss_data_gps_time_flags;
 /** Bit 0. `tow` is valid. */
 #define MIP_GNSS_DATA_GPS_TIME_FLAGS_TOW 0x0001U
@@ -136,7 +136,7 @@ typedef uint16_t mip_gnss_data_gps_time_flags;
 #define MIP_GNSS_DATA_GPS_TIME_FLAGS_WEEK_NUMBER 0x0002U
 /** Bits 0 to 1. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_GPS_TIME_FLAGS_FLAGS 0x0003U
-/** Which clock parameters are valid. */
+/** Valid clock parameters. */
 typedef uint16_t mip_gnss_data_clock_info_flags;
 /** Bit 0. `bias` is valid. */
 #define MIP_GNSS_DATA_CLOCK_INFO_FLAGS_BIAS 0x0001U
@@ -146,13 +146,13 @@ typedef uint16_t mip_gnss_data_clock_info_flags;
 #define MIP_GNSS_DATA_CLOCK_INFO_FLAGS_ACCURACY_ESTIMATE 0x0004U
 /** Bits 0 to 2. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_CLOCK_INFO_FLAGS_FLAGS 0x0007U
-/** What the fix uses. */
+/** Corrections and satellite systems of the fix. */
 typedef uint16_t mip_gnss_data_fix_flags;
-/** Bit 0. Satellite based augmentation. */
+/** Bit 0. SBAS corrections were used in the fix. */
 #define MIP_GNSS_DATA_FIX_FLAGS_SBAS_USED 0x0001U
 /** Bit 1. Differential corrections. */
 #define MIP_GNSS_DATA_FIX_FLAGS_DGNSS_USED 0x0002U
-/** Which parts of the fix information are valid. */
+/** Valid parts of the fix information. */
 typedef uint16_t mip_gnss_data_fix_info_flags;
 /** Bit 0. `fix_type` is valid. */
 #define MIP_GNSS_DATA_FIX_INFO_FLAGS_FIX_TYPE 0x0001U
@@ -168,7 +168,7 @@ typedef uint16_t mip_gnss_data_sv_flags;
 #define MIP_GNSS_DATA_SV_FLAGS_USED_FOR_NAVIGATION 0x0001U
 /** Bit 1. The satellite reports that its signals can be used. */
 #define MIP_GNSS_DATA_SV_FLAGS_HEALTHY 0x0002U
-/** Which parts of the satellite info are valid. */
+/** Valid parts of the satellite info. */
 typedef uint16_t mip_gnss_data_sv_info_flags;
 /** Bit 0. `channel` is valid. */
 #define MIP_GNSS_DATA_SV_INFO_FLAGS_CHANNEL 0x0001U
@@ -184,7 +184,7 @@ typedef uint16_t mip_gnss_data_sv_info_flags;
 #define MIP_GNSS_DATA_SV_INFO_FLAGS_SV_FLAGS 0x0020U
 /** Bits 0 to 5. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_SV_INFO_FLAGS_FLAGS 0x003FU
-/** Whether a GNSS receiver is powered and works. */
+/** Power and operation of a GNSS receiver. */
 enum mip_gnss_data_receiver_state MIP_ENUM_8 {
     /** The value `off`. */
     MIP_GNSS_DATA_RECEIVER_STATE_OFF = 0,
@@ -224,7 +224,7 @@ enum mip_gnss_data_antenna_power MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_gnss_data_antenna_power_name(uint8_t value);
-/** Which parts of the hardware status are valid. */
+/** Valid parts of the hardware status. */
 typedef uint16_t mip_gnss_data_hardware_status_flags;
 /** Bit 0. `receiver_state` is valid. */
 #define MIP_GNSS_DATA_HARDWARE_STATUS_FLAGS_SENSOR_STATE 0x0001U
@@ -234,7 +234,7 @@ typedef uint16_t mip_gnss_data_hardware_status_flags;
 #define MIP_GNSS_DATA_HARDWARE_STATUS_FLAGS_ANTENNA_POWER 0x0004U
 /** Bits 0 to 2. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_HARDWARE_STATUS_FLAGS_FLAGS 0x0007U
-/** Which parts of the state of the corrections are valid. */
+/** Valid parts of the state of the corrections. */
 typedef uint16_t mip_gnss_data_dgps_info_flags;
 /** Bit 0. `age` is valid. */
 #define MIP_GNSS_DATA_DGPS_INFO_FLAGS_AGE 0x0001U
@@ -246,7 +246,7 @@ typedef uint16_t mip_gnss_data_dgps_info_flags;
 #define MIP_GNSS_DATA_DGPS_INFO_FLAGS_NUM_CHANNELS 0x0008U
 /** Bits 0 to 3. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_DGPS_INFO_FLAGS_FLAGS 0x000FU
-/** Which parts of a differential correction are valid. */
+/** Valid parts of a differential correction. */
 typedef uint16_t mip_gnss_data_dgps_channel_flags;
 /** Bit 0. `satellite_id` is valid. */
 #define MIP_GNSS_DATA_DGPS_CHANNEL_FLAGS_SATELLITE_ID 0x0001U
@@ -258,7 +258,7 @@ typedef uint16_t mip_gnss_data_dgps_channel_flags;
 #define MIP_GNSS_DATA_DGPS_CHANNEL_FLAGS_RANGE_RATE_CORRECTION 0x0008U
 /** Bits 0 to 3. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_DGPS_CHANNEL_FLAGS_FLAGS 0x000FU
-/** Which clock parameters are valid. */
+/** Valid clock parameters. */
 typedef uint16_t mip_gnss_data_clock_info_2_flags;
 /** Bit 0. `bias` is valid. */
 #define MIP_GNSS_DATA_CLOCK_INFO_2_FLAGS_BIAS 0x0001U
@@ -270,7 +270,7 @@ typedef uint16_t mip_gnss_data_clock_info_2_flags;
 #define MIP_GNSS_DATA_CLOCK_INFO_2_FLAGS_DRIFT_ACCURACY 0x0008U
 /** Bits 0 to 3. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_CLOCK_INFO_2_FLAGS_FLAGS 0x000FU
-/** Whether the leap seconds are valid. Bit 0 is not used. */
+/** Validity of the leap seconds. Bit 0 is not used. */
 typedef uint16_t mip_gnss_data_gps_leap_seconds_flags;
 /** Bit 1. `leap_seconds` is valid. */
 #define MIP_GNSS_DATA_GPS_LEAP_SECONDS_FLAGS_LEAP_SECONDS 0x0002U
@@ -280,17 +280,17 @@ enum mip_gnss_data_sbas_system MIP_ENUM_8 {
     MIP_GNSS_DATA_SBAS_SYSTEM_UNKNOWN = 0,
     /** North America. */
     MIP_GNSS_DATA_SBAS_SYSTEM_WAAS = 1,
-    /** Europe. */
+    /** EGNOS, the European system. */
     MIP_GNSS_DATA_SBAS_SYSTEM_EGNOS = 2,
-    /** Japan. */
+    /** MSAS, the Japanese system. */
     MIP_GNSS_DATA_SBAS_SYSTEM_MSAS = 3,
-    /** India. */
+    /** GAGAN, the Indian system. */
     MIP_GNSS_DATA_SBAS_SYSTEM_GAGAN = 4
 };
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_gnss_data_sbas_system_name(uint8_t value);
-/** What the SBAS service offers. */
+/** Services of an SBAS system. */
 typedef uint8_t mip_gnss_data_sbas_status;
 /** Bit 0. Ranging is available. */
 #define MIP_GNSS_DATA_SBAS_STATUS_RANGE_AVAILABLE 0x01U
@@ -300,7 +300,7 @@ typedef uint8_t mip_gnss_data_sbas_status;
 #define MIP_GNSS_DATA_SBAS_STATUS_INTEGRITY_AVAILABLE 0x04U
 /** Bit 3. The service is in test mode. */
 #define MIP_GNSS_DATA_SBAS_STATUS_TEST_MODE 0x08U
-/** Which parts of the SBAS status are valid. */
+/** Valid parts of the SBAS status. */
 typedef uint16_t mip_gnss_data_sbas_info_flags;
 /** Bit 0. `tow` is valid. */
 #define MIP_GNSS_DATA_SBAS_INFO_FLAGS_TOW 0x0001U
@@ -316,7 +316,7 @@ typedef uint16_t mip_gnss_data_sbas_info_flags;
 #define MIP_GNSS_DATA_SBAS_INFO_FLAGS_SBAS_STATUS 0x0020U
 /** Bits 0 to 5. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_SBAS_INFO_FLAGS_FLAGS 0x003FU
-/** Which parts of an SBAS correction are valid. */
+/** Valid parts of an SBAS correction. */
 typedef uint16_t mip_gnss_data_sbas_correction_flags;
 /** Bit 0. `udrei` is valid. */
 #define MIP_GNSS_DATA_SBAS_CORRECTION_FLAGS_UDREI 0x0001U
@@ -340,7 +340,7 @@ enum mip_gnss_data_rf_band MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_gnss_data_rf_band_name(uint8_t value);
-/** How much the reception is jammed. */
+/** Severity of jamming. */
 enum mip_gnss_data_jamming_state MIP_ENUM_8 {
     /** Not known. */
     MIP_GNSS_DATA_JAMMING_STATE_UNKNOWN = 0,
@@ -354,7 +354,7 @@ enum mip_gnss_data_jamming_state MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_gnss_data_jamming_state_name(uint8_t value);
-/** How much the signals are spoofed. */
+/** Severity of spoofing. */
 enum mip_gnss_data_spoofing_state MIP_ENUM_8 {
     /** Not known. */
     MIP_GNSS_DATA_SPOOFING_STATE_UNKNOWN = 0,
@@ -368,7 +368,7 @@ enum mip_gnss_data_spoofing_state MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_gnss_data_spoofing_state_name(uint8_t value);
-/** Which parts of the detection are valid. */
+/** Valid parts of the detection. */
 typedef uint16_t mip_gnss_data_rf_error_detection_flags;
 /** Bit 0. `rf_band` is valid. */
 #define MIP_GNSS_DATA_RF_ERROR_DETECTION_FLAGS_RF_BAND 0x0001U
@@ -380,7 +380,7 @@ typedef uint16_t mip_gnss_data_rf_error_detection_flags;
 #define MIP_GNSS_DATA_RF_ERROR_DETECTION_FLAGS_FREQUENCY 0x0008U
 /** Bits 0 to 3. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_RF_ERROR_DETECTION_FLAGS_FLAGS 0x000FU
-/** How the ambiguities of the carrier phase were solved for a heading. */
+/** Solution of the carrier phase ambiguities for a heading. */
 enum mip_gnss_data_heading_fix_type MIP_ENUM_8 {
     /** Not known. */
     MIP_GNSS_DATA_HEADING_FIX_TYPE_UNKNOWN = 0,
@@ -392,7 +392,7 @@ enum mip_gnss_data_heading_fix_type MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_gnss_data_heading_fix_type_name(uint8_t value);
-/** Which parts of the heading are valid. */
+/** Valid parts of the heading. */
 typedef uint16_t mip_gnss_data_heading_flags;
 /** Bit 0. `heading` is valid. */
 #define MIP_GNSS_DATA_HEADING_FLAGS_HEADING 0x0001U
@@ -402,7 +402,7 @@ typedef uint16_t mip_gnss_data_heading_flags;
 #define MIP_GNSS_DATA_HEADING_FLAGS_FIX_TYPE 0x0004U
 /** Bits 0 to 2. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_HEADING_FLAGS_FLAGS 0x0007U
-/** Which parts of the satellite status are valid. */
+/** Valid parts of the satellite status. */
 typedef uint16_t mip_gnss_data_satellite_status_flags;
 /** Bit 0. `tow` is valid. */
 #define MIP_GNSS_DATA_SATELLITE_STATUS_FLAGS_TOW 0x0001U
@@ -420,7 +420,7 @@ typedef uint16_t mip_gnss_data_satellite_status_flags;
 #define MIP_GNSS_DATA_SATELLITE_STATUS_FLAGS_HEALTH 0x0040U
 /** Bits 0 to 6. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_SATELLITE_STATUS_FLAGS_FLAGS 0x007FU
-/** How well a signal is tracked. */
+/** Quality of the tracking of a signal. */
 enum mip_gnss_data_signal_quality MIP_ENUM_8 {
     /** No signal. */
     MIP_GNSS_DATA_SIGNAL_QUALITY_NONE = 0,
@@ -438,7 +438,7 @@ enum mip_gnss_data_signal_quality MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_gnss_data_signal_quality_name(uint8_t value);
-/** Which parts of the observation are valid. */
+/** Valid parts of the observation. */
 typedef uint16_t mip_gnss_data_raw_flags;
 /** Bit 0. `tow` is valid. */
 #define MIP_GNSS_DATA_RAW_FLAGS_TOW 0x0001U
@@ -494,7 +494,7 @@ typedef uint16_t mip_gnss_data_base_station_indicators;
 #define MIP_GNSS_DATA_BASE_STATION_INDICATORS_QUARTER_CYCLE_BIT2 0x0080U
 /** Bits 6 to 7. Quarter cycle indicator. Overlaps other bits. */
 #define MIP_GNSS_DATA_BASE_STATION_INDICATORS_QUARTER_CYCLE_BITS 0x00C0U
-/** Which values are valid. */
+/** Valid values. */
 typedef uint16_t mip_gnss_data_base_station_info_flags;
 /** Bit 0. `tow` is valid. */
 #define MIP_GNSS_DATA_BASE_STATION_INFO_FLAGS_TOW 0x0001U
@@ -530,7 +530,7 @@ typedef uint16_t mip_gnss_data_rtk_epoch_status;
 #define MIP_GNSS_DATA_RTK_EPOCH_STATUS_USING_GLONASS_MSM_MESSAGES 0x0080U
 /** Bit 8. The status of the dongle could not be read. */
 #define MIP_GNSS_DATA_RTK_EPOCH_STATUS_DONGLE_STATUS_READ_FAILED 0x0100U
-/** Which values are valid. */
+/** Valid values. */
 typedef uint16_t mip_gnss_data_rtk_corrections_status_flags;
 /** Bit 0. `tow` is valid. */
 #define MIP_GNSS_DATA_RTK_CORRECTIONS_STATUS_FLAGS_TOW 0x0001U
@@ -550,7 +550,7 @@ typedef uint16_t mip_gnss_data_rtk_corrections_status_flags;
 #define MIP_GNSS_DATA_RTK_CORRECTIONS_STATUS_FLAGS_BEIDOU_LATENCY 0x0080U
 /** Bits 0 to 7. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_RTK_CORRECTIONS_STATUS_FLAGS_FLAGS 0x00FFU
-/** What an ephemeris of GPS, Galileo or BeiDou holds. */
+/** Contents of an ephemeris of GPS, Galileo or BeiDou. */
 typedef uint16_t mip_gnss_data_ephemeris_flags;
 /** Bit 0. The ephemeris is valid. */
 #define MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS 0x0001U
@@ -570,13 +570,13 @@ enum mip_gnss_data_glonass_satellite_type MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_gnss_data_glonass_satellite_type_name(uint8_t value);
-/** Whether the ephemeris is valid. */
+/** Validity of the ephemeris. */
 typedef uint16_t mip_gnss_data_glonass_ephemeris_flags;
 /** Bit 0. The ephemeris is valid. */
 #define MIP_GNSS_DATA_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS 0x0001U
 /** Bit 0. All of them. Overlaps other bits. */
 #define MIP_GNSS_DATA_GLONASS_EPHEMERIS_FLAGS_FLAGS 0x0001U
-/** Which parts of the model are valid. */
+/** Valid parts of the model. */
 typedef uint16_t mip_gnss_data_gps_iono_correction_flags;
 /** Bit 0. `tow` is valid. */
 #define MIP_GNSS_DATA_GPS_IONO_CORRECTION_FLAGS_TOW 0x0001U
@@ -588,7 +588,7 @@ typedef uint16_t mip_gnss_data_gps_iono_correction_flags;
 #define MIP_GNSS_DATA_GPS_IONO_CORRECTION_FLAGS_BETA 0x0008U
 /** Bits 0 to 3. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_GPS_IONO_CORRECTION_FLAGS_FLAGS 0x000FU
-/** Which parts of the model are valid. */
+/** Valid parts of the model. */
 typedef uint16_t mip_gnss_data_galileo_iono_correction_flags;
 /** Bit 0. `tow` is valid. */
 #define MIP_GNSS_DATA_GALILEO_IONO_CORRECTION_FLAGS_TOW 0x0001U
@@ -600,7 +600,7 @@ typedef uint16_t mip_gnss_data_galileo_iono_correction_flags;
 #define MIP_GNSS_DATA_GALILEO_IONO_CORRECTION_FLAGS_DISTURBANCE_FLAGS 0x0008U
 /** Bits 0 to 3. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_GALILEO_IONO_CORRECTION_FLAGS_FLAGS 0x000FU
-/** Which parts of the model are valid. */
+/** Valid parts of the model. */
 typedef uint16_t mip_gnss_data_beidou_iono_correction_flags;
 /** Bit 0. `tow` is valid. */
 #define MIP_GNSS_DATA_BEIDOU_IONO_CORRECTION_FLAGS_TOW 0x0001U
@@ -659,7 +659,7 @@ struct mip_gnss_data_llh_position {
      * MIP_GNSS_DATA_LLH_POSITION_FLAGS_VERTICAL_ACCURACY in valid_flags is set.
      */
     float vertical_accuracy;
-    /** Which parts of the position are valid. */
+    /** Valid parts of the position. */
     mip_gnss_data_llh_position_flags valid_flags;
 };
 
@@ -707,7 +707,7 @@ struct mip_gnss_data_ecef_position {
      * MIP_GNSS_DATA_ECEF_POSITION_FLAGS_POSITION_ACCURACY in valid_flags is set.
      */
     float position_accuracy;
-    /** Which parts of the position are valid. */
+    /** Valid parts of the position. */
     mip_gnss_data_ecef_position_flags valid_flags;
 };
 
@@ -777,7 +777,7 @@ struct mip_gnss_data_ned_velocity {
      * MIP_GNSS_DATA_NED_VELOCITY_FLAGS_HEADING_ACCURACY in valid_flags is set.
      */
     float heading_accuracy;
-    /** Which parts of the velocity are valid. */
+    /** Valid parts of the velocity. */
     mip_gnss_data_ned_velocity_flags valid_flags;
 };
 
@@ -826,7 +826,7 @@ struct mip_gnss_data_ecef_velocity {
      * MIP_GNSS_DATA_ECEF_VELOCITY_FLAGS_VELOCITY_ACCURACY in valid_flags is set.
      */
     float velocity_accuracy;
-    /** Which parts of the velocity are valid. */
+    /** Valid parts of the velocity. */
     mip_gnss_data_ecef_velocity_flags valid_flags;
 };
 
@@ -898,7 +898,7 @@ struct mip_gnss_data_dop {
      * valid_flags is set.
      */
     float edop;
-    /** Which dilutions of precision are valid. */
+    /** Valid dilutions of precision. */
     mip_gnss_data_dop_flags valid_flags;
 };
 
@@ -971,7 +971,7 @@ struct mip_gnss_data_utc_time {
      * MIP_GNSS_DATA_UTC_TIME_FLAGS_GNSS_DATE_TIME in valid_flags is set.
      */
     uint32_t msec;
-    /** Which parts of the time are valid. */
+    /** Valid parts of the time. */
     mip_gnss_data_utc_time_flags valid_flags;
 };
 
@@ -1018,7 +1018,7 @@ struct mip_gnss_data_gps_time {
      * is set.
      */
     uint16_t week_number;
-    /** Which parts of the time are valid. */
+    /** Valid parts of the time. */
     mip_gnss_data_gps_time_flags valid_flags;
 };
 
@@ -1072,7 +1072,7 @@ struct mip_gnss_data_clock_info {
      * MIP_GNSS_DATA_CLOCK_INFO_FLAGS_ACCURACY_ESTIMATE in valid_flags is set.
      */
     double accuracy_estimate;
-    /** Which clock parameters are valid. */
+    /** Valid clock parameters. */
     mip_gnss_data_clock_info_flags valid_flags;
 };
 
@@ -1112,8 +1112,8 @@ MIP_CHECKED static inline mip_error mip_gnss_data_clock_info_encode(
  */
 struct mip_gnss_data_fix_info {
     /**
-     * What the receiver can determine at present. A value of enum mip_gnss_fix_type. Valid if
-     * MIP_GNSS_DATA_FIX_INFO_FLAGS_FIX_TYPE in valid_flags is set.
+     * Quantities that the receiver can determine at present. A value of enum mip_gnss_fix_type.
+     * Valid if MIP_GNSS_DATA_FIX_INFO_FLAGS_FIX_TYPE in valid_flags is set.
      */
     uint8_t fix_type;
     /**
@@ -1121,9 +1121,12 @@ struct mip_gnss_data_fix_info {
      * in valid_flags is set.
      */
     uint8_t num_sv;
-    /** What the fix uses. Valid if MIP_GNSS_DATA_FIX_INFO_FLAGS_FIX_FLAGS in valid_flags is set. */
+    /**
+     * Corrections and satellite systems of the fix. Valid if MIP_GNSS_DATA_FIX_INFO_FLAGS_FIX_FLAGS
+     * in valid_flags is set.
+     */
     mip_gnss_data_fix_flags fix_flags;
-    /** Which parts of the fix information are valid. */
+    /** Valid parts of the fix information. */
     mip_gnss_data_fix_info_flags valid_flags;
 };
 
@@ -1191,7 +1194,7 @@ struct mip_gnss_data_sv_info {
      * State of the satellite. Valid if MIP_GNSS_DATA_SV_INFO_FLAGS_SV_FLAGS in valid_flags is set.
      */
     mip_gnss_data_sv_flags sv_flags;
-    /** Which parts of the satellite info are valid. */
+    /** Valid parts of the satellite info. */
     mip_gnss_data_sv_info_flags valid_flags;
 };
 
@@ -1230,8 +1233,8 @@ MIP_CHECKED static inline mip_error mip_gnss_data_sv_info_encode(
  */
 struct mip_gnss_data_hardware_status {
     /**
-     * Whether the receiver is powered and works. A value of enum mip_gnss_data_receiver_state.
-     * Valid if MIP_GNSS_DATA_HARDWARE_STATUS_FLAGS_SENSOR_STATE in valid_flags is set.
+     * Power and operation of the receiver. A value of enum mip_gnss_data_receiver_state. Valid if
+     * MIP_GNSS_DATA_HARDWARE_STATUS_FLAGS_SENSOR_STATE in valid_flags is set.
      */
     uint8_t receiver_state;
     /**
@@ -1244,7 +1247,7 @@ struct mip_gnss_data_hardware_status {
      * MIP_GNSS_DATA_HARDWARE_STATUS_FLAGS_ANTENNA_POWER in valid_flags is set.
      */
     uint8_t antenna_power;
-    /** Which parts of the hardware status are valid. */
+    /** Valid parts of the hardware status. */
     mip_gnss_data_hardware_status_flags valid_flags;
 };
 
@@ -1311,7 +1314,7 @@ struct mip_gnss_data_dgps_info {
      * MIP_GNSS_DATA_DGPS_INFO_FLAGS_NUM_CHANNELS in valid_flags is set.
      */
     uint16_t num_channels;
-    /** Which parts of the state of the corrections are valid. */
+    /** Valid parts of the state of the corrections. */
     mip_gnss_data_dgps_info_flags valid_flags;
 };
 
@@ -1372,11 +1375,11 @@ struct mip_gnss_data_dgps_info_satellite {
      */
     float range_correction;
     /**
-     * How fast the correction changes. Unit: m/s. Uncertain: The unit, which follows from
+     * Rate of change of the correction. Unit: m/s. Uncertain: The unit, which follows from
      * mip_gnss_data_dgps_channel.
      */
     float range_rate_correction;
-    /** Which parts of the state of the corrections are valid. */
+    /** Valid parts of the state of the corrections. */
     mip_gnss_data_dgps_info_flags valid_flags;
 };
 
@@ -1437,11 +1440,11 @@ struct mip_gnss_data_dgps_channel {
      */
     float range_correction;
     /**
-     * How fast the correction changes. Unit: m/s. Valid if
+     * Rate of change of the correction. Unit: m/s. Valid if
      * MIP_GNSS_DATA_DGPS_CHANNEL_FLAGS_RANGE_RATE_CORRECTION in valid_flags is set.
      */
     float range_rate_correction;
-    /** Which parts of a differential correction are valid. */
+    /** Valid parts of a differential correction. */
     mip_gnss_data_dgps_channel_flags valid_flags;
 };
 
@@ -1500,7 +1503,7 @@ struct mip_gnss_data_clock_info_2 {
      * MIP_GNSS_DATA_CLOCK_INFO_2_FLAGS_DRIFT_ACCURACY in valid_flags is set.
      */
     double drift_accuracy_estimate;
-    /** Which clock parameters are valid. */
+    /** Valid clock parameters. */
     mip_gnss_data_clock_info_2_flags valid_flags;
 };
 
@@ -1542,7 +1545,7 @@ struct mip_gnss_data_gps_leap_seconds {
      * valid_flags is set.
      */
     uint8_t leap_seconds;
-    /** Whether the value is valid. */
+    /** Validity of the leap seconds. */
     mip_gnss_data_gps_leap_seconds_flags valid_flags;
 };
 
@@ -1608,7 +1611,7 @@ struct mip_gnss_data_sbas_info {
      * set.
      */
     mip_gnss_data_sbas_status sbas_status;
-    /** Which parts of the SBAS status are valid. */
+    /** Valid parts of the SBAS status. */
     mip_gnss_data_sbas_info_flags valid_flags;
 };
 
@@ -1652,7 +1655,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_sbas_info_encode(
 struct mip_gnss_data_sbas_correction {
     /** Number of this field within the epoch. */
     uint8_t index;
-    /** How many of these fields the epoch has. */
+    /** Number of these fields in the epoch. */
     uint8_t count;
     /** GPS time of week of the reception. Unit: s. Range: at least 0, less than 604800. */
     double tow;
@@ -1678,7 +1681,7 @@ struct mip_gnss_data_sbas_correction {
      * MIP_GNSS_DATA_SBAS_CORRECTION_FLAGS_IONO_CORRECTION in valid_flags is set.
      */
     float iono_correction;
-    /** Which parts of an SBAS correction are valid. */
+    /** Valid parts of an SBAS correction. */
     mip_gnss_data_sbas_correction_flags valid_flags;
 };
 
@@ -1725,14 +1728,13 @@ struct mip_gnss_data_rf_error_detection {
      */
     uint8_t rf_band;
     /**
-     * Whether signals are jammed in this band. A value of enum mip_gnss_data_jamming_state. Valid
-     * if MIP_GNSS_DATA_RF_ERROR_DETECTION_FLAGS_JAMMING_STATE in valid_flags is set.
+     * State of jamming in this band. A value of enum mip_gnss_data_jamming_state. Valid if
+     * MIP_GNSS_DATA_RF_ERROR_DETECTION_FLAGS_JAMMING_STATE in valid_flags is set.
      */
     uint8_t jamming_state;
     /**
-     * Whether false signals are detected in this band. A value of enum
-     * mip_gnss_data_spoofing_state. Valid if MIP_GNSS_DATA_RF_ERROR_DETECTION_FLAGS_SPOOFING_STATE
-     * in valid_flags is set.
+     * State of spoofing in this band. A value of enum mip_gnss_data_spoofing_state. Valid if
+     * MIP_GNSS_DATA_RF_ERROR_DETECTION_FLAGS_SPOOFING_STATE in valid_flags is set.
      */
     uint8_t spoofing_state;
     /**
@@ -1742,7 +1744,7 @@ struct mip_gnss_data_rf_error_detection {
     uint16_t frequency;
     /** Reserved. */
     uint8_t reserved[2];
-    /** Which parts of the detection are valid. */
+    /** Valid parts of the detection. */
     mip_gnss_data_rf_error_detection_flags valid_flags;
 };
 
@@ -1797,7 +1799,7 @@ struct mip_gnss_data_heading {
      * MIP_GNSS_DATA_HEADING_FLAGS_FIX_TYPE in valid_flags is set.
      */
     uint8_t fix_type;
-    /** Which parts of the heading are valid. */
+    /** Valid parts of the heading. */
     mip_gnss_data_heading_flags valid_flags;
 };
 
@@ -1839,7 +1841,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_heading_encode(
 struct mip_gnss_data_satellite_status {
     /** Number of this field within the epoch. */
     uint8_t index;
-    /** How many of these fields the epoch has. */
+    /** Number of these fields in the epoch. */
     uint8_t count;
     /**
      * GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if
@@ -1872,11 +1874,11 @@ struct mip_gnss_data_satellite_status {
      */
     float azimuth;
     /**
-     * Whether the satellite is healthy. Valid if MIP_GNSS_DATA_SATELLITE_STATUS_FLAGS_HEALTH in
+     * True if the satellite is healthy. Valid if MIP_GNSS_DATA_SATELLITE_STATUS_FLAGS_HEALTH in
      * valid_flags is set.
      */
     mip_bool health;
-    /** Which parts of the satellite status are valid. */
+    /** Valid parts of the satellite status. */
     mip_gnss_data_satellite_status_flags valid_flags;
 };
 
@@ -1920,7 +1922,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_satellite_status_encode(
 struct mip_gnss_data_raw {
     /** Number of this field within the epoch. */
     uint8_t index;
-    /** How many of these fields the epoch has. */
+    /** Number of these fields in the epoch. */
     uint8_t count;
     /**
      * GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if
@@ -1963,7 +1965,7 @@ struct mip_gnss_data_raw {
      */
     float signal_strength;
     /**
-     * How well the signal is tracked. A value of enum mip_gnss_data_signal_quality. Valid if
+     * Quality of the tracking of the signal. A value of enum mip_gnss_data_signal_quality. Valid if
      * MIP_GNSS_DATA_RAW_FLAGS_QUALITY in valid_flags is set.
      */
     uint8_t quality;
@@ -1999,7 +2001,7 @@ struct mip_gnss_data_raw {
      * Valid if MIP_GNSS_DATA_RAW_FLAGS_LOCK_TIME in valid_flags is set.
      */
     float lock_time;
-    /** Which parts of the observation are valid. */
+    /** Valid parts of the observation. */
     mip_gnss_data_raw_flags valid_flags;
 };
 
@@ -2067,7 +2069,7 @@ struct mip_gnss_data_base_station_info {
      * valid_flags is set.
      */
     mip_gnss_data_base_station_indicators indicators;
-    /** Which values are valid. */
+    /** Valid values. */
     mip_gnss_data_base_station_info_flags valid_flags;
 };
 
@@ -2096,7 +2098,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_base_station_info_encode(
 /**
  * RTK corrections status: data 0x31.
  *
- * Which corrections are received, and how old they are.
+ * Received corrections and their age.
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
  * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-GNSS/INS and
@@ -2150,7 +2152,7 @@ struct mip_gnss_data_rtk_corrections_status {
     float beidou_correction_latency;
     /** Reserved. */
     uint32_t reserved[4];
-    /** Which values are valid. */
+    /** Valid values. */
     mip_gnss_data_rtk_corrections_status_flags valid_flags;
 };
 
@@ -2192,7 +2194,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_rtk_corrections_status_encode(
 struct mip_gnss_data_gps_ephemeris {
     /** Number of this field within the epoch. */
     uint8_t index;
-    /** How many of these fields the epoch has. */
+    /** Number of these fields in the epoch. */
     uint8_t count;
     /** GPS time of week. Unit: s. Range: at least 0, less than 604800. */
     double tow;
@@ -2337,7 +2339,7 @@ struct mip_gnss_data_gps_ephemeris {
      * MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     double c_rs;
-    /** What the ephemeris holds. */
+    /** Contents of the ephemeris. */
     mip_gnss_data_ephemeris_flags valid_flags;
 };
 
@@ -2381,7 +2383,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_gps_ephemeris_encode(
 struct mip_gnss_data_glonass_ephemeris {
     /** Number of this field within the epoch. */
     uint8_t index;
-    /** How many of these fields the epoch has. */
+    /** Number of these fields in the epoch. */
     uint8_t count;
     /** GPS time of week. Unit: s. Range: at least 0, less than 604800. */
     double tow;
@@ -2480,11 +2482,11 @@ struct mip_gnss_data_glonass_ephemeris {
      */
     uint8_t p3;
     /**
-     * Whether ephemeris parameters are present. Valid if
-     * MIP_GNSS_DATA_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     * Presence of ephemeris parameters. Valid if MIP_GNSS_DATA_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in
+     * valid_flags is set.
      */
     uint8_t p4;
-    /** Whether the ephemeris is valid. */
+    /** Validity of the ephemeris. */
     mip_gnss_data_glonass_ephemeris_flags valid_flags;
 };
 
@@ -2529,7 +2531,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_glonass_ephemeris_encode(
 struct mip_gnss_data_galileo_ephemeris {
     /** Number of this field within the epoch. */
     uint8_t index;
-    /** How many of these fields the epoch has. */
+    /** Number of these fields in the epoch. */
     uint8_t count;
     /** GPS time of week. Unit: s. Range: at least 0, less than 604800. */
     double tow;
@@ -2674,7 +2676,7 @@ struct mip_gnss_data_galileo_ephemeris {
      * MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     double c_rs;
-    /** What the ephemeris holds. */
+    /** Contents of the ephemeris. */
     mip_gnss_data_ephemeris_flags valid_flags;
 };
 
@@ -2719,7 +2721,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_galileo_ephemeris_encode(
 struct mip_gnss_data_beidou_ephemeris {
     /** Number of this field within the epoch. */
     uint8_t index;
-    /** How many of these fields the epoch has. */
+    /** Number of these fields in the epoch. */
     uint8_t count;
     /** GPS time of week. Unit: s. Range: at least 0, less than 604800. */
     double tow;
@@ -2864,7 +2866,7 @@ struct mip_gnss_data_beidou_ephemeris {
      * MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     double c_rs;
-    /** What the ephemeris holds. */
+    /** Contents of the ephemeris. */
     mip_gnss_data_ephemeris_flags valid_flags;
 };
 
@@ -2922,7 +2924,7 @@ struct mip_gnss_data_gps_iono_correction {
      * valid_flags is set. Uncertain: The units.
      */
     double beta[4];
-    /** Which parts of the model are valid. */
+    /** Valid parts of the model. */
     mip_gnss_data_gps_iono_correction_flags valid_flags;
 };
 
@@ -2982,7 +2984,7 @@ struct mip_gnss_data_galileo_iono_correction {
      * Uncertain: Whether the bits count from 0 or from 1, and which region each represents.
      */
     uint8_t disturbance_flags;
-    /** Which parts of the model are valid. */
+    /** Valid parts of the model. */
     mip_gnss_data_galileo_iono_correction_flags valid_flags;
 };
 
@@ -3046,7 +3048,7 @@ struct mip_gnss_data_beidou_iono_correction {
      * The units.
      */
     double alpha_correction[9];
-    /** Which parts of the model are valid. */
+    /** Valid parts of the model. */
     mip_gnss_data_beidou_iono_correction_flags valid_flags;
 };
 

@@ -406,7 +406,7 @@ MIP_CHECKED static inline mip_error mip_rtk_get_rssi_encode(const struct mip_rtk
  * - mip-sdk-4: Get RSSI (0x0F,0x05)
  */
 struct mip_rtk_get_rssi_response {
-    /** Whether the modem is connected. */
+    /** True if the modem is connected. */
     mip_bool valid;
     /** Received signal strength. Valid if valid is true. Uncertain: The unit; dBm is likely. */
     int32_t rssi;
@@ -438,7 +438,7 @@ MIP_CHECKED static inline mip_error mip_rtk_get_rssi_response_encode(
 /**
  * Connected device type: command (0x0F,0x06).
  *
- * The device that the modem serves.
+ * Sets the device that the modem serves.
  *
  * Functions: write, read, save, load and default. Answered by
  * mip_rtk_connected_device_type_response. Not listed in any device profile. Known only from the
@@ -452,7 +452,7 @@ struct mip_rtk_connected_device_type {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
      * Device that the modem is connected to. A value of enum mip_rtk_connected_device. Required for
@@ -743,7 +743,7 @@ MIP_CHECKED static inline mip_error mip_rtk_service_status_encode(
 /**
  * Service status response: response (0x0F,0x8A).
  *
- * What the server knows of the connection.
+ * Connection status according to the server.
  *
  * Answers mip_rtk_service_status. Known only from the MicroStrain MIP SDK. Uncertain: What the
  * counters count.
@@ -837,7 +837,7 @@ static inline struct mip_rtk_erase_storage *mip_rtk_erase_storage_make(
 /**
  * LED control: command (0x0F,0x21).
  *
- * Colours and pattern of the LED.
+ * Sets the colours and the pattern of the LED.
  *
  * For advanced use. Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *

@@ -53,7 +53,7 @@ typedef uint16_t mip_sensor_overrange_flags;
 #define MIP_SENSOR_OVERRANGE_FLAGS_MAG_Z 0x0400U
 /** Bit 12. Pressure sensor. Concerns mip_sensor_scaled_pressure. */
 #define MIP_SENSOR_OVERRANGE_FLAGS_PRESSURE 0x1000U
-/** Whether the odometer values are valid. */
+/** Validity of the odometer values. */
 typedef uint16_t mip_sensor_odometer_flags;
 /** Bit 0. Set if an odometer is configured; its values are then valid. */
 #define MIP_SENSOR_ODOMETER_FLAGS_ODOMETER 0x0001U
@@ -173,7 +173,7 @@ mip_sensor_raw_mag_encode(const struct mip_sensor_raw_mag *value, struct mip_bui
 /**
  * Scaled accel: data (0x80,0x04).
  *
- * Measured acceleration, temperature compensated.
+ * Specific force, temperature compensated: about -1 g on z when level and at rest.
  *
  * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CX5-45, 3DM-GQ7-GNSS/INS,
  * 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
@@ -991,7 +991,7 @@ MIP_CHECKED static inline mip_error mip_sensor_scaled_pressure_encode(
 /**
  * Overrange status: data (0x80,0x18).
  *
- * Which sensor axes are near or outside their range.
+ * Sensor axes that are near or outside their range.
  *
  * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
@@ -1043,7 +1043,7 @@ struct mip_sensor_odometer {
      * MIP_SENSOR_ODOMETER_FLAGS_ODOMETER in valid_flags is set.
      */
     float uncertainty;
-    /** Whether the values are valid. */
+    /** Validity of the measured values. */
     mip_sensor_odometer_flags valid_flags;
 };
 

@@ -25,7 +25,7 @@ extern "C" {
 /** Descriptor set of these fields. */
 #define MIP_SHARED_SET 0xFF
 
-/** Which parts of the GPS time are valid. */
+/** Valid parts of the GPS time. */
 typedef uint16_t mip_shared_gps_timestamp_flags;
 /** Bit 0. The whole seconds of the time of week have been set. */
 #define MIP_SHARED_GPS_TIMESTAMP_FLAGS_TOW 0x0001U
@@ -33,11 +33,11 @@ typedef uint16_t mip_shared_gps_timestamp_flags;
 #define MIP_SHARED_GPS_TIMESTAMP_FLAGS_WEEK_NUMBER 0x0002U
 /** Bits 0 to 1. Both are set. Overlaps other bits. */
 #define MIP_SHARED_GPS_TIMESTAMP_FLAGS_TIME_VALID 0x0003U
-/** Whether the external time is valid. */
+/** Validity of the external time. */
 typedef uint16_t mip_shared_external_timestamp_flags;
 /** Bit 0. The time is valid. */
 #define MIP_SHARED_EXTERNAL_TIMESTAMP_FLAGS_NANOSECONDS 0x0001U
-/** Whether the difference of external time is valid. */
+/** Validity of the difference of external time. */
 typedef uint16_t mip_shared_external_time_delta_flags;
 /** Bit 0. The difference is valid. */
 #define MIP_SHARED_EXTERNAL_TIME_DELTA_FLAGS_DT_NANOS 0x0001U
@@ -188,7 +188,7 @@ struct mip_shared_gps_timestamp {
      * valid_flags is set.
      */
     uint16_t week_number;
-    /** Which parts are valid. */
+    /** Valid parts of the timestamp. */
     mip_shared_gps_timestamp_flags valid_flags;
 };
 
@@ -359,7 +359,7 @@ struct mip_shared_external_timestamp {
      * valid_flags is set.
      */
     uint64_t nanoseconds;
-    /** Whether the time is valid. */
+    /** Validity of the time. */
     mip_shared_external_timestamp_flags valid_flags;
 };
 
@@ -404,7 +404,7 @@ struct mip_shared_external_time_delta {
      * in valid_flags is set.
      */
     uint64_t dt_nanos;
-    /** Whether the difference is valid. */
+    /** Validity of the difference. */
     mip_shared_external_time_delta_flags valid_flags;
 };
 

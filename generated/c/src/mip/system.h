@@ -40,7 +40,7 @@ typedef uint32_t mip_system_comm_protocols;
 #define MIP_SYSTEM_COMM_PROTOCOLS_SPARTN UINT32_C(0x01000000)
 /** Bit 29. SBF, the binary format of Septentrio receivers. */
 #define MIP_SYSTEM_COMM_PROTOCOLS_SBF UINT32_C(0x20000000)
-/** Which part of the device the host communicates with, and by which protocol. */
+/** Part of the device that the host communicates with, and its protocol. */
 enum mip_system_protocol_mode MIP_ENUM_8 {
     /** The device itself, MIP. */
     MIP_SYSTEM_PROTOCOL_MODE_STANDARD = 1,
@@ -56,7 +56,7 @@ MIP_API const char *mip_system_protocol_mode_name(uint8_t value);
 /**
  * Interface control: command (0x7F,0x02).
  *
- * Protocols that a port receives and sends.
+ * Sets the protocols that a port receives and sends.
  *
  * Functions: write, read, save, load and default. Answered by
  * mip_system_interface_control_response. Supported by 3DM-CV7-GNSS/INS.
@@ -83,7 +83,7 @@ struct mip_system_interface_control {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
      * Port whose protocols are set or read. A value of enum mip_comm_interface. Uncertain: Whether
@@ -249,7 +249,7 @@ struct mip_system_comm_mode {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
      * Communication mode. A value of enum mip_system_protocol_mode. Default:

@@ -91,7 +91,7 @@ MIP_CHECKED static inline mip_error mip_system_data_built_in_test_encode(
 /**
  * Time sync status: data (0xA0,0x02).
  *
- * Whether the device time is locked to the pulse per second.
+ * Synchronization of the device time with the pulse per second.
  *
  * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS. On the 3DM-GQ7-GNSS/INS: firmware >
  * 1.0.10.

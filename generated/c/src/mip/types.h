@@ -175,7 +175,7 @@ static inline void mip_cv7_continuous_built_in_test_set_imu_stall(
     mip_set_bits(flags->bytes, 19, 1, value);
 }
 
-/** Bits 20 to 23. Any of these faults: the filter does not work normally. Overlaps other bits. */
+/** Bits 20 to 23. Set if any filter fault (bits 20-23) is set. Overlaps other bits. */
 static inline uint8_t mip_cv7_continuous_built_in_test_get_filter_process_fault(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (uint8_t)mip_get_bits(flags->bytes, 20, 4);
@@ -230,7 +230,7 @@ static inline void mip_cv7_continuous_built_in_test_set_filter_process_stall(
     mip_set_bits(flags->bytes, 23, 1, value);
 }
 
-/** Bits 24 to 27. Any of these faults: GNSS does not work normally. Overlaps other bits. */
+/** Bits 24 to 27. Set if any GNSS fault (bits 24-27) is set. Overlaps other bits. */
 static inline uint8_t mip_cv7_continuous_built_in_test_get_gnss_subsystem_fault(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (uint8_t)mip_get_bits(flags->bytes, 24, 4);
@@ -1615,7 +1615,7 @@ typedef uint8_t mip_event_trigger_status;
 #define MIP_EVENT_TRIGGER_STATUS_TEST 0x04U
 
 /**
- * How a GPIO pin activates a trigger.
+ * Condition of a GPIO pin that activates a trigger.
  *
  * - 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
  * - 3dm-cv7-gnss-ins: Trigger: GPIO
@@ -1639,7 +1639,7 @@ enum mip_event_trigger_gpio_mode MIP_ENUM_8 {
 MIP_API const char *mip_event_trigger_gpio_mode_name(uint8_t value);
 
 /**
- * How a threshold trigger compares.
+ * Comparison of a threshold trigger.
  *
  * - 3dm-cv7-gnss-ins: ThresholdParams
  */
@@ -1654,7 +1654,7 @@ enum mip_event_threshold_type MIP_ENUM_8 {
 MIP_API const char *mip_event_threshold_type_name(uint8_t value);
 
 /**
- * How an action controls a GPIO pin.
+ * Control of a GPIO pin by an action.
  *
  * - 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
  * - 3dm-cv7-gnss-ins: Action: GPIO
@@ -1670,7 +1670,7 @@ enum mip_event_action_gpio_mode MIP_ENUM_8 {
     MIP_EVENT_ACTION_GPIO_MODE_ONESHOT_HIGH = 5,
     /** Set low at each activation and never set high. */
     MIP_EVENT_ACTION_GPIO_MODE_ONESHOT_LOW = 6,
-    /** Inverted at each activation. */
+    /** The pin is inverted each time the trigger activates. */
     MIP_EVENT_ACTION_GPIO_MODE_TOGGLE = 7
 };
 
@@ -1685,7 +1685,9 @@ MIP_API const char *mip_event_action_gpio_mode_name(uint8_t value);
 struct mip_event_trigger_gpio {
     /** GPIO pin, counted from 1. Range: at least 1. */
     uint8_t pin;
-    /** How the pin activates the trigger. A value of enum mip_event_trigger_gpio_mode. */
+    /**
+     * Condition of the pin that activates the trigger. A value of enum mip_event_trigger_gpio_mode.
+     */
     uint8_t mode;
 };
 
@@ -1766,7 +1768,7 @@ struct mip_event_trigger_threshold {
     uint8_t parameter_id;
     /** Kind of comparison. A value of enum mip_event_threshold_type. */
     uint8_t type;
-    /** What the value is compared with. Selected by type. */
+    /** Kind of comparison. Selected by type. */
     union mip_event_trigger_threshold_thresholds thresholds;
 };
 
@@ -1798,7 +1800,7 @@ struct mip_event_trigger_combination {
 struct mip_event_action_gpio {
     /** GPIO pin, counted from 1. Range: at least 1. */
     uint8_t pin;
-    /** How the action controls the pin. A value of enum mip_event_action_gpio_mode. */
+    /** Control of the pin by the action. A value of enum mip_event_action_gpio_mode. */
     uint8_t mode;
 };
 
@@ -1839,7 +1841,7 @@ enum mip_gnss_constellation MIP_ENUM_8 {
     MIP_GNSS_CONSTELLATION_GALILEO = 3,
     /** The value `beidou`. */
     MIP_GNSS_CONSTELLATION_BEIDOU = 4,
-    /** Satellite based augmentation. */
+    /** Satellites of augmentation systems (SBAS). */
     MIP_GNSS_CONSTELLATION_SBAS = 5
 };
 
@@ -2017,7 +2019,7 @@ enum mip_gnss_signal MIP_ENUM_8 {
 MIP_API const char *mip_gnss_signal_name(uint8_t value);
 
 /**
- * What a GPIO pin is used for.
+ * Use of a GPIO pin.
  *
  * - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
  * - 3dm-cv7-gnss-ins: GPIO Features
@@ -2176,13 +2178,13 @@ MIP_API const char *mip_nmea_message_id_name(uint8_t value);
 enum mip_nmea_talker_id MIP_ENUM_8 {
     /** For sentences whose talker cannot be chosen (GSV and the proprietary ones). */
     MIP_NMEA_TALKER_ID_IGNORED = 0,
-    /** GN. */
+    /** Talker GN: several constellations. */
     MIP_NMEA_TALKER_ID_GNSS = 1,
-    /** GP. */
+    /** Talker GP: GPS only. */
     MIP_NMEA_TALKER_ID_GPS = 2,
-    /** GA. */
+    /** Talker GA: Galileo only. */
     MIP_NMEA_TALKER_ID_GALILEO = 3,
-    /** GL. */
+    /** Talker GL: GLONASS only. */
     MIP_NMEA_TALKER_ID_GLONASS = 4
 };
 

@@ -15,7 +15,7 @@ use crate::types;
 pub const AIDING_SET: u8 = 0x13;
 
 open_enum! {
-    /// How the rotation of an aiding frame is given.
+    /// Format of the rotation of an aiding frame.
     ///
     /// Source: 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01).
     AidingFrameFormat: u8 {
@@ -27,7 +27,7 @@ open_enum! {
 }
 
 open_enum! {
-    /// How the device answers aiding measurements.
+    /// Answers of the device to aiding measurements.
     ///
     /// Source: 3dm-cv7-gnss-ins: Echo Control (0x13,0x1F).
     AidingEchoMode: u8 {
@@ -53,7 +53,7 @@ open_enum! {
 }
 
 record! {
-    /// When a measurement was taken.
+    /// Time at which a measurement was taken.
     #[derive(Copy, Eq, Hash)]
     pub struct MeasurementTime {
         /// Clock of the time.
@@ -94,7 +94,7 @@ constructors! {
 }
 
 bitfield! {
-    /// Which axes of a measurement are valid; the others are ignored.
+    /// Valid axes of a measurement; the others are ignored.
     AxisFlags: u16 {
         /// First axis. Bit 0.
         X: bool = 0,
@@ -109,7 +109,7 @@ bitfield! {
 }
 
 bitfield! {
-    /// Which coordinates of a position are valid; the others are ignored.
+    /// Valid coordinates of a position; the others are ignored.
     LlhAxisFlags: u16 {
         /// Latitude and its uncertainty are valid. Bit 0.
         LATITUDE: bool = 0,
@@ -126,7 +126,7 @@ bitfield! {
 record! {
     /// Frame configuration (0x13,0x01).
     ///
-    /// Where and how an external sensor is mounted on the vehicle.
+    /// Sets the position and the orientation of an external sensor on the vehicle.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
@@ -150,18 +150,18 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01); 3dm-cv7-gnss-ins: Aiding Frames.
     #[derive(Copy)]
     pub struct FrameConfig {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Number of the frame.
         ///
         /// Range: 1 to 4.
         pub frame_id: Option<u8>,
-        /// How the rotation is given.
+        /// Format of the rotation.
         ///
         /// Required for [write](types::FunctionSelector::WRITE) and
         /// [read](types::FunctionSelector::READ).
         pub format: Option<AidingFrameFormat>,
-        /// Whether the filter estimates the errors of the frame.
+        /// True if the filter estimates the errors of the frame.
         ///
         /// Required for [write](types::FunctionSelector::WRITE).
         pub tracking_enabled: Option<crate::Bool>,
@@ -243,7 +243,7 @@ command! {
 record! {
     /// Echo control (0x13,0x1F).
     ///
-    /// How the device answers aiding measurements.
+    /// Sets how the device answers aiding measurements.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
@@ -261,9 +261,9 @@ record! {
     /// Control.
     #[derive(Copy, Eq, Hash)]
     pub struct EchoControl {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
-        /// How the measurements are answered.
+        /// Answers to the measurements.
         ///
         /// Required for [write](types::FunctionSelector::WRITE).
         pub mode: Option<AidingEchoMode>,
@@ -306,7 +306,7 @@ command! {
 record! {
     /// ECEF position (0x13,0x21).
     ///
-    /// A measured position in Earth-fixed coordinates.
+    /// Sends a measured position in Earth-fixed coordinates.
     ///
     /// Also called `pos_ecef`. Not acknowledged if [`mode`](EchoControl::mode) of [`EchoControl`]
     /// is [`AidingEchoMode::SUPPRESS_ACK`]. Supported by
@@ -322,7 +322,7 @@ record! {
     /// Measurements \> ECEF Position.
     #[derive(Copy, Default)]
     pub struct EcefPosition {
-        /// When the measurement was taken.
+        /// Time of the measurement.
         pub time: MeasurementTime,
         /// Frame of the sensor, as [`FrameConfig`] defines it.
         ///
@@ -340,7 +340,7 @@ record! {
         /// valid flag. x: [`valid_flags.x`](AxisFlags::x), y: [`valid_flags.y`](AxisFlags::y), z:
         /// [`valid_flags.z`](AxisFlags::z).
         pub uncertainty: types::Vector3f,
-        /// Which axes are valid.
+        /// Valid axes.
         pub valid_flags: AxisFlags,
     }
 }
@@ -370,7 +370,7 @@ command! {
 record! {
     /// LLH position (0x13,0x22).
     ///
-    /// A measured position as latitude, longitude and height.
+    /// Sends a measured position as latitude, longitude and height.
     ///
     /// Also called `pos_llh`. Not acknowledged if [`mode`](EchoControl::mode) of [`EchoControl`] is
     /// [`AidingEchoMode::SUPPRESS_ACK`]. Supported by
@@ -388,7 +388,7 @@ record! {
     /// Measurements \> LLH Position.
     #[derive(Copy, Default)]
     pub struct LlhPosition {
-        /// When the measurement was taken.
+        /// Time of the measurement.
         pub time: MeasurementTime,
         /// Frame of the sensor, as [`FrameConfig`] defines it.
         ///
@@ -418,7 +418,7 @@ record! {
         /// [`valid_flags.longitude`](LlhAxisFlags::longitude), down:
         /// [`valid_flags.height`](LlhAxisFlags::height).
         pub uncertainty: types::Ned3f,
-        /// Which coordinates are valid.
+        /// Valid coordinates.
         pub valid_flags: LlhAxisFlags,
     }
 }
@@ -450,7 +450,7 @@ command! {
 record! {
     /// Height above ellipsoid (0x13,0x23).
     ///
-    /// A measured height.
+    /// Sends a measured height above the ellipsoid.
     ///
     /// Not acknowledged if [`mode`](EchoControl::mode) of [`EchoControl`] is
     /// [`AidingEchoMode::SUPPRESS_ACK`]. Supported by
@@ -464,7 +464,7 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: Height Above Ellipsoid (0x13,0x23).
     #[derive(Copy, Default)]
     pub struct HeightAboveEllipsoid {
-        /// When the measurement was taken.
+        /// Time of the measurement.
         pub time: MeasurementTime,
         /// Frame of the sensor, as [`FrameConfig`] defines it.
         ///
@@ -510,7 +510,7 @@ command! {
 record! {
     /// ECEF velocity (0x13,0x28).
     ///
-    /// A measured velocity in Earth-fixed coordinates.
+    /// Sends a measured velocity in Earth-fixed coordinates.
     ///
     /// Also called `vel_ecef`. Not acknowledged if [`mode`](EchoControl::mode) of [`EchoControl`]
     /// is [`AidingEchoMode::SUPPRESS_ACK`]. Supported by
@@ -528,7 +528,7 @@ record! {
     /// Measurements \> ECEF Velocity.
     #[derive(Copy, Default)]
     pub struct EcefVelocity {
-        /// When the measurement was taken.
+        /// Time of the measurement.
         pub time: MeasurementTime,
         /// Frame of the sensor, as [`FrameConfig`] defines it.
         ///
@@ -546,7 +546,7 @@ record! {
         /// own valid flag. x: [`valid_flags.x`](AxisFlags::x), y: [`valid_flags.y`](AxisFlags::y),
         /// z: [`valid_flags.z`](AxisFlags::z).
         pub uncertainty: types::Vector3f,
-        /// Which axes are valid.
+        /// Valid axes.
         pub valid_flags: AxisFlags,
     }
 }
@@ -576,7 +576,7 @@ command! {
 record! {
     /// NED velocity (0x13,0x29).
     ///
-    /// A measured velocity in the local level frame.
+    /// Sends a measured velocity in the local level frame.
     ///
     /// Also called `vel_ned`. Not acknowledged if [`mode`](EchoControl::mode) of [`EchoControl`] is
     /// [`AidingEchoMode::SUPPRESS_ACK`]. Supported by
@@ -594,7 +594,7 @@ record! {
     /// Measurements \> NED Velocity.
     #[derive(Copy, Default)]
     pub struct NedVelocity {
-        /// When the measurement was taken.
+        /// Time of the measurement.
         pub time: MeasurementTime,
         /// Frame of the sensor, as [`FrameConfig`] defines it.
         ///
@@ -612,7 +612,7 @@ record! {
         /// has its own valid flag. north: [`valid_flags.x`](AxisFlags::x), east:
         /// [`valid_flags.y`](AxisFlags::y), down: [`valid_flags.z`](AxisFlags::z).
         pub uncertainty: types::Ned3f,
-        /// Which axes are valid.
+        /// Valid axes.
         pub valid_flags: AxisFlags,
     }
 }
@@ -642,7 +642,7 @@ command! {
 record! {
     /// Body frame velocity (0x13,0x2A).
     ///
-    /// A measured velocity of the vehicle in the frame of the sensor.
+    /// Sends a measured velocity of the vehicle in the frame of the sensor.
     ///
     /// Also called `vel_body_frame`. Not acknowledged if [`mode`](EchoControl::mode) of
     /// [`EchoControl`] is [`AidingEchoMode::SUPPRESS_ACK`]. Supported by
@@ -663,7 +663,7 @@ record! {
     /// Measurements \> Body Frame Velocity; 3dm-cv7-gnss-ins: Filter Kinematic Constraints.
     #[derive(Copy, Default)]
     pub struct BodyFrameVelocity {
-        /// When the measurement was taken.
+        /// Time of the measurement.
         pub time: MeasurementTime,
         /// Frame of the sensor, as [`FrameConfig`] defines it.
         ///
@@ -681,7 +681,7 @@ record! {
         /// own valid flag. x: [`valid_flags.x`](AxisFlags::x), y: [`valid_flags.y`](AxisFlags::y),
         /// z: [`valid_flags.z`](AxisFlags::z).
         pub uncertainty: types::Vector3f,
-        /// Which axes are valid.
+        /// Valid axes.
         pub valid_flags: AxisFlags,
     }
 }
@@ -711,7 +711,7 @@ command! {
 record! {
     /// True heading (0x13,0x31).
     ///
-    /// A measured heading relative to true north.
+    /// Sends a measured heading relative to true north.
     ///
     /// Also called `heading_true`. Not acknowledged if [`mode`](EchoControl::mode) of
     /// [`EchoControl`] is [`AidingEchoMode::SUPPRESS_ACK`]. Supported by
@@ -729,7 +729,7 @@ record! {
     /// Measurements \> True Heading.
     #[derive(Copy, Default)]
     pub struct TrueHeading {
-        /// When the measurement was taken.
+        /// Time of the measurement.
         pub time: MeasurementTime,
         /// Frame of the sensor, as [`FrameConfig`] defines it.
         ///
@@ -776,7 +776,7 @@ command! {
 record! {
     /// Magnetic field (0x13,0x32).
     ///
-    /// A magnetic field measured by an external magnetometer.
+    /// Sends a magnetic field measured by an external magnetometer.
     ///
     /// Not acknowledged if [`mode`](EchoControl::mode) of [`EchoControl`] is
     /// [`AidingEchoMode::SUPPRESS_ACK`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
@@ -794,7 +794,7 @@ record! {
     /// Measurements \> External Magnetometer.
     #[derive(Copy, Default)]
     pub struct MagneticField {
-        /// When the measurement was taken.
+        /// Time of the measurement.
         pub time: MeasurementTime,
         /// Frame of the sensor, as [`FrameConfig`] defines it.
         ///
@@ -812,7 +812,7 @@ record! {
         /// its own valid flag. x: [`valid_flags.x`](AxisFlags::x), y:
         /// [`valid_flags.y`](AxisFlags::y), z: [`valid_flags.z`](AxisFlags::z).
         pub uncertainty: types::Vector3f,
-        /// Which axes are valid.
+        /// Valid axes.
         pub valid_flags: AxisFlags,
     }
 }
@@ -842,7 +842,7 @@ command! {
 record! {
     /// Pressure (0x13,0x33).
     ///
-    /// A static air pressure measured by an external sensor.
+    /// Sends a static air pressure measured by an external sensor.
     ///
     /// Not acknowledged if [`mode`](EchoControl::mode) of [`EchoControl`] is
     /// [`AidingEchoMode::SUPPRESS_ACK`]. Supported by
@@ -857,7 +857,7 @@ record! {
     /// \> External Pressure.
     #[derive(Copy, Default)]
     pub struct Pressure {
-        /// When the measurement was taken.
+        /// Time of the measurement.
         pub time: MeasurementTime,
         /// Frame of the sensor, as [`FrameConfig`] defines it.
         ///
@@ -918,9 +918,9 @@ record! {
         ///
         /// Range: 1 to 4.
         pub frame_id: u8,
-        /// How the rotation is given.
+        /// Format of the rotation.
         pub format: AidingFrameFormat,
-        /// Whether the filter estimates the errors of the frame.
+        /// True if the filter estimates the errors of the frame.
         pub tracking_enabled: crate::Bool,
         /// Origin of the frame in the vehicle.
         ///
@@ -973,7 +973,7 @@ record! {
     /// Control.
     #[derive(Copy, Default, Eq, Hash)]
     pub struct EchoControlResponse {
-        /// How the measurements are answered.
+        /// Answers to the measurements.
         pub mode: AidingEchoMode,
     }
 }

@@ -23,7 +23,7 @@ record! {
     pub struct BaseDeviceInfo {
         /// Firmware version as one decimal number: 1202 means 1.2.02.
         pub firmware_version: u16,
-        /// What the model is called, such as 3DM-GQ7.
+        /// Product name, such as 3DM-GQ7.
         pub model_name: crate::Text<16>,
         /// Part number of the model.
         pub model_number: crate::Text<16>,
@@ -486,7 +486,7 @@ command! {
 record! {
     /// Comm port speed (0x01,0x09).
     ///
-    /// Baud rate of one communication port.
+    /// Sets the baud rate of one communication port.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
@@ -506,7 +506,7 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: Comm Port Speed (0x01,0x09).
     #[derive(Copy, Eq, Hash)]
     pub struct CommSpeed {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Port id of the device; 0 means all ports, and is for save, load and default only.
         ///
@@ -637,7 +637,7 @@ record! {
     /// Command (0x01,0x72); 3dm-cv7-gnss-ins: Timestamps.
     #[derive(Copy, Eq, Hash)]
     pub struct GpsTimeUpdate {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Meaning of the value.
         pub field_id: Option<GpsTimeField>,

@@ -58,7 +58,7 @@ record! {
     /// Source: mscl: Displacement Output Data Rate (0x11,0x02).
     #[derive(Copy, Eq, Hash)]
     pub struct OutputRate {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
     }
     wire 1 {
@@ -97,7 +97,7 @@ record! {
     /// Source: mscl: Displacement Device Time (0x11,0x04).
     #[derive(Copy, Eq, Hash)]
     pub struct DeviceTime {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// UTC since 1970-01-01, without leap seconds.
         ///

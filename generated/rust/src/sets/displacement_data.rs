@@ -15,7 +15,7 @@ use crate::types;
 pub const DISPLACEMENT_DATA_SET: u8 = 0x90;
 
 bitfield! {
-    /// Whether the time of displacement data is valid.
+    /// Validity of the time of displacement data.
     ///
     /// Uncertain: That it is a bitfield. MSCL takes the time for valid if the number is 1.
     TimestampFlags: u8 {
@@ -108,7 +108,7 @@ record! {
     /// Source: mscl: Displacement Device Timestamp (0x90,0x04).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct Timestamp {
-        /// Whether the time of displacement data is valid.
+        /// Validity of the time of displacement data.
         pub flags: TimestampFlags,
         /// UTC since 1970-01-01, without leap seconds, if the clock was set so.
         ///

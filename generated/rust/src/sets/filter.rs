@@ -64,7 +64,7 @@ bitfield! {
 }
 
 open_enum! {
-    /// Where the filter takes GNSS data from.
+    /// Source of the GNSS data that aids the filter.
     GnssAidingSource: u8 {
         /// All internal receivers.
         ALL_INTERNAL = 1, "all_internal";
@@ -88,7 +88,7 @@ open_enum! {
 }
 
 open_enum! {
-    /// Where the filter takes heading updates from.
+    /// Source of the heading updates that aid the filter.
     ///
     /// Source: 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18); 3dm-gx5-45: (0x0D, 0x18);
     /// mip-sdk-4: Heading Source (0x0D,0x18).
@@ -140,7 +140,7 @@ bitfield! {
 }
 
 open_enum! {
-    /// Where the declination, the inclination or the magnitude of the magnetic field comes from.
+    /// Source of the declination, the inclination or the magnitude of the magnetic field.
     MagParameterSource: u8 {
         /// No source. Uncertain: What the device does without a source.
         NONE = 1, "none";
@@ -152,7 +152,7 @@ open_enum! {
 }
 
 open_enum! {
-    /// How measurements are weighted whose magnitude is not as expected.
+    /// Weighting of measurements whose magnitude is not as expected.
     AdaptiveMeasurementSelector: u8 {
         /// No adaptation.
         DISABLED = 0, "disabled";
@@ -164,7 +164,7 @@ open_enum! {
 }
 
 open_enum! {
-    /// What aids the altitude.
+    /// Source that aids the altitude.
     ///
     /// Source: mip-sdk-4: Altitude Aiding (0x0D,0x47).
     AltitudeAidingSource: u8 {
@@ -176,7 +176,7 @@ open_enum! {
 }
 
 open_enum! {
-    /// What aids pitch and roll.
+    /// Source that aids pitch and roll.
     PitchRollAidingSource: u8 {
         /// No aiding.
         NONE = 0, "none";
@@ -212,7 +212,7 @@ open_enum! {
 }
 
 open_enum! {
-    /// What the filter assumes about the acceleration.
+    /// Assumption of the filter about the acceleration.
     ///
     /// Source: mip-sdk-4: Kinematic Constraint (0x0D,0x51).
     AccelConstraint: u8 {
@@ -224,7 +224,7 @@ open_enum! {
 }
 
 open_enum! {
-    /// What the filter assumes about the velocity.
+    /// Assumption of the filter about the velocity.
     ///
     /// Source: mip-sdk-4: Kinematic Constraint (0x0D,0x51).
     VelocityConstraint: u8 {
@@ -238,7 +238,7 @@ open_enum! {
 }
 
 open_enum! {
-    /// What the filter assumes about the angular rate.
+    /// Assumption of the filter about the angular rate.
     ///
     /// Source: mip-sdk-4: Kinematic Constraint (0x0D,0x51).
     AngularConstraint: u8 {
@@ -250,7 +250,7 @@ open_enum! {
 }
 
 open_enum! {
-    /// Which initial conditions the device determines automatically and which the user provides.
+    /// Initial conditions that the user provides instead of the device.
     InitialConditionSource: u8 {
         /// Position, velocity and attitude are automatic.
         AUTO_POSITION_VELOCITY_ATTITUDE = 0, "auto_position_velocity_attitude";
@@ -292,7 +292,7 @@ open_enum! {
 }
 
 open_enum! {
-    /// How strongly the filter adapts to inconsistent measurements.
+    /// Strength of the adaptation to inconsistent measurements.
     AdaptiveLevel: u8 {
         /// No adaptation.
         OFF = 0, "off";
@@ -306,7 +306,7 @@ open_enum! {
 }
 
 open_enum! {
-    /// Where the reference of relative positions comes from.
+    /// Source of the reference of relative positions.
     RelativePositionSource: u8 {
         /// The base station of the RTK corrections.
         AUTO = 0, "auto";
@@ -332,6 +332,8 @@ record! {
     /// [`solution_fault`](types::Gx5BuiltInTest::solution_fault) of [`types::Gx5BuiltInTest`],
     /// [`filter_solution_fault`](types::Cv7BuiltInTest::filter_solution_fault) of
     /// [`types::Cv7BuiltInTest`],
+    /// [`run_matrix_singularity`](crate::filter_data::Gx5StatusFlags::run_matrix_singularity) of
+    /// [`filter_data::Gx5StatusFlags`](crate::filter_data::Gx5StatusFlags),
     /// [`run_nan_in_solution_warning`](crate::filter_data::Gx5StatusFlags::run_nan_in_solution_warning)
     /// of [`filter_data::Gx5StatusFlags`](crate::filter_data::Gx5StatusFlags) and
     /// [`solution_error`](crate::filter_data::Cv7StatusFlags::solution_error) of
@@ -382,7 +384,8 @@ command! {
 record! {
     /// Set initial attitude (0x0D,0x02).
     ///
-    /// Gives the filter its initial attitude, the orientation of the sensor frame in the NED frame.
+    /// Sets the initial attitude of the filter, the orientation of the sensor frame in the NED
+    /// frame.
     ///
     /// Changes [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
     /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm) and
@@ -447,7 +450,7 @@ command! {
 record! {
     /// Set initial heading (0x0D,0x03).
     ///
-    /// Gives the filter its initial heading; pitch and roll come from the accelerometers.
+    /// Sets the initial heading of the filter; pitch and roll come from the accelerometers.
     ///
     /// Changes [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
     /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm) and
@@ -596,7 +599,7 @@ record! {
     /// Source: mip-sdk-4: Vehicle dynamics mode (0x0D,0x10).
     #[derive(Copy, Eq, Hash)]
     pub struct VehicleDynamicsMode {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Kind of vehicle.
         ///
@@ -643,7 +646,7 @@ command! {
 record! {
     /// Sensor to vehicle frame transformation (0x0D,0x11).
     ///
-    /// Euler angles of the rotation from the sensor frame to the vehicle frame (5-series).
+    /// Sets the rotation from the sensor frame to the vehicle frame as Euler angles (5-series).
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
@@ -681,7 +684,7 @@ record! {
     /// Source: 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11).
     #[derive(Copy)]
     pub struct SensorToVehicleRotationEuler {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Roll angle.
         ///
@@ -743,7 +746,7 @@ command! {
 record! {
     /// Sensor to vehicle offset (0x0D,0x12).
     ///
-    /// Origin of the vehicle frame, as seen from the sensor.
+    /// Sets the origin of the vehicle frame, as seen from the sensor.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
@@ -762,7 +765,7 @@ record! {
     /// Source: mip-sdk-4: Sensor to vehicle offset (0x0D,0x12).
     #[derive(Copy)]
     pub struct SensorToVehicleOffset {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// From the sensor to the origin of the vehicle frame.
         ///
@@ -808,7 +811,7 @@ command! {
 record! {
     /// GNSS antenna offset (0x0D,0x13).
     ///
-    /// Position of the GNSS antenna relative to the origin of the sensor.
+    /// Sets the position of the GNSS antenna relative to the origin of the sensor.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
@@ -836,7 +839,7 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13).
     #[derive(Copy)]
     pub struct AntennaOffset {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// From the sensor origin to the phase centre of the antenna.
         ///
@@ -883,7 +886,7 @@ command! {
 record! {
     /// Estimation control flags (0x0D,0x14).
     ///
-    /// Which states the filter estimates.
+    /// Selects the states that the filter estimates.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
@@ -915,7 +918,7 @@ record! {
     /// Source: 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14).
     #[derive(Copy, Eq, Hash)]
     pub struct EstimationControl {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// States to estimate.
         ///
@@ -983,7 +986,7 @@ command! {
 record! {
     /// GNSS aiding source (0x0D,0x15).
     ///
-    /// Which GNSS receiver aids the filter.
+    /// Selects the GNSS receiver that aids the filter.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
@@ -1007,7 +1010,7 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15).
     #[derive(Copy, Eq, Hash)]
     pub struct GnssSource {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Source of the GNSS data.
         ///
@@ -1054,7 +1057,7 @@ command! {
 record! {
     /// External GNSS update (0x0D,0x16).
     ///
-    /// One measurement of position and velocity by a GNSS receiver of the user.
+    /// Sends one measurement of position and velocity by a GNSS receiver of the user to the filter.
     ///
     /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
     /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-45](crate::devices::CX5_45),
@@ -1135,7 +1138,7 @@ command! {
 record! {
     /// External heading update (0x0D,0x17).
     ///
-    /// Gives the filter one measurement of the heading of the sensor frame in the NED frame.
+    /// Sends one measurement of the heading of the sensor frame in the NED frame to the filter.
     ///
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
     /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). Probably
@@ -1204,7 +1207,7 @@ command! {
 record! {
     /// Heading update control (0x0D,0x18).
     ///
-    /// Source of the heading that aids the filter.
+    /// Selects the source of the heading that aids the filter.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
@@ -1226,7 +1229,7 @@ record! {
     /// Source: 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18).
     #[derive(Copy, Eq, Hash)]
     pub struct HeadingSource {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Source of the heading.
         ///
@@ -1289,7 +1292,7 @@ command! {
 record! {
     /// Automatic initialization (0x0D,0x19).
     ///
-    /// Whether the filter initializes by itself when the device starts.
+    /// Sets whether the filter initializes automatically at power-up.
     ///
     /// Also called `auto_init_control`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
@@ -1311,7 +1314,7 @@ record! {
     /// Source: 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19).
     #[derive(Copy, Eq, Hash)]
     pub struct AutoInitializationControl {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// 0 disables, 1 enables.
         ///
@@ -1356,7 +1359,8 @@ command! {
 record! {
     /// Accelerometer noise (0x0D,0x1A).
     ///
-    /// Standard deviation of the accelerometer noise that the filter assumes (process noise).
+    /// Sets the standard deviation of the accelerometer noise that the filter assumes (process
+    /// noise).
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
@@ -1388,7 +1392,7 @@ record! {
     /// 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A).
     #[derive(Copy)]
     pub struct AccelNoise {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Standard deviation per axis.
         ///
@@ -1434,7 +1438,7 @@ command! {
 record! {
     /// Gyroscope noise (0x0D,0x1B).
     ///
-    /// Standard deviation of the gyroscope noise that the filter assumes (process noise).
+    /// Sets the standard deviation of the gyroscope noise that the filter assumes (process noise).
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
@@ -1464,7 +1468,7 @@ record! {
     /// Gyroscope Noise Standard Deviation (0x0D, 0x1B).
     #[derive(Copy)]
     pub struct GyroNoise {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Standard deviation per axis.
         ///
@@ -1510,7 +1514,7 @@ command! {
 record! {
     /// Accelerometer bias model (0x0D,0x1C).
     ///
-    /// Parameters of the model by which the accelerometer bias drifts.
+    /// Sets the parameters of the model by which the accelerometer bias drifts.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
@@ -1528,7 +1532,7 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C).
     #[derive(Copy)]
     pub struct AccelBiasModel {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Reciprocal of the correlation time per axis.
         ///
@@ -1579,7 +1583,7 @@ command! {
 record! {
     /// Gyroscope bias model (0x0D,0x1D).
     ///
-    /// Parameters of the model by which the gyroscope bias drifts.
+    /// Sets the parameters of the model by which the gyroscope bias drifts.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
@@ -1606,7 +1610,7 @@ record! {
     /// Gyroscope Bias Model Parameters (0x0D, 0x1D).
     #[derive(Copy)]
     pub struct GyroBiasModel {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Reciprocal of the correlation time per axis.
         ///
@@ -1679,7 +1683,7 @@ record! {
     /// Source: mip-sdk-4: Auto Zupt (0x0D,0x1E).
     #[derive(Copy)]
     pub struct AutoZupt {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// 0 disables, 1 enables.
         ///
@@ -1730,7 +1734,7 @@ command! {
 record! {
     /// External heading update with time (0x0D,0x1F).
     ///
-    /// Gives the filter one measurement of the heading of the sensor frame with its GPS time.
+    /// Sends one measurement of the heading of the sensor frame with its GPS time to the filter.
     ///
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
     /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). Probably
@@ -1848,7 +1852,7 @@ record! {
     /// Zero Angular Rate Update Control (0x0D, 0x20).
     #[derive(Copy)]
     pub struct AutoAngularZupt {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// 0 disables, 1 enables.
         ///
@@ -1937,7 +1941,7 @@ record! {
     /// (0x0D,0x21).
     #[derive(Copy, Eq, Hash)]
     pub struct TareOrientation {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Axes to tare; 0 resets all axes.
         ///
@@ -2064,7 +2068,8 @@ command! {
 record! {
     /// Set reference position (0x0D,0x26).
     ///
-    /// Position for which the device computes gravity (WGS84) and the magnetic field (WMM2015).
+    /// Sets the position for which the device computes gravity (WGS84) and the magnetic field
+    /// (WMM2015).
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
@@ -2081,7 +2086,7 @@ record! {
     /// Source: 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26).
     #[derive(Copy)]
     pub struct ReferencePosition {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// 0 disables, 1 enables.
         ///
@@ -2153,7 +2158,7 @@ command! {
 record! {
     /// Capture automatic magnetometer calibration (0x0D,0x27).
     ///
-    /// Moves what the automatic magnetometer calibration has found into the fixed calibration.
+    /// Moves the result of the automatic magnetometer calibration into the fixed calibration.
     ///
     /// Also called `mag_capture_auto_cal`. Functions: [write](types::FunctionSelector::WRITE) and
     /// [save](types::FunctionSelector::SAVE). Changes
@@ -2174,7 +2179,7 @@ record! {
     /// Source: mip-sdk-4: Mag Capture Auto Cal (0x0D,0x27).
     #[derive(Copy, Eq, Hash)]
     pub struct MagCaptureAutoCalibration {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
     }
     wire 1 {
@@ -2204,7 +2209,7 @@ command! {
 record! {
     /// Gravity noise (0x0D,0x28).
     ///
-    /// Standard deviation of the gravity noise that the filter assumes (process noise).
+    /// Sets the standard deviation of the gravity noise that the filter assumes (process noise).
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
@@ -2231,7 +2236,7 @@ record! {
     /// Gravity Noise Standard Deviation (0x0D, 0x28).
     #[derive(Copy)]
     pub struct GravityNoise {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Standard deviation per axis.
         ///
@@ -2277,7 +2282,8 @@ command! {
 record! {
     /// Pressure altitude noise (0x0D,0x29).
     ///
-    /// Standard deviation of the noise of the pressure altitude model that the filter assumes.
+    /// Sets the standard deviation of the noise of the pressure altitude model that the filter
+    /// assumes.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
@@ -2296,9 +2302,9 @@ record! {
     /// Source: mip-sdk-4: Pressure altitude noise (0x0D,0x29).
     #[derive(Copy)]
     pub struct PressureAltitudeNoise {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
-        /// Standard deviation.
+        /// Standard deviation of the pressure altitude noise.
         ///
         /// Unit: m. Range: greater than 0. Required for [write](types::FunctionSelector::WRITE).
         #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
@@ -2342,7 +2348,7 @@ command! {
 record! {
     /// Hard iron offset noise (0x0D,0x2B).
     ///
-    /// Standard deviation of the noise of the estimated hard iron offset (process noise).
+    /// Sets the standard deviation of the noise of the estimated hard iron offset (process noise).
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
@@ -2358,7 +2364,7 @@ record! {
     /// Source: mip-sdk-4: Hard iron offset noise (0x0D,0x2B).
     #[derive(Copy)]
     pub struct HardIronOffsetNoise {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Standard deviation per axis.
         ///
@@ -2404,7 +2410,7 @@ command! {
 record! {
     /// Soft iron matrix noise (0x0D,0x2C).
     ///
-    /// Standard deviation of the noise of the estimated soft iron matrix (process noise).
+    /// Sets the standard deviation of the noise of the estimated soft iron matrix (process noise).
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
@@ -2420,7 +2426,7 @@ record! {
     /// Source: mip-sdk-4: Soft iron matrix noise (0x0D,0x2C).
     #[derive(Copy)]
     pub struct SoftIronMatrixNoise {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Standard deviation per element.
         ///
@@ -2466,7 +2472,7 @@ command! {
 record! {
     /// Enable or disable measurements (0x0D,0x41).
     ///
-    /// Which inertial measurements the filter uses.
+    /// Selects the inertial measurements that the filter uses.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
@@ -2486,7 +2492,7 @@ record! {
     /// Source: 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41).
     #[derive(Copy, Eq, Hash)]
     pub struct EnableMeasurements {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Measurements to use.
         ///
@@ -2532,7 +2538,7 @@ command! {
 record! {
     /// Magnetometer noise (0x0D,0x42).
     ///
-    /// Standard deviation of the magnetometer noise that the filter assumes.
+    /// Sets the standard deviation of the magnetometer noise that the filter assumes.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
@@ -2552,7 +2558,7 @@ record! {
     /// Source: mip-sdk-4: Mag Noise (0x0D,0x42).
     #[derive(Copy)]
     pub struct MagNoise {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Standard deviation per axis.
         ///
@@ -2598,7 +2604,7 @@ command! {
 record! {
     /// Magnetic declination source (0x0D,0x43).
     ///
-    /// Source of the local declination of the magnetic field.
+    /// Selects the source of the local declination of the magnetic field.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
@@ -2627,7 +2633,7 @@ record! {
     /// Magnetic Field Declination Source Control (0x0D,0x43).
     #[derive(Copy)]
     pub struct MagneticDeclinationSource {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Source of the declination.
         ///
@@ -2686,7 +2692,7 @@ command! {
 record! {
     /// Gravity magnitude error adaptive measurement (0x0D,0x44).
     ///
-    /// How far the filter trusts gravity measurements whose magnitude is not that of gravity.
+    /// Sets how far the filter trusts gravity measurements whose magnitude is not that of gravity.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
@@ -2718,7 +2724,7 @@ record! {
     /// Source: 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44).
     #[derive(Copy)]
     pub struct AccelMagnitudeErrorAdaptiveMeasurement {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Kind of adaptation.
         ///
@@ -2814,7 +2820,7 @@ command! {
 record! {
     /// Magnetometer magnitude error adaptive measurement (0x0D,0x45).
     ///
-    /// How far the filter trusts a magnetic field whose magnitude is not as expected.
+    /// Sets how far the filter trusts a magnetic field whose magnitude is not as expected.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
@@ -2844,7 +2850,7 @@ record! {
     /// Source: mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45).
     #[derive(Copy)]
     pub struct MagMagnitudeErrorAdaptiveMeasurement {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Kind of adaptation.
         ///
@@ -2948,7 +2954,7 @@ command! {
 record! {
     /// Magnetometer dip angle error adaptive measurement (0x0D,0x46).
     ///
-    /// How far the filter trusts a magnetic field whose dip angle is not as expected.
+    /// Sets how far the filter trusts a magnetic field whose dip angle is not as expected.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
@@ -2975,9 +2981,9 @@ record! {
     /// Source: mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46).
     #[derive(Copy)]
     pub struct MagDipAngleErrorAdaptiveMeasurement {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
-        /// Whether the adaptation is on.
+        /// True if the adaptation is on.
         ///
         /// Required for [write](types::FunctionSelector::WRITE).
         pub enable: Option<crate::Bool>,
@@ -3053,7 +3059,7 @@ command! {
 record! {
     /// Altitude aiding (0x0D,0x47).
     ///
-    /// What aids the altitude in addition to GNSS.
+    /// Selects the source that aids the altitude in addition to GNSS.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
@@ -3072,7 +3078,7 @@ record! {
     /// Source: mip-sdk-4: Altitude aiding (0x0D,0x47).
     #[derive(Copy, Eq, Hash)]
     pub struct AltitudeAiding {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Source of the aiding.
         ///
@@ -3117,7 +3123,7 @@ command! {
 record! {
     /// Pitch and roll aiding (0x0D,0x4B).
     ///
-    /// What aids pitch and roll while the motion is gentle.
+    /// Selects the source that aids pitch and roll while the motion is gentle.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
@@ -3139,7 +3145,7 @@ record! {
     /// Source: 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B).
     #[derive(Copy, Eq, Hash)]
     pub struct PitchRollAiding {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Source of the aiding.
         ///
@@ -3184,7 +3190,7 @@ command! {
 record! {
     /// Magnetic inclination source (0x0D,0x4C).
     ///
-    /// Source of the local inclination (dip angle) of the magnetic field.
+    /// Selects the source of the local inclination (dip angle) of the magnetic field.
     ///
     /// Also called `inclination_source`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
@@ -3200,7 +3206,7 @@ record! {
     /// Source: mip-sdk-4: Inclination Source (0x0D,0x4C).
     #[derive(Copy)]
     pub struct MagneticInclinationSource {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Source of the inclination.
         ///
@@ -3254,7 +3260,7 @@ command! {
 record! {
     /// Magnetic field magnitude source (0x0D,0x4D).
     ///
-    /// Source of the local magnitude of the magnetic field.
+    /// Selects the source of the local magnitude of the magnetic field.
     ///
     /// Also called `mag_field_magnitude_source`. Functions:
     /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
@@ -3272,7 +3278,7 @@ record! {
     /// Source: mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D).
     #[derive(Copy)]
     pub struct MagneticMagnitudeSource {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Source of the magnitude.
         ///
@@ -3325,7 +3331,7 @@ command! {
 record! {
     /// Sensor to vehicle rotation, matrix (0x0D,0x4E).
     ///
-    /// Rotation from the sensor frame to the vehicle frame as a direction cosine matrix.
+    /// Sets the rotation from the sensor frame to the vehicle frame as a direction cosine matrix.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
@@ -3355,7 +3361,7 @@ record! {
     /// Source: mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E).
     #[derive(Copy)]
     pub struct SensorToVehicleRotationDcm {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Rotation matrix in row-major order.
         ///
@@ -3401,7 +3407,7 @@ command! {
 record! {
     /// Sensor to vehicle rotation, quaternion (0x0D,0x4F).
     ///
-    /// Rotation from the sensor frame to the vehicle frame as a quaternion.
+    /// Sets the rotation from the sensor frame to the vehicle frame as a quaternion.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
@@ -3430,7 +3436,7 @@ record! {
     /// Source: mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F).
     #[derive(Copy)]
     pub struct SensorToVehicleRotationQuaternion {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Unit quaternion, scalar part first.
         ///
@@ -3494,7 +3500,7 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50).
     #[derive(Copy, Eq, Hash)]
     pub struct AidingMeasurementEnable {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// The source; `all` is for save, load and default.
         ///
@@ -3513,7 +3519,7 @@ record! {
         /// [`AidingSource::GNSS_HEADING`], [`AidingSource::ALTIMETER`], [`AidingSource::SPEED`],
         /// [`AidingSource::MAG`], [`AidingSource::EXTERNAL_HEADING`] and [`AidingSource::ALL`].
         pub aiding_source: Option<AidingSource>,
-        /// Whether the filter uses the source.
+        /// True if the filter uses the source.
         ///
         /// Required for [write](types::FunctionSelector::WRITE).
         pub enable: Option<crate::Bool>,
@@ -3557,7 +3563,7 @@ command! {
 record! {
     /// Kinematic constraint (0x0D,0x51).
     ///
-    /// What the filter may take for granted about the motion, in place of measurements.
+    /// Sets the assumptions about the motion that the filter uses in place of measurements.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
@@ -3573,7 +3579,7 @@ record! {
     /// Source: mip-sdk-4: Kinematic constraint (0x0D,0x51).
     #[derive(Copy, Eq, Hash)]
     pub struct KinematicConstraint {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Assumption about the acceleration.
         ///
@@ -3635,7 +3641,7 @@ command! {
 record! {
     /// Navigation filter initialization (0x0D,0x52).
     ///
-    /// Sources and values of the initial attitude, position and velocity of the filter.
+    /// Sets the sources and values of the initial attitude, position and velocity of the filter.
     ///
     /// Also called `initialization_configuration`. Functions:
     /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
@@ -3661,13 +3667,13 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52).
     #[derive(Copy)]
     pub struct InitializationConfig {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// 1: the filter starts only after [`Run`]; 0: it starts as soon as it can.
         ///
         /// Range: 0 to 1. Required for [write](types::FunctionSelector::WRITE).
         pub wait_for_run_command: Option<u8>,
-        /// Which initial conditions are automatic and which the user provides.
+        /// Initial conditions that the user provides instead of the device.
         ///
         /// Required for [write](types::FunctionSelector::WRITE).
         pub initial_condition_source: Option<InitialConditionSource>,
@@ -3774,7 +3780,7 @@ command! {
 record! {
     /// Adaptive filter control (0x0D,0x53).
     ///
-    /// How the filter adapts to measurements that do not fit its model.
+    /// Sets how the filter adapts to measurements that do not fit its model.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
@@ -3792,7 +3798,7 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53).
     #[derive(Copy, Eq, Hash)]
     pub struct AdaptiveFilterOptions {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Strength of the adaptation.
         ///
@@ -3844,7 +3850,7 @@ command! {
 record! {
     /// GNSS multi-antenna offset (0x0D,0x54).
     ///
-    /// Position of the antenna of one receiver on devices with several antennas.
+    /// Sets the position of the antenna of one receiver on devices with several antennas.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
@@ -3867,7 +3873,7 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54).
     #[derive(Copy)]
     pub struct MultiAntennaOffset {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Number of the receiver, from 1.
         ///
@@ -3918,7 +3924,7 @@ command! {
 record! {
     /// Relative position configuration (0x0D,0x55).
     ///
-    /// Reference point of the relative position that the filter reports.
+    /// Sets the reference point of the relative position that the filter reports.
     ///
     /// Also called `rel_pos_configuration`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
@@ -3932,7 +3938,7 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55).
     #[derive(Copy)]
     pub struct RelativePositionConfig {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Source of the reference point.
         ///
@@ -4017,7 +4023,7 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56).
     #[derive(Copy)]
     pub struct ReferencePointLeverArm {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Point to move; it must be 1.
         ///
@@ -4068,7 +4074,7 @@ command! {
 record! {
     /// Speed measurement (0x0D,0x60).
     ///
-    /// Gives the filter one measurement of the forward speed of the vehicle (along its x axis).
+    /// Sends one measurement of the forward speed of the vehicle (along its x axis) to the filter.
     ///
     /// Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: The
     /// SDK names a response, `filter.speed_measurement_response`, but has no layout of it.
@@ -4136,7 +4142,8 @@ command! {
 record! {
     /// Speed measurement lever arm (0x0D,0x61).
     ///
-    /// Position of the point whose speed is measured, such as the wheel that an odometer is on.
+    /// Sets the position of the point whose speed is measured, such as the wheel that an odometer
+    /// is on.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
@@ -4153,7 +4160,7 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61).
     #[derive(Copy)]
     pub struct SpeedLeverArm {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Reserved: send 1.
         pub source: Option<u8>,
@@ -4218,7 +4225,7 @@ record! {
     /// Source: mip-sdk-4: Vertical Gyro Constraint Control (0x0D,0x62).
     #[derive(Copy, Eq, Hash)]
     pub struct VerticalGyroConstraintControl {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// 0 disables, 1 enables.
         ///
@@ -4283,7 +4290,7 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: Wheeled Vehicle Constraint Control (0x0D,0x63).
     #[derive(Copy, Eq, Hash)]
     pub struct WheeledVehicleConstraintControl {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// 0 disables, 1 enables.
         ///
@@ -4328,7 +4335,7 @@ command! {
 record! {
     /// GNSS antenna offset calibration (0x0D,0x64).
     ///
-    /// Lets the filter track the error of the antenna offset.
+    /// Enables antenna offset calibration.
     ///
     /// Also called `gnss_antenna_cal_control`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
@@ -4344,7 +4351,7 @@ record! {
     /// 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration.
     #[derive(Copy)]
     pub struct GnssAntennaCalibrationControl {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// 0 disables, 1 enables.
         ///
@@ -5135,7 +5142,7 @@ record! {
     /// Source: mip-sdk-4: Pressure altitude noise (0x0D,0x29).
     #[derive(Copy, Default)]
     pub struct PressureAltitudeNoiseResponse {
-        /// Standard deviation.
+        /// Standard deviation of the pressure altitude noise.
         ///
         /// Unit: m. Range: greater than 0.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
@@ -5589,7 +5596,7 @@ record! {
     /// Source: mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46).
     #[derive(Copy, Default)]
     pub struct MagDipAngleErrorAdaptiveMeasurementResponse {
-        /// Whether the adaptation is on.
+        /// True if the adaptation is on.
         pub enable: crate::Bool,
         /// Cut-off frequency of the low-pass filter.
         ///
@@ -5877,7 +5884,7 @@ record! {
     pub struct AidingMeasurementEnableResponse {
         /// Aiding source that the setting is for.
         pub aiding_source: AidingSource,
-        /// Whether the filter uses the source.
+        /// True if the filter uses the source.
         pub enable: crate::Bool,
     }
 }
@@ -5964,7 +5971,7 @@ record! {
         ///
         /// Range: 0 to 1.
         pub wait_for_run_command: u8,
-        /// Which initial conditions are automatic and which the user provides.
+        /// Initial conditions that the user provides instead of the device.
         pub initial_condition_source: InitialConditionSource,
         /// Methods by which the initial heading may be determined.
         pub auto_heading_alignment_selector: HeadingAlignment,

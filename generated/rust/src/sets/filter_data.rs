@@ -14,7 +14,7 @@ use crate::types;
 pub const FILTER_DATA_SET: u8 = 0x82;
 
 bitfield! {
-    /// Whether the values of a field may be used.
+    /// Validity of the values of a field.
     ValidFlags: u16 {
         /// All values of the field are valid. Bit 0.
         VALID: bool = 0,
@@ -41,7 +41,7 @@ bitfield! {
 }
 
 bitfield! {
-    /// How the filter uses one GNSS receiver.
+    /// Use of one GNSS receiver by the filter.
     GnssAidingStatus: u16 {
         /// Raw ranges of the receiver are used. Bit 0.
         TIGHT_COUPLING: bool = 0,
@@ -95,7 +95,7 @@ bitfield! {
 }
 
 open_enum! {
-    /// Where a heading measurement comes from.
+    /// Source of a heading measurement.
     ///
     /// Source: mip-sdk-4: Head Aid Status (0x82,0x45).
     HeadingAidingType: u8 {
@@ -144,7 +144,7 @@ open_enum! {
 }
 
 bitfield! {
-    /// What the filter did with an aiding measurement.
+    /// Use of an aiding measurement by the filter.
     AidingMeasurementIndicator: u8 {
         /// The measurement is enabled. Bit 0.
         ENABLED: bool = 0,
@@ -252,13 +252,15 @@ bitfield! {
     ///
     /// Source: 3dm-gx5-15: 5.2.1 Filter Status (0x82, 0x10); 3dm-cv7-gnss-ins: Status (0x82,0x10).
     Gx5StatusFlags: u16 {
-        /// No inertial data. Bit 0.
+        /// No inertial data. Bit 0. Concerns [`sensor::ScaledAccel`](crate::sensor::ScaledAccel)
+        /// and [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
         RUN_IMU_UNAVAILABLE: bool = 0,
             run_imu_unavailable, set_run_imu_unavailable, with_run_imu_unavailable;
-        /// No GNSS data, on models with GNSS. Bit 1.
+        /// No GNSS data, on models with GNSS. Bit 1. Concerns [`LlhPosition`] and [`NedVelocity`].
         RUN_GPS_UNAVAILABLE: bool = 1,
             run_gps_unavailable, set_run_gps_unavailable, with_run_gps_unavailable;
-        /// A matrix of the computation is singular. Bit 3.
+        /// A matrix of the computation is singular. Bit 3. Concerns
+        /// [`filter::Reset`](crate::filter::Reset).
         RUN_MATRIX_SINGULARITY: bool = 3,
             run_matrix_singularity, set_run_matrix_singularity, with_run_matrix_singularity;
         /// A position covariance is above its normal limit. Bit 4. Concerns [`LlhPosition`] and
@@ -315,7 +317,7 @@ bitfield! {
 }
 
 open_enum! {
-    /// How settled the estimates of the filter are.
+    /// Convergence of the estimates of the filter.
     ///
     /// Source: 3dm-cv7-gnss-ins: Filter condition (bits 0-1); 3dm-cv7-gnss-ins: How do I interpret
     /// the Status (0x82,0x10) message?.
@@ -335,7 +337,7 @@ bitfield! {
     /// Source: 3dm-cv7-gnss-ins: Filter Status Flags; 3dm-cv7-gnss-ins: How do I interpret the
     /// Status (0x82,0x10) message?; 3dm-cv7-gnss-ins: Status (0x82,0x10).
     Cv7StatusFlags: u16 {
-        /// How settled the estimates are. Bits 0 to 1. A value of [`FilterCondition`].
+        /// Convergence of the estimates. Bits 0 to 1. A value of [`FilterCondition`].
         FILTER_CONDITION: FilterCondition = 0..=1,
             filter_condition, set_filter_condition, with_filter_condition;
         /// Roll and pitch are doubtful; check the mounting transformation. Bit 2. Concerns
@@ -398,6 +400,7 @@ record! {
     /// [`filter::AltitudeAiding`](crate::filter::AltitudeAiding),
     /// [`filter::InitializationConfig`](crate::filter::InitializationConfig) and
     /// [`filter::MultiAntennaOffset`](crate::filter::MultiAntennaOffset). Flagged by
+    /// [`run_gps_unavailable`](Gx5StatusFlags::run_gps_unavailable) of [`Gx5StatusFlags`],
     /// [`run_position_covariance_warning`](Gx5StatusFlags::run_position_covariance_warning) of
     /// [`Gx5StatusFlags`], [`init_no_position_velocity`](Gx5StatusFlags::init_no_position_velocity)
     /// of [`Gx5StatusFlags`] and [`position_warning`](Cv7StatusFlags::position_warning) of
@@ -431,7 +434,7 @@ record! {
         /// Unit: m. Frame: llh. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub ellipsoid_height: f64,
-        /// Whether the values of a field may be used.
+        /// Validity of the values of a field.
         pub valid_flags: ValidFlags,
     }
 }
@@ -477,7 +480,8 @@ record! {
     /// [`filter::MultiAntennaOffset`](crate::filter::MultiAntennaOffset),
     /// [`filter::SpeedLeverArm`](crate::filter::SpeedLeverArm) and
     /// [`filter::WheeledVehicleConstraintControl`](crate::filter::WheeledVehicleConstraintControl).
-    /// Flagged by
+    /// Flagged by [`run_gps_unavailable`](Gx5StatusFlags::run_gps_unavailable) of
+    /// [`Gx5StatusFlags`],
     /// [`run_velocity_covariance_warning`](Gx5StatusFlags::run_velocity_covariance_warning) of
     /// [`Gx5StatusFlags`], [`init_no_position_velocity`](Gx5StatusFlags::init_no_position_velocity)
     /// of [`Gx5StatusFlags`] and [`velocity_warning`](Cv7StatusFlags::velocity_warning) of
@@ -512,7 +516,7 @@ record! {
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub down: f32,
-        /// Whether the values of a field may be used.
+        /// Validity of the values of a field.
         pub valid_flags: ValidFlags,
     }
 }
@@ -603,7 +607,7 @@ record! {
         /// Elements: w, x, y, z. Unit: 1. Frame: ned. At rest and level: x 0, y 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub q: types::Quatf,
-        /// Whether the values of a field may be used.
+        /// Validity of the values of a field.
         pub valid_flags: ValidFlags,
     }
 }
@@ -688,7 +692,7 @@ record! {
         /// level: m13 0, m23 0, m31 0, m32 0, m33 1. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub dcm: types::Matrix3f,
-        /// Whether the values of a field may be used.
+        /// Validity of the values of a field.
         pub valid_flags: ValidFlags,
     }
 }
@@ -791,7 +795,7 @@ record! {
         /// clockwise seen from above. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub yaw: f32,
-        /// Whether the values of a field may be used.
+        /// Validity of the values of a field.
         pub valid_flags: ValidFlags,
     }
 }
@@ -857,7 +861,7 @@ record! {
         /// Elements: x, y, z. Unit: rad/s. Frame: sensor. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub bias: types::Vector3f,
-        /// Whether the values of a field may be used.
+        /// Validity of the values of a field.
         pub valid_flags: ValidFlags,
     }
 }
@@ -904,7 +908,7 @@ record! {
         /// Elements: x, y, z. Unit: m/s^2. Frame: sensor. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub bias: types::Vector3f,
-        /// Whether the values of a field may be used.
+        /// Validity of the values of a field.
         pub valid_flags: ValidFlags,
     }
 }
@@ -965,7 +969,7 @@ record! {
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub down: f32,
-        /// Whether the values of a field may be used.
+        /// Validity of the values of a field.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1033,7 +1037,7 @@ record! {
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub down: f32,
-        /// Whether the values of a field may be used.
+        /// Validity of the values of a field.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1114,7 +1118,7 @@ record! {
         /// Unit: rad. Range: at least 0. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub yaw: f32,
-        /// Whether the values of a field may be used.
+        /// Validity of the values of a field.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1177,7 +1181,7 @@ record! {
         /// Elements: x, y, z. Unit: rad/s. Frame: sensor. Range: at least 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub bias_uncertainty: types::Vector3f,
-        /// Whether the values of a field may be used.
+        /// Validity of the values of a field.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1222,7 +1226,7 @@ record! {
         /// Elements: x, y, z. Unit: m/s^2. Frame: sensor. Range: at least 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub bias_uncertainty: types::Vector3f,
-        /// Whether the values of a field may be used.
+        /// Validity of the values of a field.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1282,7 +1286,7 @@ record! {
         /// Elements: x, y, z. Unit: m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z 0. Valid
         /// if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub accel: types::Vector3f,
-        /// Whether the values of a field may be used.
+        /// Validity of the values of a field.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1343,7 +1347,7 @@ record! {
         /// Positive: right side down, nose up, clockwise seen from above. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub gyro: types::Vector3f,
-        /// Whether the values of a field may be used.
+        /// Validity of the values of a field.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1393,7 +1397,7 @@ record! {
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub gravity_magnitude: f32,
-        /// Whether the values of a field may be used.
+        /// Validity of the values of a field.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1446,7 +1450,7 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: Status (0x82,0x10); 3dm-gx5-15: 5.2.1 Filter Status (0x82, 0x10).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct Status {
-        /// How far the filter has come, from start-up to its full solution.
+        /// Progress of the filter from start-up to its full solution.
         ///
         /// On the [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
         /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
@@ -1670,7 +1674,7 @@ record! {
         ///
         /// Unit: week. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub week_number: u16,
-        /// Whether the values of a field may be used.
+        /// Validity of the values of a field.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1734,7 +1738,7 @@ record! {
         /// Elements: w, x, y, z. Unit: 1. Range: at least 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub q: types::Quatf,
-        /// Whether the values of a field may be used.
+        /// Validity of the values of a field.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1794,7 +1798,7 @@ record! {
         /// Valid if [`valid_flags.valid`](ValidFlags::valid) is set. Uncertain: The sign, which no
         /// source states.
         pub gravity: types::Vector3f,
-        /// Whether the values of a field may be used.
+        /// Validity of the values of a field.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1852,7 +1856,7 @@ record! {
         /// On the [3DM-GX5-15](crate::devices::GX5_15): only
         /// [`external`](HeadingSourceFlags::external).
         pub source: HeadingSourceFlags,
-        /// Whether the values of a field may be used.
+        /// Validity of the values of a field.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1929,7 +1933,7 @@ record! {
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub declination: f32,
-        /// Whether the values of a field may be used.
+        /// Validity of the values of a field.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1981,7 +1985,7 @@ record! {
         /// Elements: x, y, z. Unit: 1. Frame: sensor. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub scale_factor: types::Vector3f,
-        /// Whether the values of a field may be used.
+        /// Validity of the values of a field.
         pub valid_flags: ValidFlags,
     }
 }
@@ -2022,7 +2026,7 @@ record! {
         /// Elements: x, y, z. Unit: 1. Frame: sensor. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub scale_factor: types::Vector3f,
-        /// Whether the values of a field may be used.
+        /// Validity of the values of a field.
         pub valid_flags: ValidFlags,
     }
 }
@@ -2061,7 +2065,7 @@ record! {
         /// Elements: x, y, z. Unit: 1. Frame: sensor. Range: at least 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub scale_factor_uncertainty: types::Vector3f,
-        /// Whether the values of a field may be used.
+        /// Validity of the values of a field.
         pub valid_flags: ValidFlags,
     }
 }
@@ -2100,7 +2104,7 @@ record! {
         /// Elements: x, y, z. Unit: 1. Frame: sensor. Range: at least 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub scale_factor_uncertainty: types::Vector3f,
-        /// Whether the values of a field may be used.
+        /// Validity of the values of a field.
         pub valid_flags: ValidFlags,
     }
 }
@@ -2140,7 +2144,7 @@ record! {
         /// Elements: x, y, z. Unit: gauss. Frame: sensor. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub bias: types::Vector3f,
-        /// Whether the values of a field may be used.
+        /// Validity of the values of a field.
         pub valid_flags: ValidFlags,
     }
 }
@@ -2178,7 +2182,7 @@ record! {
         /// Elements: x, y, z. Unit: gauss. Frame: sensor. Range: at least 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub bias_uncertainty: types::Vector3f,
-        /// Whether the values of a field may be used.
+        /// Validity of the values of a field.
         pub valid_flags: ValidFlags,
     }
 }
@@ -2236,7 +2240,7 @@ record! {
         /// Elements: x, y, z. Unit: m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z -9.8.
         /// Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub accel: types::Vector3f,
-        /// Whether the values of a field may be used.
+        /// Validity of the values of a field.
         pub valid_flags: ValidFlags,
     }
 }
@@ -2299,7 +2303,7 @@ record! {
         /// set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub standard_density: f32,
-        /// Whether the values of a field may be used.
+        /// Validity of the values of a field.
         pub valid_flags: ValidFlags,
     }
 }
@@ -2363,7 +2367,7 @@ record! {
         /// Unit: m. Range: at most 84852. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub pressure_altitude: f32,
-        /// Whether the values of a field may be used.
+        /// Validity of the values of a field.
         pub valid_flags: ValidFlags,
     }
 }
@@ -2403,7 +2407,7 @@ record! {
         /// Unit: m. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub density_altitude: f32,
-        /// Whether the values of a field may be used.
+        /// Validity of the values of a field.
         pub valid_flags: ValidFlags,
     }
 }
@@ -2453,7 +2457,7 @@ record! {
         /// Elements: x, y, z. Unit: gauss. Frame: sensor. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub hard_iron: types::Vector3f,
-        /// Whether the values of a field may be used.
+        /// Validity of the values of a field.
         pub valid_flags: ValidFlags,
     }
 }
@@ -2503,7 +2507,7 @@ record! {
         /// Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1. Frame: sensor. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub soft_iron: types::Matrix3f,
-        /// Whether the values of a field may be used.
+        /// Validity of the values of a field.
         pub valid_flags: ValidFlags,
     }
 }
@@ -2547,7 +2551,7 @@ record! {
         /// Elements: x, y, z. Unit: gauss. Frame: sensor. Range: at least 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub hard_iron_uncertainty: types::Vector3f,
-        /// Whether the values of a field may be used.
+        /// Validity of the values of a field.
         pub valid_flags: ValidFlags,
     }
 }
@@ -2591,7 +2595,7 @@ record! {
         /// Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1. Frame: sensor. Range: at
         /// least 0. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub soft_iron_uncertainty: types::Matrix3f,
-        /// Whether the values of a field may be used.
+        /// Validity of the values of a field.
         pub valid_flags: ValidFlags,
     }
 }
@@ -2631,7 +2635,7 @@ record! {
         /// [`valid_flags.valid`](ValidFlags::valid) is set. Uncertain: The unit, which is likely
         /// gauss^2, and the frame.
         pub covariance: types::Matrix3f,
-        /// Whether the values of a field may be used.
+        /// Validity of the values of a field.
         pub valid_flags: ValidFlags,
     }
 }
@@ -2670,7 +2674,7 @@ record! {
         /// Elements: x, y, z. Unit: gauss. Frame: vehicle. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub residual: types::Vector3f,
-        /// Whether the values of a field may be used.
+        /// Validity of the values of a field.
         pub valid_flags: ValidFlags,
     }
 }
@@ -2715,7 +2719,7 @@ record! {
         /// Elements: x, y, z. Unit: m. Frame: vehicle. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub offset: types::Vector3f,
-        /// Whether the values of a field may be used.
+        /// Validity of the values of a field.
         pub valid_flags: ValidFlags,
     }
 }
@@ -2754,7 +2758,7 @@ record! {
         /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: at least 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub offset_uncertainty: types::Vector3f,
-        /// Whether the values of a field may be used.
+        /// Validity of the values of a field.
         pub valid_flags: ValidFlags,
     }
 }
@@ -2802,7 +2806,7 @@ record! {
         /// Unit: s/s. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub bias_drift: f32,
-        /// Whether the values of a field may be used.
+        /// Validity of the values of a field.
         pub valid_flags: ValidFlags,
     }
 }
@@ -2856,7 +2860,7 @@ record! {
         /// Unit: s/s. Range: at least 0. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub bias_drift_uncertainty: f32,
-        /// Whether the values of a field may be used.
+        /// Validity of the values of a field.
         pub valid_flags: ValidFlags,
     }
 }
@@ -2911,7 +2915,7 @@ record! {
         /// Elements: x, y, z. Unit: m. Frame: vehicle. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub offset: types::Vector3f,
-        /// Whether the values of a field may be used.
+        /// Validity of the values of a field.
         pub valid_flags: ValidFlags,
     }
 }
@@ -2959,7 +2963,7 @@ record! {
         /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: at least 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub offset_uncertainty: types::Vector3f,
-        /// Whether the values of a field may be used.
+        /// Validity of the values of a field.
         pub valid_flags: ValidFlags,
     }
 }
@@ -3007,7 +3011,7 @@ record! {
         /// Elements: x, y, z. Unit: m. Frame: ecef. Range: at least 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub position_uncertainty: types::Vector3f,
-        /// Whether the values of a field may be used.
+        /// Validity of the values of a field.
         pub valid_flags: ValidFlags,
     }
 }
@@ -3052,7 +3056,7 @@ record! {
         /// Elements: x, y, z. Unit: m/s. Frame: ecef. Range: at least 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub velocity_uncertainty: types::Vector3f,
-        /// Whether the values of a field may be used.
+        /// Validity of the values of a field.
         pub valid_flags: ValidFlags,
     }
 }
@@ -3100,7 +3104,7 @@ record! {
         /// Elements: x, y, z. Unit: m. Frame: ecef. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub position: types::Vector3d,
-        /// Whether the values of a field may be used.
+        /// Validity of the values of a field.
         pub valid_flags: ValidFlags,
     }
 }
@@ -3153,7 +3157,7 @@ record! {
         /// Elements: x, y, z. Unit: m/s. Frame: ecef. At rest and level: x 0, y 0, z 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub velocity: types::Vector3f,
-        /// Whether the values of a field may be used.
+        /// Validity of the values of a field.
         pub valid_flags: ValidFlags,
     }
 }
@@ -3199,7 +3203,7 @@ record! {
         /// Elements: north, east, down. Unit: m. Frame: ned. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub relative_position: types::Ned3d,
-        /// Whether the values of a field may be used.
+        /// Validity of the values of a field.
         pub valid_flags: ValidFlags,
     }
 }
@@ -3225,7 +3229,7 @@ field! {
 record! {
     /// GNSS position aiding status (0x82,0x43).
     ///
-    /// How the filter uses the position measurements of one GNSS receiver.
+    /// Use of the position measurements of one GNSS receiver by the filter.
     ///
     /// Also called `gnss_pos_aid_status`. Probably changed by
     /// [`filter::GnssSource`](crate::filter::GnssSource). Supported by
@@ -3247,7 +3251,7 @@ record! {
         /// Unit: s. Range: 0 to 604800.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub tow: f32,
-        /// How the measurements are used.
+        /// Use of the measurements.
         pub status: GnssAidingStatus,
         /// Reserved.
         pub reserved: [u8; 8],
@@ -3297,7 +3301,7 @@ record! {
         /// that of its processing.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub tow: f32,
-        /// How the measurements are used.
+        /// Use of the measurements.
         pub status: GnssAidingStatus,
         /// Reserved.
         ///
@@ -3382,7 +3386,7 @@ field! {
 record! {
     /// Aiding measurement summary (0x82,0x46).
     ///
-    /// What the filter did with one kind of aiding measurement in the last measurement interval.
+    /// Use of one kind of aiding measurement in the last measurement interval.
     ///
     /// Changed by [`filter::AidingMeasurementEnable`](crate::filter::AidingMeasurementEnable).
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
@@ -3405,7 +3409,7 @@ record! {
         /// Kind of measurement.
         #[cfg_attr(feature = "serde", serde(rename = "type"))]
         pub type_: AidingMeasurementType,
-        /// What the filter did with it.
+        /// Use of the measurement by the filter.
         pub indicator: AidingMeasurementIndicator,
     }
     wire 7 {
@@ -3460,7 +3464,7 @@ record! {
         /// Unit: 1. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub scale_factor_error: f32,
-        /// Whether the values of a field may be used.
+        /// Validity of the values of a field.
         pub valid_flags: ValidFlags,
     }
 }
@@ -3499,7 +3503,7 @@ record! {
         /// Unit: 1. Range: at least 0. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub scale_factor_error_uncertainty: f32,
-        /// Whether the values of a field may be used.
+        /// Validity of the values of a field.
         pub valid_flags: ValidFlags,
     }
 }
@@ -3557,7 +3561,7 @@ record! {
         pub fix_type: DualAntennaFixType,
         /// Inputs available to the solution.
         pub status_flags: DualAntennaStatusFlags,
-        /// Whether the values of a field may be used.
+        /// Validity of the values of a field.
         pub valid_flags: ValidFlags,
     }
 }

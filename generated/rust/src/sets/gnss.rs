@@ -129,7 +129,7 @@ open_enum! {
 }
 
 open_enum! {
-    /// How much a receiver restarts.
+    /// Extent of the restart of a receiver.
     ///
     /// Source: mip-sdk-4: Receiver Reset (0x0E,0x03).
     ReceiverResetType: u8 {
@@ -148,7 +148,7 @@ open_enum! {
 }
 
 open_enum! {
-    /// How readily RTK fixes the carrier phase ambiguities to whole numbers.
+    /// Readiness of RTK to fix the carrier phase ambiguities to whole numbers.
     ///
     /// Uncertain: The descriptions of `conservative` and `moderate`, which follow from the names.
     ///
@@ -166,7 +166,7 @@ open_enum! {
 }
 
 open_enum! {
-    /// How SPARTN corrections are received.
+    /// Channel of SPARTN corrections.
     SpartnConnection: u8 {
         /// No connection.
         NONE = 0, "none";
@@ -211,7 +211,7 @@ command! {
 record! {
     /// Signal configuration (0x0E,0x02).
     ///
-    /// GNSS signals that the device uses.
+    /// Selects the GNSS signals that the device uses.
     ///
     /// Also called `signal_configuration`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
@@ -232,7 +232,7 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: Signal Configuration (0x0E,0x02); 3dm-cv7-gnss-ins: GNSS.
     #[derive(Copy, Eq, Hash)]
     pub struct SignalConfig {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// GPS signals.
         ///
@@ -313,7 +313,7 @@ record! {
     pub struct ReceiverReset {
         /// Receiver to reset.
         pub receiver_id: ReceiverId,
-        /// How much restarts.
+        /// Extent of the restart.
         pub reset_type: ReceiverResetType,
     }
 }
@@ -354,9 +354,9 @@ record! {
     /// Source: mip-sdk-4: RTK configuration (0x0E,0x04).
     #[derive(Copy, Eq, Hash)]
     pub struct RtkConfig {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
-        /// How readily ambiguities are fixed.
+        /// Readiness to fix ambiguities.
         ///
         /// Required for [write](types::FunctionSelector::WRITE).
         pub ambiguity_fix_mode: Option<AmbiguityFixMode>,
@@ -415,7 +415,7 @@ record! {
     /// Source: mip-sdk-4: RTK dongle configuration (0x0E,0x10).
     #[derive(Copy, Eq, Hash)]
     pub struct RtkDongleConfig {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// 1 enables the dongle, 0 disables it.
         ///
@@ -464,7 +464,7 @@ command! {
 record! {
     /// SPARTN configuration (0x0E,0x20).
     ///
-    /// Source and keys of SPARTN corrections.
+    /// Sets the source and the keys of SPARTN corrections.
     ///
     /// Also called `spartn_configuration`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
@@ -485,13 +485,13 @@ record! {
     /// Corrections; 3dm-cv7-gnss-ins: SPARTN Corrections via UART.
     #[derive(Eq, Hash)]
     pub struct SpartnConfig {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// 1 enables SPARTN corrections, 0 disables them.
         ///
         /// Range: 0 to 1. Required for [write](types::FunctionSelector::WRITE).
         pub enable: Option<u8>,
-        /// How the corrections are received.
+        /// Channel of the corrections.
         ///
         /// Required for [write](types::FunctionSelector::WRITE).
         #[cfg_attr(feature = "serde", serde(rename = "type"))]
@@ -665,7 +665,7 @@ record! {
     /// Source: mip-sdk-4: RTK configuration (0x0E,0x04).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct RtkConfigResponse {
-        /// How readily ambiguities are fixed.
+        /// Readiness to fix ambiguities.
         pub ambiguity_fix_mode: AmbiguityFixMode,
         /// Reserved.
         pub reserved: [u8; 4],
@@ -743,7 +743,7 @@ record! {
         ///
         /// Range: 0 to 1.
         pub enable: u8,
-        /// How the corrections are received.
+        /// Channel of the corrections.
         #[cfg_attr(feature = "serde", serde(rename = "type"))]
         pub type_: SpartnConnection,
         /// GPS time of week until which the current key is valid.

@@ -49,7 +49,7 @@ pub const GNSS_EXTERNAL_SET: u8 = 0x94;
 pub const GNSS_EXTERNAL_2_SET: u8 = 0x95;
 
 bitfield! {
-    /// Which parts of the position are valid.
+    /// Valid parts of the position.
     LlhPositionFlags: u16 {
         /// `latitude` and `longitude` are valid. Bit 0.
         LAT_LON: bool = 0,
@@ -73,7 +73,7 @@ bitfield! {
 }
 
 bitfield! {
-    /// Which parts of the position are valid.
+    /// Valid parts of the position.
     EcefPositionFlags: u16 {
         /// `position` is valid. Bit 0.
         POSITION: bool = 0,
@@ -88,7 +88,7 @@ bitfield! {
 }
 
 bitfield! {
-    /// Which parts of the velocity are valid.
+    /// Valid parts of the velocity.
     NedVelocityFlags: u16 {
         /// `velocity` is valid. Bit 0.
         VELOCITY: bool = 0,
@@ -115,7 +115,7 @@ bitfield! {
 }
 
 bitfield! {
-    /// Which parts of the velocity are valid.
+    /// Valid parts of the velocity.
     EcefVelocityFlags: u16 {
         /// `velocity` is valid. Bit 0.
         VELOCITY: bool = 0,
@@ -130,7 +130,7 @@ bitfield! {
 }
 
 bitfield! {
-    /// Which dilutions of precision are valid.
+    /// Valid dilutions of precision.
     DopFlags: u16 {
         /// `gdop` is valid. Bit 0.
         GDOP: bool = 0,
@@ -160,7 +160,7 @@ bitfield! {
 }
 
 bitfield! {
-    /// Which parts of the UTC time are valid.
+    /// Valid parts of the UTC time.
     UtcTimeFlags: u16 {
         /// Date and time come from GNSS. Bit 0.
         GNSS_DATE_TIME: bool = 0,
@@ -175,7 +175,7 @@ bitfield! {
 }
 
 bitfield! {
-    /// Which parts of the time are valid.
+    /// Valid parts of the time.
     GpsTimeFlags: u16 {
         /// `tow` is valid. Bit 0.
         TOW: bool = 0,
@@ -190,7 +190,7 @@ bitfield! {
 }
 
 bitfield! {
-    /// Which clock parameters are valid.
+    /// Valid clock parameters.
     ClockInfoFlags: u16 {
         /// `bias` is valid. Bit 0.
         BIAS: bool = 0,
@@ -208,9 +208,9 @@ bitfield! {
 }
 
 bitfield! {
-    /// What the fix uses.
+    /// Corrections and satellite systems of the fix.
     FixFlags: u16 {
-        /// Satellite based augmentation. Bit 0.
+        /// SBAS corrections were used in the fix. Bit 0.
         SBAS_USED: bool = 0,
             sbas_used, set_sbas_used, with_sbas_used;
         /// Differential corrections. Bit 1.
@@ -220,7 +220,7 @@ bitfield! {
 }
 
 bitfield! {
-    /// Which parts of the fix information are valid.
+    /// Valid parts of the fix information.
     FixInfoFlags: u16 {
         /// `fix_type` is valid. Bit 0.
         FIX_TYPE: bool = 0,
@@ -250,7 +250,7 @@ bitfield! {
 }
 
 bitfield! {
-    /// Which parts of the satellite info are valid.
+    /// Valid parts of the satellite info.
     SvInfoFlags: u16 {
         /// `channel` is valid. Bit 0.
         CHANNEL: bool = 0,
@@ -277,7 +277,7 @@ bitfield! {
 }
 
 open_enum! {
-    /// Whether a GNSS receiver is powered and works.
+    /// Power and operation of a GNSS receiver.
     ReceiverState: u8 {
         /// Off.
         OFF = 0, "off";
@@ -317,7 +317,7 @@ open_enum! {
 }
 
 bitfield! {
-    /// Which parts of the hardware status are valid.
+    /// Valid parts of the hardware status.
     HardwareStatusFlags: u16 {
         /// `receiver_state` is valid. Bit 0.
         SENSOR_STATE: bool = 0,
@@ -335,7 +335,7 @@ bitfield! {
 }
 
 bitfield! {
-    /// Which parts of the state of the corrections are valid.
+    /// Valid parts of the state of the corrections.
     DgpsInfoFlags: u16 {
         /// `age` is valid. Bit 0.
         AGE: bool = 0,
@@ -356,7 +356,7 @@ bitfield! {
 }
 
 bitfield! {
-    /// Which parts of a differential correction are valid.
+    /// Valid parts of a differential correction.
     DgpsChannelFlags: u16 {
         /// `satellite_id` is valid. Bit 0.
         SATELLITE_ID: bool = 0,
@@ -377,7 +377,7 @@ bitfield! {
 }
 
 bitfield! {
-    /// Which clock parameters are valid.
+    /// Valid clock parameters.
     ClockInfo2Flags: u16 {
         /// `bias` is valid. Bit 0.
         BIAS: bool = 0,
@@ -398,7 +398,7 @@ bitfield! {
 }
 
 bitfield! {
-    /// Whether the leap seconds are valid. Bit 0 is not used.
+    /// Validity of the leap seconds. Bit 0 is not used.
     GpsLeapSecondsFlags: u16 {
         /// `leap_seconds` is valid. Bit 1.
         LEAP_SECONDS: bool = 1,
@@ -413,17 +413,17 @@ open_enum! {
         UNKNOWN = 0, "unknown";
         /// North America.
         WAAS = 1, "waas";
-        /// Europe.
+        /// EGNOS, the European system.
         EGNOS = 2, "egnos";
-        /// Japan.
+        /// MSAS, the Japanese system.
         MSAS = 3, "msas";
-        /// India.
+        /// GAGAN, the Indian system.
         GAGAN = 4, "gagan";
     }
 }
 
 bitfield! {
-    /// What the SBAS service offers.
+    /// Services of an SBAS system.
     SbasStatus: u8 {
         /// Ranging is available. Bit 0.
         RANGE_AVAILABLE: bool = 0,
@@ -441,7 +441,7 @@ bitfield! {
 }
 
 bitfield! {
-    /// Which parts of the SBAS status are valid.
+    /// Valid parts of the SBAS status.
     SbasInfoFlags: u16 {
         /// `tow` is valid. Bit 0.
         TOW: bool = 0,
@@ -468,7 +468,7 @@ bitfield! {
 }
 
 bitfield! {
-    /// Which parts of an SBAS correction are valid.
+    /// Valid parts of an SBAS correction.
     SbasCorrectionFlags: u16 {
         /// `udrei` is valid. Bit 0.
         UDREI: bool = 0,
@@ -500,7 +500,7 @@ open_enum! {
 }
 
 open_enum! {
-    /// How much the reception is jammed.
+    /// Severity of jamming.
     JammingState: u8 {
         /// Not known.
         UNKNOWN = 0, "unknown";
@@ -514,7 +514,7 @@ open_enum! {
 }
 
 open_enum! {
-    /// How much the signals are spoofed.
+    /// Severity of spoofing.
     SpoofingState: u8 {
         /// Not known.
         UNKNOWN = 0, "unknown";
@@ -528,7 +528,7 @@ open_enum! {
 }
 
 bitfield! {
-    /// Which parts of the detection are valid.
+    /// Valid parts of the detection.
     RfErrorDetectionFlags: u16 {
         /// `rf_band` is valid. Bit 0.
         RF_BAND: bool = 0,
@@ -549,7 +549,7 @@ bitfield! {
 }
 
 open_enum! {
-    /// How the ambiguities of the carrier phase were solved for a heading.
+    /// Solution of the carrier phase ambiguities for a heading.
     HeadingFixType: u8 {
         /// Not known.
         UNKNOWN = 0, "unknown";
@@ -561,7 +561,7 @@ open_enum! {
 }
 
 bitfield! {
-    /// Which parts of the heading are valid.
+    /// Valid parts of the heading.
     HeadingFlags: u16 {
         /// `heading` is valid. Bit 0.
         HEADING: bool = 0,
@@ -579,7 +579,7 @@ bitfield! {
 }
 
 bitfield! {
-    /// Which parts of the satellite status are valid.
+    /// Valid parts of the satellite status.
     SatelliteStatusFlags: u16 {
         /// `tow` is valid. Bit 0.
         TOW: bool = 0,
@@ -609,7 +609,7 @@ bitfield! {
 }
 
 open_enum! {
-    /// How well a signal is tracked.
+    /// Quality of the tracking of a signal.
     SignalQuality: u8 {
         /// No signal.
         NONE = 0, "none";
@@ -627,7 +627,7 @@ open_enum! {
 }
 
 bitfield! {
-    /// Which parts of the observation are valid.
+    /// Valid parts of the observation.
     RawFlags: u16 {
         /// `tow` is valid. Bit 0.
         TOW: bool = 0,
@@ -717,7 +717,7 @@ bitfield! {
 }
 
 bitfield! {
-    /// Which values are valid.
+    /// Valid values.
     BaseStationInfoFlags: u16 {
         /// `tow` is valid. Bit 0.
         TOW: bool = 0,
@@ -778,7 +778,7 @@ bitfield! {
 }
 
 bitfield! {
-    /// Which values are valid.
+    /// Valid values.
     RtkCorrectionsStatusFlags: u16 {
         /// `tow` is valid. Bit 0.
         TOW: bool = 0,
@@ -811,7 +811,7 @@ bitfield! {
 }
 
 bitfield! {
-    /// What an ephemeris of GPS, Galileo or BeiDou holds.
+    /// Contents of an ephemeris of GPS, Galileo or BeiDou.
     EphemerisFlags: u16 {
         /// The ephemeris is valid. Bit 0.
         EPHEMERIS: bool = 0,
@@ -839,7 +839,7 @@ open_enum! {
 }
 
 bitfield! {
-    /// Whether the ephemeris is valid.
+    /// Validity of the ephemeris.
     GlonassEphemerisFlags: u16 {
         /// The ephemeris is valid. Bit 0.
         EPHEMERIS: bool = 0,
@@ -851,7 +851,7 @@ bitfield! {
 }
 
 bitfield! {
-    /// Which parts of the model are valid.
+    /// Valid parts of the model.
     GpsIonoCorrectionFlags: u16 {
         /// `tow` is valid. Bit 0.
         TOW: bool = 0,
@@ -872,7 +872,7 @@ bitfield! {
 }
 
 bitfield! {
-    /// Which parts of the model are valid.
+    /// Valid parts of the model.
     GalileoIonoCorrectionFlags: u16 {
         /// `tow` is valid. Bit 0.
         TOW: bool = 0,
@@ -893,7 +893,7 @@ bitfield! {
 }
 
 bitfield! {
-    /// Which parts of the model are valid.
+    /// Valid parts of the model.
     BeidouIonoCorrectionFlags: u16 {
         /// `tow` is valid. Bit 0.
         TOW: bool = 0,
@@ -976,7 +976,7 @@ record! {
         /// [`valid_flags.vertical_accuracy`](LlhPositionFlags::vertical_accuracy) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub vertical_accuracy: f32,
-        /// Which parts of the position are valid.
+        /// Valid parts of the position.
         pub valid_flags: LlhPositionFlags,
     }
 }
@@ -1040,7 +1040,7 @@ record! {
         /// [`valid_flags.position_accuracy`](EcefPositionFlags::position_accuracy) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub position_accuracy: f32,
-        /// Which parts of the position are valid.
+        /// Valid parts of the position.
         pub valid_flags: EcefPositionFlags,
     }
 }
@@ -1125,7 +1125,7 @@ record! {
         /// [`valid_flags.heading_accuracy`](NedVelocityFlags::heading_accuracy) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub heading_accuracy: f32,
-        /// Which parts of the velocity are valid.
+        /// Valid parts of the velocity.
         pub valid_flags: NedVelocityFlags,
     }
 }
@@ -1188,7 +1188,7 @@ record! {
         /// [`valid_flags.velocity_accuracy`](EcefVelocityFlags::velocity_accuracy) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub velocity_accuracy: f32,
-        /// Which parts of the velocity are valid.
+        /// Valid parts of the velocity.
         pub valid_flags: EcefVelocityFlags,
     }
 }
@@ -1267,7 +1267,7 @@ record! {
         /// Unit: 1. Range: at least 0. Valid if [`valid_flags.edop`](DopFlags::edop) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub edop: f32,
-        /// Which dilutions of precision are valid.
+        /// Valid dilutions of precision.
         pub valid_flags: DopFlags,
     }
 }
@@ -1357,7 +1357,7 @@ record! {
         /// Unit: ms. Range: 0 to 999. Valid if
         /// [`valid_flags.gnss_date_time`](UtcTimeFlags::gnss_date_time) is set.
         pub msec: u32,
-        /// Which parts of the time are valid.
+        /// Valid parts of the time.
         pub valid_flags: UtcTimeFlags,
     }
 }
@@ -1425,7 +1425,7 @@ record! {
         ///
         /// Unit: week. Valid if [`valid_flags.week_number`](GpsTimeFlags::week_number) is set.
         pub week_number: u16,
-        /// Which parts of the time are valid.
+        /// Valid parts of the time.
         pub valid_flags: GpsTimeFlags,
     }
 }
@@ -1485,7 +1485,7 @@ record! {
         /// [`valid_flags.accuracy_estimate`](ClockInfoFlags::accuracy_estimate) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub accuracy_estimate: f64,
-        /// Which clock parameters are valid.
+        /// Valid clock parameters.
         pub valid_flags: ClockInfoFlags,
     }
 }
@@ -1561,7 +1561,7 @@ record! {
     /// 3dm-cv7-gnss-ins: Fix Info (0x94,0x0B).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct FixInfo {
-        /// What the receiver can determine at present.
+        /// Quantities that the receiver can determine at present.
         ///
         /// Valid if [`valid_flags.fix_type`](FixInfoFlags::fix_type) is set.
         pub fix_type: types::GnssFixType,
@@ -1569,11 +1569,11 @@ record! {
         ///
         /// Unit: 1. Valid if [`valid_flags.num_sv`](FixInfoFlags::num_sv) is set.
         pub num_sv: u8,
-        /// What the fix uses.
+        /// Corrections and satellite systems of the fix.
         ///
         /// Valid if [`valid_flags.fix_flags`](FixInfoFlags::fix_flags) is set.
         pub fix_flags: FixFlags,
-        /// Which parts of the fix information are valid.
+        /// Valid parts of the fix information.
         pub valid_flags: FixInfoFlags,
     }
 }
@@ -1648,7 +1648,7 @@ record! {
         ///
         /// Valid if [`valid_flags.sv_flags`](SvInfoFlags::sv_flags) is set.
         pub sv_flags: SvFlags,
-        /// Which parts of the satellite info are valid.
+        /// Valid parts of the satellite info.
         pub valid_flags: SvInfoFlags,
     }
 }
@@ -1708,7 +1708,7 @@ record! {
     /// Status (0x92,0x0D).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct HardwareStatus {
-        /// Whether the receiver is powered and works.
+        /// Power and operation of the receiver.
         ///
         /// Valid if [`valid_flags.sensor_state`](HardwareStatusFlags::sensor_state) is set.
         pub receiver_state: ReceiverState,
@@ -1720,7 +1720,7 @@ record! {
         ///
         /// Valid if [`valid_flags.antenna_power`](HardwareStatusFlags::antenna_power) is set.
         pub antenna_power: AntennaPower,
-        /// Which parts of the hardware status are valid.
+        /// Valid parts of the hardware status.
         pub valid_flags: HardwareStatusFlags,
     }
 }
@@ -1790,7 +1790,7 @@ record! {
         ///
         /// Unit: 1. Valid if [`valid_flags.num_channels`](DgpsInfoFlags::num_channels) is set.
         pub num_channels: u16,
-        /// Which parts of the state of the corrections are valid.
+        /// Valid parts of the state of the corrections.
         pub valid_flags: DgpsInfoFlags,
     }
 }
@@ -1855,12 +1855,12 @@ record! {
         /// Unit: m. Uncertain: The unit, which follows from [`DgpsChannel`].
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub range_correction: f32,
-        /// How fast the correction changes.
+        /// Rate of change of the correction.
         ///
         /// Unit: m/s. Uncertain: The unit, which follows from [`DgpsChannel`].
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub range_rate_correction: f32,
-        /// Which parts of the state of the corrections are valid.
+        /// Valid parts of the state of the corrections.
         pub valid_flags: DgpsInfoFlags,
     }
 }
@@ -1926,13 +1926,13 @@ record! {
         /// is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub range_correction: f32,
-        /// How fast the correction changes.
+        /// Rate of change of the correction.
         ///
         /// Unit: m/s. Valid if
         /// [`valid_flags.range_rate_correction`](DgpsChannelFlags::range_rate_correction) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub range_rate_correction: f32,
-        /// Which parts of a differential correction are valid.
+        /// Valid parts of a differential correction.
         pub valid_flags: DgpsChannelFlags,
     }
 }
@@ -2002,7 +2002,7 @@ record! {
         /// [`valid_flags.drift_accuracy`](ClockInfo2Flags::drift_accuracy) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub drift_accuracy_estimate: f64,
-        /// Which clock parameters are valid.
+        /// Valid clock parameters.
         pub valid_flags: ClockInfo2Flags,
     }
 }
@@ -2053,7 +2053,7 @@ record! {
         /// Unit: s. Valid if [`valid_flags.leap_seconds`](GpsLeapSecondsFlags::leap_seconds) is
         /// set.
         pub leap_seconds: u8,
-        /// Whether the value is valid.
+        /// Validity of the leap seconds.
         pub valid_flags: GpsLeapSecondsFlags,
     }
 }
@@ -2117,7 +2117,7 @@ record! {
         ///
         /// Valid if [`valid_flags.sbas_status`](SbasInfoFlags::sbas_status) is set.
         pub sbas_status: SbasStatus,
-        /// Which parts of the SBAS status are valid.
+        /// Valid parts of the SBAS status.
         pub valid_flags: SbasInfoFlags,
     }
 }
@@ -2172,7 +2172,7 @@ record! {
     pub struct SbasCorrection {
         /// Number of this field within the epoch.
         pub index: u8,
-        /// How many of these fields the epoch has.
+        /// Number of these fields in the epoch.
         pub count: u8,
         /// GPS time of week of the reception.
         ///
@@ -2205,7 +2205,7 @@ record! {
         /// is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub iono_correction: f32,
-        /// Which parts of an SBAS correction are valid.
+        /// Valid parts of an SBAS correction.
         pub valid_flags: SbasCorrectionFlags,
     }
 }
@@ -2268,11 +2268,11 @@ record! {
         ///
         /// Valid if [`valid_flags.rf_band`](RfErrorDetectionFlags::rf_band) is set.
         pub rf_band: RfBand,
-        /// Whether signals are jammed in this band.
+        /// State of jamming in this band.
         ///
         /// Valid if [`valid_flags.jamming_state`](RfErrorDetectionFlags::jamming_state) is set.
         pub jamming_state: JammingState,
-        /// Whether false signals are detected in this band.
+        /// State of spoofing in this band.
         ///
         /// Valid if [`valid_flags.spoofing_state`](RfErrorDetectionFlags::spoofing_state) is set.
         pub spoofing_state: SpoofingState,
@@ -2282,7 +2282,7 @@ record! {
         pub frequency: u16,
         /// Reserved.
         pub reserved: [u8; 2],
-        /// Which parts of the detection are valid.
+        /// Valid parts of the detection.
         pub valid_flags: RfErrorDetectionFlags,
     }
 }
@@ -2346,7 +2346,7 @@ record! {
         ///
         /// Valid if [`valid_flags.fix_type`](HeadingFlags::fix_type) is set.
         pub fix_type: HeadingFixType,
-        /// Which parts of the heading are valid.
+        /// Valid parts of the heading.
         pub valid_flags: HeadingFlags,
     }
 }
@@ -2397,7 +2397,7 @@ record! {
     pub struct SatelliteStatus {
         /// Number of this field within the epoch.
         pub index: u8,
-        /// How many of these fields the epoch has.
+        /// Number of these fields in the epoch.
         pub count: u8,
         /// GPS time of week.
         ///
@@ -2429,11 +2429,11 @@ record! {
         /// Unit: deg. Valid if [`valid_flags.azimuth`](SatelliteStatusFlags::azimuth) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub azimuth: f32,
-        /// Whether the satellite is healthy.
+        /// True if the satellite is healthy.
         ///
         /// Valid if [`valid_flags.health`](SatelliteStatusFlags::health) is set.
         pub health: crate::Bool,
-        /// Which parts of the satellite status are valid.
+        /// Valid parts of the satellite status.
         pub valid_flags: SatelliteStatusFlags,
     }
 }
@@ -2494,7 +2494,7 @@ record! {
     pub struct Raw {
         /// Number of this field within the epoch.
         pub index: u8,
-        /// How many of these fields the epoch has.
+        /// Number of these fields in the epoch.
         pub count: u8,
         /// GPS time of week.
         ///
@@ -2531,7 +2531,7 @@ record! {
         /// Unit: dB-Hz. Valid if [`valid_flags.signal_strength`](RawFlags::signal_strength) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub signal_strength: f32,
-        /// How well the signal is tracked.
+        /// Quality of the tracking of the signal.
         ///
         /// Valid if [`valid_flags.quality`](RawFlags::quality) is set.
         pub quality: SignalQuality,
@@ -2575,7 +2575,7 @@ record! {
         /// set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub lock_time: f32,
-        /// Which parts of the observation are valid.
+        /// Valid parts of the observation.
         pub valid_flags: RawFlags,
     }
 }
@@ -2679,7 +2679,7 @@ record! {
         ///
         /// Valid if [`valid_flags.indicators`](BaseStationInfoFlags::indicators) is set.
         pub indicators: BaseStationIndicators,
-        /// Which values are valid.
+        /// Valid values.
         pub valid_flags: BaseStationInfoFlags,
     }
 }
@@ -2718,7 +2718,7 @@ field! {
 record! {
     /// RTK corrections status (0x31).
     ///
-    /// Which corrections are received, and how old they are.
+    /// Received corrections and their age.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Probably changed by
@@ -2781,7 +2781,7 @@ record! {
         pub beidou_correction_latency: f32,
         /// Reserved.
         pub reserved: [u32; 4],
-        /// Which values are valid.
+        /// Valid values.
         pub valid_flags: RtkCorrectionsStatusFlags,
     }
 }
@@ -2840,7 +2840,7 @@ record! {
     pub struct GpsEphemeris {
         /// Number of this field within the epoch.
         pub index: u8,
-        /// How many of these fields the epoch has.
+        /// Number of these fields in the epoch.
         pub count: u8,
         /// GPS time of week.
         ///
@@ -2994,7 +2994,7 @@ record! {
         /// Unit: m. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub c_rs: f64,
-        /// What the ephemeris holds.
+        /// Contents of the ephemeris.
         pub valid_flags: EphemerisFlags,
     }
 }
@@ -3103,7 +3103,7 @@ record! {
     pub struct GlonassEphemeris {
         /// Number of this field within the epoch.
         pub index: u8,
-        /// How many of these fields the epoch has.
+        /// Number of these fields in the epoch.
         pub count: u8,
         /// GPS time of week.
         ///
@@ -3196,11 +3196,11 @@ record! {
         ///
         /// Unit: 1. Valid if [`valid_flags.ephemeris`](GlonassEphemerisFlags::ephemeris) is set.
         pub p3: u8,
-        /// Whether ephemeris parameters are present.
+        /// Presence of ephemeris parameters.
         ///
         /// Valid if [`valid_flags.ephemeris`](GlonassEphemerisFlags::ephemeris) is set.
         pub p4: u8,
-        /// Whether the ephemeris is valid.
+        /// Validity of the ephemeris.
         pub valid_flags: GlonassEphemerisFlags,
     }
 }
@@ -3292,7 +3292,7 @@ record! {
     pub struct GalileoEphemeris {
         /// Number of this field within the epoch.
         pub index: u8,
-        /// How many of these fields the epoch has.
+        /// Number of these fields in the epoch.
         pub count: u8,
         /// GPS time of week.
         ///
@@ -3446,7 +3446,7 @@ record! {
         /// Unit: m. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub c_rs: f64,
-        /// What the ephemeris holds.
+        /// Contents of the ephemeris.
         pub valid_flags: EphemerisFlags,
     }
 }
@@ -3556,7 +3556,7 @@ record! {
     pub struct BeidouEphemeris {
         /// Number of this field within the epoch.
         pub index: u8,
-        /// How many of these fields the epoch has.
+        /// Number of these fields in the epoch.
         pub count: u8,
         /// GPS time of week.
         ///
@@ -3710,7 +3710,7 @@ record! {
         /// Unit: m. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub c_rs: f64,
-        /// What the ephemeris holds.
+        /// Contents of the ephemeris.
         pub valid_flags: EphemerisFlags,
     }
 }
@@ -3835,7 +3835,7 @@ record! {
         /// units.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub beta: [f64; 4],
-        /// Which parts of the model are valid.
+        /// Valid parts of the model.
         pub valid_flags: GpsIonoCorrectionFlags,
     }
 }
@@ -3902,7 +3902,7 @@ record! {
         /// [`valid_flags.disturbance_flags`](GalileoIonoCorrectionFlags::disturbance_flags) is set.
         /// Uncertain: Whether the bits count from 0 or from 1, and which region each represents.
         pub disturbance_flags: u8,
-        /// Which parts of the model are valid.
+        /// Valid parts of the model.
         pub valid_flags: GalileoIonoCorrectionFlags,
     }
 }
@@ -3975,7 +3975,7 @@ record! {
         /// is set. Uncertain: The units.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub alpha_correction: [f64; 9],
-        /// Which parts of the model are valid.
+        /// Valid parts of the model.
         pub valid_flags: BeidouIonoCorrectionFlags,
     }
 }

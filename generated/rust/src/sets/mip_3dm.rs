@@ -43,7 +43,7 @@ constructors! {
 }
 
 open_enum! {
-    /// What happens to the existing message formats.
+    /// Treatment of the existing message formats.
     ///
     /// Source: 3dm-cv7-gnss-ins: Factory Streaming (0x0C,0x10).
     FactoryStreamingAction: u8 {
@@ -89,7 +89,7 @@ bitfield! {
 }
 
 record! {
-    /// How a receiver tracks one constellation.
+    /// Tracking of one constellation by a receiver.
     ///
     /// Source: mip-sdk-4: Constellation Settings (0x0C,0x21).
     #[derive(Copy, Default, Eq, Hash)]
@@ -137,7 +137,7 @@ constructors! {
 }
 
 bitfield! {
-    /// How SBAS is used.
+    /// Use of SBAS.
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22).
     SbasOptions: u16 {
@@ -154,7 +154,7 @@ bitfield! {
 }
 
 open_enum! {
-    /// Whether a receiver keeps its last fix.
+    /// Storage of the last fix of a receiver.
     ///
     /// Source: mip-sdk-4: Gnss Assisted Fix (0x0C,0x23).
     AssistedFixOption: u8 {
@@ -166,7 +166,7 @@ open_enum! {
 }
 
 open_enum! {
-    /// Where the pulse per second comes from.
+    /// Source of the pulse per second.
     ///
     /// Source: 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28); 3dm-cv7-gnss-ins: RECEIVER Source.
     PpsSource: u8 {
@@ -190,15 +190,15 @@ open_enum! {
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A).
     EventSupportQuery: u8 {
-        /// Which types of triggers there are.
+        /// Supported types of triggers.
         TRIGGER_TYPES = 1, "trigger_types";
-        /// Which types of actions there are.
+        /// Supported types of actions.
         ACTION_TYPES = 2, "action_types";
     }
 }
 
 record! {
-    /// How many instances of one trigger or action type a device can have.
+    /// Capacity of a device for one trigger or action type.
     ///
     /// Source: 3dm-cv7-gnss-ins: Info.
     #[derive(Copy, Default, Eq, Hash)]
@@ -397,7 +397,7 @@ open_enum! {
 }
 
 open_enum! {
-    /// How the odometer input works.
+    /// Operation of the odometer input.
     ///
     /// Source: 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43).
     OdometerMode: u8 {
@@ -856,7 +856,7 @@ command! {
 record! {
     /// IMU Message Format (0x0C,0x08).
     ///
-    /// Fields of the sensor data packets (0x80), in order, with their decimations.
+    /// Sets the fields of the sensor data packets (0x80), their order and their decimations.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
@@ -889,7 +889,7 @@ record! {
     /// Source: 3dm-gx5-15: 4.2.5 IMU Message Format (0x0C, 0x08).
     #[derive(Eq, Hash)]
     pub struct ImuMessageFormat {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Fields and decimations.
         ///
@@ -937,7 +937,7 @@ command! {
 record! {
     /// GNSS Message Format (0x0C,0x09).
     ///
-    /// Fields of the GNSS data packets, in order, with their decimations.
+    /// Sets the fields of the GNSS data packets, their order and their decimations.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
@@ -960,7 +960,7 @@ record! {
     /// (0x0C, 0x09).
     #[derive(Eq, Hash)]
     pub struct GnssMessageFormat {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Fields and decimations.
         ///
@@ -1008,7 +1008,7 @@ command! {
 record! {
     /// Estimation Filter Message Format (0x0C,0x0A).
     ///
-    /// Fields of the filter data packets (0x82), in order, with their decimations.
+    /// Sets the fields of the filter data packets (0x82), their order and their decimations.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
@@ -1036,7 +1036,7 @@ record! {
     /// Source: 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A).
     #[derive(Eq, Hash)]
     pub struct FilterMessageFormat {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Fields and decimations.
         ///
@@ -1123,7 +1123,7 @@ command! {
 record! {
     /// NMEA Message Format (0x0C,0x0C).
     ///
-    /// NMEA sentences that the device streams.
+    /// Sets the NMEA sentences that the device streams.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
@@ -1145,7 +1145,7 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: NMEA Message Format (0x0C,0x0C).
     #[derive(Eq, Hash)]
     pub struct NmeaMessageFormat {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Sentences to stream.
         ///
@@ -1298,7 +1298,7 @@ command! {
 record! {
     /// Message Format (0x0C,0x0F).
     ///
-    /// Fields of the data packets of a descriptor set, in order, with their decimations.
+    /// Sets the fields of the data packets of a descriptor set, their order and their decimations.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
@@ -1322,7 +1322,7 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: Message Format (0x0C,0x0F).
     #[derive(Eq, Hash)]
     pub struct MessageFormat {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Data descriptor set; 0 means all of them (save, load, default).
         pub descriptor_set: Option<u8>,
@@ -1386,7 +1386,7 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: Factory Streaming (0x0C,0x10).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct FactoryStreaming {
-        /// What happens to the existing formats.
+        /// Treatment of the existing formats.
         pub action: FactoryStreamingAction,
         /// Reserved: send 0.
         pub reserved: u8,
@@ -1448,7 +1448,7 @@ record! {
     /// 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11).
     #[derive(Copy, Eq, Hash)]
     pub struct DataStreamControl {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Data descriptor set; 0 means all streams (save, load, default).
         ///
@@ -1470,7 +1470,7 @@ record! {
         /// [3DM-GX5-15](crate::devices::GX5_15): values of [`LegacyDataStream`]; only
         /// [`LegacyDataStream::IMU`] and [`LegacyDataStream::FILTER`].
         pub descriptor_set: Option<u8>,
-        /// Whether the stream is sent.
+        /// True if the stream is sent.
         ///
         /// Default: true. Required for [write](types::FunctionSelector::WRITE).
         ///
@@ -1580,7 +1580,8 @@ command! {
 record! {
     /// Constellation Settings (0x0C,0x21).
     ///
-    /// Constellations that the GNSS receiver tracks, and how its tracking channels are shared.
+    /// Selects the constellations that the GNSS receiver tracks, and their shares of its tracking
+    /// channels.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
@@ -1611,7 +1612,7 @@ record! {
     /// Settings (0x0C, 0x21).
     #[derive(Eq, Hash)]
     pub struct ConstellationSettings {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Maximum number of tracking channels in use; at most the number that the response reports
         /// as available.
@@ -1665,7 +1666,7 @@ command! {
 record! {
     /// GNSS SBAS Settings (0x0C,0x22).
     ///
-    /// How the GNSS receivers use satellite based augmentation.
+    /// Sets how the GNSS receivers use satellite based augmentation.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
@@ -1685,14 +1686,14 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22).
     #[derive(Eq, Hash)]
     pub struct GnssSbasSettings {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// 1 switches SBAS on, 0 off.
         ///
         /// Range: 0 to 1. Required for [write](types::FunctionSelector::WRITE). On the
         /// [3DM-GX5-35](crate::devices::GX5_35): default 1.
         pub enable_sbas: Option<u8>,
-        /// What SBAS is used for.
+        /// Purposes of SBAS.
         ///
         /// Required for [write](types::FunctionSelector::WRITE). On the
         /// [3DM-GX5-35](crate::devices::GX5_35): default
@@ -1751,7 +1752,7 @@ command! {
 record! {
     /// GNSS Assisted Fix (0x0C,0x23).
     ///
-    /// Whether the GNSS receiver keeps the data of its last fix and starts from it at the next
+    /// Sets whether the GNSS receiver keeps the data of its last fix and starts from it at the next
     /// power-up.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
@@ -1772,9 +1773,9 @@ record! {
     /// Source: mip-sdk-4: GNSS Assisted Fix (0x0C,0x23).
     #[derive(Copy, Eq, Hash)]
     pub struct GnssAssistedFix {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
-        /// Whether the receiver keeps data for a faster first fix.
+        /// Storage of data for a faster first fix.
         ///
         /// Default: [`AssistedFixOption::NONE`]. Required for
         /// [write](types::FunctionSelector::WRITE). On the [3DM-GX5-35](crate::devices::GX5_35):
@@ -1823,7 +1824,7 @@ command! {
 record! {
     /// GNSS Time Assistance (0x0C,0x24).
     ///
-    /// Gives the GNSS receiver the current GPS time.
+    /// Sends the current GPS time to the GNSS receiver.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE) and
     /// [read](types::FunctionSelector::READ). Answered by [`GnssTimeAssistanceResponse`]. Supported
@@ -1837,7 +1838,7 @@ record! {
     /// Source: mip-sdk-4: GNSS Time Assistance (0x0C,0x24).
     #[derive(Copy)]
     pub struct GnssTimeAssistance {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// GPS time of week.
         ///
@@ -1890,7 +1891,7 @@ command! {
 record! {
     /// PPS Source Control (0x0C,0x28).
     ///
-    /// Where the device takes its pulse per second from.
+    /// Selects the source of the pulse per second (PPS).
     ///
     /// Also called `pps_source`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
@@ -1915,7 +1916,7 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28).
     #[derive(Copy, Eq, Hash)]
     pub struct PpsSourceControl {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Source of the pulse.
         ///
@@ -2026,7 +2027,7 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: Event Control (0x0C,0x2B).
     #[derive(Copy, Eq, Hash)]
     pub struct EventControl {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Trigger instance; 0 means all configured triggers, except for read.
         pub instance: Option<u8>,
@@ -2167,7 +2168,7 @@ command! {
 record! {
     /// Event Trigger Configuration (0x0C,0x2E).
     ///
-    /// Kind and condition of an event trigger.
+    /// Configures the kind and the condition of an event trigger.
     ///
     /// Also called `event_trigger`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
@@ -2186,7 +2187,7 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E).
     #[derive(Copy)]
     pub struct EventTriggerConfig {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Trigger instance; 0 means all (save, load, default).
         pub instance: Option<u8>,
@@ -2270,7 +2271,7 @@ command! {
 record! {
     /// Event Action Configuration (0x0C,0x2F).
     ///
-    /// Trigger and effect of an event action.
+    /// Configures the trigger and the effect of an event action.
     ///
     /// Also called `event_action`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
@@ -2293,7 +2294,7 @@ record! {
     /// Cycle.
     #[derive(Eq, Hash)]
     pub struct EventActionConfig {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Action instance; 0 means all (save, load, default).
         pub instance: Option<u8>,
@@ -2307,7 +2308,7 @@ record! {
         /// [write](types::FunctionSelector::WRITE).
         #[cfg_attr(feature = "serde", serde(rename = "type"))]
         pub type_: Option<types::EventActionType>,
-        /// What the action does.
+        /// Effect of the action.
         ///
         /// Selected by [`type_`](EventActionConfig::type_). Required for
         /// [write](types::FunctionSelector::WRITE).
@@ -2405,14 +2406,13 @@ record! {
     /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-RTK](crate::devices::RTK).
     ///
     /// - A save may disturb the data output for a short time.
-    /// - A save may take up to 1 s. A host should wait longer, because the answer must come
-    ///   through, too.
+    /// - A save may take up to 1 s. Use a reply time-out of at least 2 s.
     ///
     /// Source: 3dm-gx5-15: 4.2.8 Device Startup Settings (0x0C, 0x30); 3dm-cv7-gnss-ins: Device
     /// Start Up Settings (0x0C,0x30).
     #[derive(Copy, Eq, Hash)]
     pub struct DeviceSettings {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
     }
     wire 1 {
@@ -2446,7 +2446,7 @@ command! {
 record! {
     /// Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31).
     ///
-    /// Mounting of the sensor in the vehicle as Euler angles.
+    /// Sets the mounting of the sensor in the vehicle as Euler angles.
     ///
     /// Also called `sensor_2_vehicle_transform_euler`. Functions:
     /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
@@ -2492,7 +2492,7 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31).
     #[derive(Copy)]
     pub struct SensorToVehicleTransformEuler {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Rotation about the x axis.
         ///
@@ -2554,7 +2554,7 @@ command! {
 record! {
     /// Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32).
     ///
-    /// Mounting of the sensor in the vehicle as a quaternion.
+    /// Sets the mounting of the sensor in the vehicle as a quaternion.
     ///
     /// Also called `sensor_2_vehicle_transform_quaternion`. Functions:
     /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
@@ -2596,7 +2596,7 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32).
     #[derive(Copy)]
     pub struct SensorToVehicleTransformQuaternion {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Unit quaternion that transforms vectors from the sensor frame to the vehicle frame.
         ///
@@ -2641,7 +2641,7 @@ command! {
 record! {
     /// Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33).
     ///
-    /// Mounting of the sensor in the vehicle as a direction cosine matrix.
+    /// Sets the mounting of the sensor in the vehicle as a direction cosine matrix.
     ///
     /// Also called `sensor_2_vehicle_transform_dcm`. Functions:
     /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
@@ -2685,7 +2685,7 @@ record! {
     /// (0x0C,0x33).
     #[derive(Copy)]
     pub struct SensorToVehicleTransformDcm {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// The matrix in row-major order.
         ///
@@ -2745,7 +2745,7 @@ record! {
     /// Source: mip-sdk-2014: GPS dynamics mode (0x0C,0x34); mscl: GPS dynamics mode (0x0C,0x34).
     #[derive(Copy, Eq, Hash)]
     pub struct GpsDynamicsMode {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Assumed dynamics.
         ///
@@ -2818,7 +2818,7 @@ record! {
     /// (0x0C,0x35).
     #[derive(Copy, Eq, Hash)]
     pub struct ImuSignalConditioning {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Divides 1000 Hz to the rate at which the orientation is computed.
         ///
@@ -2921,9 +2921,9 @@ record! {
     /// Source: mip-sdk-2014: IMU timestamp (0x0C,0x36).
     #[derive(Copy, Eq, Hash)]
     pub struct ImuTimestamp {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
-        /// Which counter.
+        /// Counter to set or read.
         pub selector: Option<ImuTimestampSelector>,
         /// Value of the counter, in the unit that `selector` states.
         ///
@@ -2960,7 +2960,7 @@ command! {
 record! {
     /// Accelerometer Bias Configuration (0x0C,0x37).
     ///
-    /// Bias that is subtracted from the scaled acceleration.
+    /// Sets the bias that is subtracted from the scaled acceleration.
     ///
     /// For advanced use. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
@@ -2996,7 +2996,7 @@ record! {
     /// Configuration (0x0C,0x37).
     #[derive(Copy)]
     pub struct AccelBias {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Bias that the device subtracts from the measured acceleration.
         ///
@@ -3046,7 +3046,7 @@ command! {
 record! {
     /// Gyroscope Bias Configuration (0x0C,0x38).
     ///
-    /// Bias that is subtracted from the scaled angular rate.
+    /// Sets the bias that is subtracted from the scaled angular rate.
     ///
     /// For advanced use. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
@@ -3089,7 +3089,7 @@ record! {
     /// Configuration (0x0C,0x38).
     #[derive(Copy)]
     pub struct GyroBias {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Bias that the device subtracts from the measured angular rate.
         ///
@@ -3203,7 +3203,7 @@ command! {
 record! {
     /// Magnetometer Hard Iron Offset (0x0C,0x3A).
     ///
-    /// Offset that corrects the scaled magnetic field for hard iron.
+    /// Sets the offset that corrects the scaled magnetic field for hard iron.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD),
@@ -3246,7 +3246,7 @@ record! {
     /// 0x3A).
     #[derive(Copy)]
     pub struct MagHardIronOffset {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Offset that the device subtracts from the measured magnetic field.
         ///
@@ -3297,7 +3297,7 @@ command! {
 record! {
     /// Magnetometer Soft Iron Matrix (0x0C,0x3B).
     ///
-    /// Matrix that corrects the scaled magnetic field for soft iron.
+    /// Sets the matrix that corrects the scaled magnetic field for soft iron.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD),
@@ -3340,7 +3340,7 @@ record! {
     /// 0x3B).
     #[derive(Copy)]
     pub struct MagSoftIronMatrix {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Soft iron matrix in row-major order.
         ///
@@ -3414,9 +3414,9 @@ record! {
     /// Source: 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E).
     #[derive(Copy, Eq, Hash)]
     pub struct ConingScullingEnable {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
-        /// Whether the compensation is on.
+        /// True if the compensation is on.
         ///
         /// Default: true. Required for [write](types::FunctionSelector::WRITE).
         pub enable: Option<crate::Bool>,
@@ -3459,7 +3459,7 @@ command! {
 record! {
     /// UART Baud Rate (0x0C,0x40).
     ///
-    /// Baud rate of the main port.
+    /// Sets the baud rate of the main port.
     ///
     /// Also called `uart_baudrate`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
@@ -3489,7 +3489,7 @@ record! {
     /// (0x0C,0x40).
     #[derive(Copy, Eq, Hash)]
     pub struct UartBaudRate {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Baud rate, one of those that the port supports.
         ///
@@ -3536,7 +3536,7 @@ command! {
 record! {
     /// GPIO Configuration (0x0C,0x41).
     ///
-    /// What a GPIO pin is used for.
+    /// Sets the use of a GPIO pin.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
@@ -3563,7 +3563,7 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41).
     #[derive(Copy, Eq, Hash)]
     pub struct GpioConfig {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// GPIO pin, counted from 1; 0 means all pins (save, load, default).
         pub pin: Option<u8>,
@@ -3728,7 +3728,7 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: GPIO State (0x0C,0x42).
     #[derive(Copy, Eq, Hash)]
     pub struct GpioState {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// GPIO pin, counted from 1.
         ///
@@ -3769,7 +3769,7 @@ command! {
 record! {
     /// Odometer Configuration (0x0C,0x43).
     ///
-    /// Input from a wheel encoder.
+    /// Configures the input from a wheel encoder.
     ///
     /// Also called `odometer`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
@@ -3782,9 +3782,9 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43).
     #[derive(Copy)]
     pub struct OdometerConfig {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
-        /// How the input works.
+        /// Operation of the input.
         ///
         /// Required for [write](types::FunctionSelector::WRITE).
         pub mode: Option<OdometerMode>,
@@ -3845,7 +3845,7 @@ command! {
 record! {
     /// Advanced Low-Pass Filter Settings (0x0C,0x50).
     ///
-    /// Low-pass filter of one quantity of the sensor data.
+    /// Configures the low-pass filter of one quantity of the sensor data.
     ///
     /// For advanced use. Also called `imu_lowpass_filter`. Functions:
     /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
@@ -3888,7 +3888,7 @@ record! {
     /// Advanced Low-Pass Filter Settings (0x0C,0x50).
     #[derive(Copy, Eq, Hash)]
     pub struct ImuLowPassFilter {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05,
         /// magnetic field 0x06 or pressure 0x17.
@@ -3898,7 +3898,7 @@ record! {
         /// set: scaled acceleration 0x04, angular rate 0x05, magnetic field 0x06 or pressure 0x17;
         /// 0 means all of them, except for read.
         pub target_descriptor: Option<u8>,
-        /// Whether the quantity is filtered.
+        /// True if the quantity is filtered.
         ///
         /// Default: true. Required for [write](types::FunctionSelector::WRITE).
         pub enable: Option<crate::Bool>,
@@ -3961,7 +3961,7 @@ command! {
 record! {
     /// Complementary Filter Configuration (0x0C,0x51).
     ///
-    /// Corrections of the complementary filter, which computes the attitude independently of the
+    /// Configures the complementary filter, which computes the attitude independently of the
     /// estimation filter.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
@@ -4000,7 +4000,7 @@ record! {
     /// Complementary Filter Configuration (0x0C,0x51).
     #[derive(Copy)]
     pub struct ComplementaryFilter {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Corrects pitch and roll (up, in terms of the 5-series).
         ///
@@ -4075,7 +4075,7 @@ command! {
 record! {
     /// Sensor Range (0x0C,0x52).
     ///
-    /// Measuring range of a sensor.
+    /// Sets the measuring range of a sensor.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
@@ -4096,7 +4096,7 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52).
     #[derive(Copy, Eq, Hash)]
     pub struct SensorRange {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Sensor whose range is set or read.
         pub sensor: Option<SensorRangeType>,
@@ -4182,7 +4182,7 @@ command! {
 record! {
     /// Low-Pass Anti-Aliasing Filter (0x0C,0x54).
     ///
-    /// Low-pass filter of a data field.
+    /// Configures the low-pass filter of a data field.
     ///
     /// Also called `lowpass_filter`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
@@ -4211,7 +4211,7 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54).
     #[derive(Copy)]
     pub struct LowPassFilter {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Descriptor set of the field.
         pub descriptor_set: Option<u8>,
@@ -4219,7 +4219,7 @@ record! {
         ///
         /// Refers to fields of [`descriptor_set`](LowPassFilter::descriptor_set).
         pub field_descriptor: Option<u8>,
-        /// Whether the field is filtered.
+        /// True if the field is filtered.
         ///
         /// Required for [write](types::FunctionSelector::WRITE).
         pub enable: Option<crate::Bool>,
@@ -4299,7 +4299,7 @@ record! {
     /// Source: mip-sdk-2014: Data stream format (0x0C,0x60); mscl: Data stream format (0x0C,0x60).
     #[derive(Copy, Eq, Hash)]
     pub struct DataStreamFormat {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Stream whose format is set or read.
         pub stream: Option<InternalSensor>,
@@ -4361,7 +4361,7 @@ record! {
     /// Source: mip-sdk-2014: Device power state (0x0C,0x61); mscl: Device power state (0x0C,0x61).
     #[derive(Copy, Eq, Hash)]
     pub struct DevicePowerState {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// The sensor.
         pub device: Option<InternalSensor>,
@@ -4425,7 +4425,7 @@ record! {
     /// (0x0C,0x62).
     #[derive(Copy, Eq, Hash)]
     pub struct GpsAdvancedSettings {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
     }
     wire 1 {
@@ -4841,7 +4841,7 @@ record! {
         /// [3DM-GX5-15](crate::devices::GX5_15): values of [`LegacyDataStream`]; only
         /// [`LegacyDataStream::IMU`] and [`LegacyDataStream::FILTER`].
         pub descriptor_set: u8,
-        /// Whether the stream is sent.
+        /// True if the stream is sent.
         pub enabled: crate::Bool,
     }
 }
@@ -5161,7 +5161,7 @@ record! {
         ///
         /// Refers to fields of Sensor data.
         pub target_descriptor: u8,
-        /// Whether the quantity is filtered.
+        /// True if the quantity is filtered.
         ///
         /// Default: true.
         pub enable: crate::Bool,
@@ -5554,9 +5554,9 @@ record! {
         ///
         /// Unit: ms.
         pub system_timer: u32,
-        /// Whether sensor data is streamed.
+        /// True if sensor data is streamed.
         pub imu_stream_enabled: crate::Bool,
-        /// Whether filter data is streamed.
+        /// True if filter data is streamed.
         pub filter_stream_enabled: crate::Bool,
         /// Sensor data packets that were not sent.
         ///
@@ -5692,11 +5692,11 @@ record! {
         ///
         /// Unit: ms.
         pub pps_last_time: u32,
-        /// Whether sensor data is streamed.
+        /// True if sensor data is streamed.
         pub imu_stream_enabled: crate::Bool,
-        /// Whether GNSS data is streamed.
+        /// True if GNSS data is streamed.
         pub gnss_stream_enabled: crate::Bool,
-        /// Whether filter data is streamed.
+        /// True if filter data is streamed.
         pub filter_stream_enabled: crate::Bool,
         /// Sensor data packets that were not sent.
         ///
@@ -5860,11 +5860,11 @@ record! {
         ///
         /// Unit: ms.
         pub pps_last_time: u32,
-        /// Whether sensor data is streamed.
+        /// True if sensor data is streamed.
         pub imu_stream_enabled: crate::Bool,
-        /// Whether GNSS data is streamed.
+        /// True if GNSS data is streamed.
         pub gnss_stream_enabled: crate::Bool,
-        /// Whether filter data is streamed.
+        /// True if filter data is streamed.
         pub filter_stream_enabled: crate::Bool,
         /// Sensor data packets that were not sent.
         ///
@@ -5918,11 +5918,11 @@ record! {
         ///
         /// Unit: ms.
         pub gnss_last_message_time: u32,
-        /// Whether the magnetometer could not be started.
+        /// True if the magnetometer could not be started.
         pub mag_init_failed: crate::Bool,
-        /// Whether the pressure sensor could not be started.
+        /// True if the pressure sensor could not be started.
         pub pressure_init_failed: crate::Bool,
-        /// Whether the GNSS receiver could not be started.
+        /// True if the GNSS receiver could not be started.
         pub receiver_init_failed: crate::Bool,
     }
     wire 80 {
@@ -6033,7 +6033,7 @@ record! {
         pub system_timer: u32,
         /// Power state of the GNSS receiver.
         pub gnss_power_state: u8,
-        /// Whether the receiver starts cold at power-on.
+        /// True if the receiver starts cold at power-up.
         pub cold_start_on_power_on: u8,
         /// Temperature of the board.
         ///
@@ -6052,11 +6052,11 @@ record! {
         ///
         /// Unit: ms.
         pub pps_last_time: u32,
-        /// Whether sensor data is streamed.
+        /// True if sensor data is streamed.
         pub imu_stream_enabled: crate::Bool,
-        /// Whether GNSS data is streamed.
+        /// True if GNSS data is streamed.
         pub gnss_stream_enabled: crate::Bool,
-        /// Whether filter data is streamed.
+        /// True if filter data is streamed.
         pub filter_stream_enabled: crate::Bool,
         /// Sensor data packets that were not sent.
         ///
@@ -6224,9 +6224,9 @@ record! {
         ///
         /// Unit: ms.
         pub pps_last_time: u32,
-        /// Whether sensor data is streamed.
+        /// True if sensor data is streamed.
         pub imu_stream_enabled: crate::Bool,
-        /// Whether filter data is streamed.
+        /// True if filter data is streamed.
         pub filter_stream_enabled: crate::Bool,
         /// Sensor data packets that were not sent.
         ///
@@ -6375,9 +6375,9 @@ record! {
         ///
         /// Unit: ms.
         pub system_timer: u32,
-        /// Whether it has a magnetometer.
+        /// True if it has a magnetometer.
         pub has_mag: crate::Bool,
-        /// Whether it has a pressure sensor.
+        /// True if it has a pressure sensor.
         pub has_pressure: crate::Bool,
         /// Power state of the sensors.
         pub power_state: u8,
@@ -6406,7 +6406,7 @@ record! {
         ///
         /// Unit: ms.
         pub pps_last_time: u32,
-        /// Whether sensor data is streamed.
+        /// True if sensor data is streamed.
         pub imu_stream_enabled: crate::Bool,
         /// Sensor data packets that were not sent.
         ///
@@ -6520,9 +6520,9 @@ record! {
         ///
         /// Unit: ms.
         pub system_timer: u32,
-        /// Whether it has a magnetometer.
+        /// True if it has a magnetometer.
         pub has_mag: crate::Bool,
-        /// Whether it has a pressure sensor.
+        /// True if it has a pressure sensor.
         pub has_pressure: crate::Bool,
         /// Largest angular rate that can be measured.
         pub gyro_range: u16,
@@ -6553,7 +6553,7 @@ record! {
         ///
         /// Unit: ms.
         pub pps_last_time: u32,
-        /// Whether sensor data is streamed.
+        /// True if sensor data is streamed.
         pub imu_stream_enabled: crate::Bool,
         /// Sensor data packets that were not sent.
         ///
@@ -6676,11 +6676,11 @@ record! {
         ///
         /// Unit: ms.
         pub temperature_last_time: u32,
-        /// Whether a temperature sensor is faulty.
+        /// True if a temperature sensor is faulty.
         pub bad_temperature_sensor_detected: crate::Bool,
-        /// Whether the temperature is too low.
+        /// True if the temperature is too low.
         pub cold_temperature_detected: crate::Bool,
-        /// Whether a supply voltage is out of range.
+        /// True if a supply voltage is out of range.
         pub bad_voltage_detected: crate::Bool,
         /// Pulses per second that were counted.
         ///
@@ -6690,7 +6690,7 @@ record! {
         ///
         /// Unit: ms.
         pub pps_last_time: u32,
-        /// Whether sensor data is streamed.
+        /// True if sensor data is streamed.
         pub imu_stream_enabled: crate::Bool,
         /// Sensor data packets that were not sent.
         ///
@@ -7095,7 +7095,7 @@ record! {
     /// Source: mip-sdk-2014: IMU timestamp (0x0C,0x36).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct ImuTimestampResponse {
-        /// Which counter.
+        /// Counter to set or read.
         pub selector: ImuTimestampSelector,
         /// Value of the counter, in the unit that `selector` states.
         pub time: u32,
@@ -7411,7 +7411,7 @@ record! {
     /// Source: 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct ConingScullingEnableResponse {
-        /// Whether the compensation is on.
+        /// True if the compensation is on.
         ///
         /// Default: true.
         pub enable: crate::Bool,
@@ -7509,7 +7509,7 @@ record! {
         ///
         /// Range: 0 to 1.
         pub enable_sbas: u8,
-        /// What SBAS is used for.
+        /// Purposes of SBAS.
         pub sbas_options: SbasOptions,
         /// PRN numbers of the SBAS satellites to search for.
         pub included_prns: crate::List<u16, 124>,
@@ -7550,7 +7550,7 @@ record! {
     /// Source: mip-sdk-4: GNSS Assisted Fix (0x0C,0x23).
     #[derive(Copy, Eq, Hash)]
     pub struct GnssAssistedFixResponse {
-        /// Whether the receiver keeps data for a faster first fix.
+        /// Storage of data for a faster first fix.
         ///
         /// Default: [`AssistedFixOption::NONE`].
         pub option: AssistedFixOption,
@@ -8062,7 +8062,7 @@ record! {
         /// Default: [`types::EventActionType::NONE`].
         #[cfg_attr(feature = "serde", serde(rename = "type"))]
         pub type_: types::EventActionType,
-        /// What the action does.
+        /// Effect of the action.
         ///
         /// Selected by [`type_`](EventActionConfigResponse::type_).
         pub parameters: EventActionConfigParameters,
@@ -8276,7 +8276,7 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43).
     #[derive(Copy, Default)]
     pub struct OdometerConfigResponse {
-        /// How the input works.
+        /// Operation of the input.
         pub mode: OdometerMode,
         /// Pulses per distance travelled; negative if the encoder turns backwards.
         ///
@@ -8429,7 +8429,7 @@ record! {
         ///
         /// Refers to fields of [`descriptor_set`](LowPassFilterResponse::descriptor_set).
         pub field_descriptor: u8,
-        /// Whether the field is filtered.
+        /// True if the field is filtered.
         pub enable: crate::Bool,
         /// True uses `frequency`; false uses half the rate of the field in the message format.
         pub manual: crate::Bool,

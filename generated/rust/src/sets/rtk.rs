@@ -226,7 +226,7 @@ command! {
 record! {
     /// Connected device type (0x0F,0x06).
     ///
-    /// The device that the modem serves.
+    /// Sets the device that the modem serves.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
@@ -236,7 +236,7 @@ record! {
     /// Source: mip-sdk-4: Connected device type (0x0F,0x06).
     #[derive(Copy, Eq, Hash)]
     pub struct ConnectedDeviceType {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Device that the modem is connected to.
         ///
@@ -413,7 +413,7 @@ command! {
 record! {
     /// LED control (0x0F,0x21).
     ///
-    /// Colours and pattern of the LED.
+    /// Sets the colours and the pattern of the LED.
     ///
     /// For advanced use. Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
@@ -625,7 +625,7 @@ record! {
     /// Source: mip-sdk-4: Get RSSI (0x0F,0x05).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct GetRssiResponse {
-        /// Whether the modem is connected.
+        /// True if the modem is connected.
         pub valid: crate::Bool,
         /// Received signal strength.
         ///
@@ -759,7 +759,7 @@ field! {
 record! {
     /// Service status response (0x0F,0x8A).
     ///
-    /// What the server knows of the connection.
+    /// Connection status according to the server.
     ///
     /// Answers [`ServiceStatus`]. Known only from the MicroStrain MIP SDK. Uncertain: What the
     /// counters count.

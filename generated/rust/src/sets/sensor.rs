@@ -51,7 +51,7 @@ bitfield! {
 }
 
 bitfield! {
-    /// Whether the odometer values are valid.
+    /// Validity of the odometer values.
     OdometerFlags: u16 {
         /// Set if an odometer is configured; its values are then valid. Bit 0.
         ODOMETER: bool = 0,
@@ -169,7 +169,7 @@ field! {
 record! {
     /// Scaled accel (0x80,0x04).
     ///
-    /// Measured acceleration, temperature compensated.
+    /// Specific force, temperature compensated: about -1 g on z when level and at rest.
     ///
     /// Changed by
     /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
@@ -209,8 +209,10 @@ record! {
     /// [`types::Gq7ContinuousBuiltInTest`],
     /// [`accel_self_test_fail`](types::Gq7ContinuousBuiltInTest::accel_self_test_fail) of
     /// [`types::Gq7ContinuousBuiltInTest`], [`accel_x`](OverrangeFlags::accel_x) of
-    /// [`OverrangeFlags`], [`accel_y`](OverrangeFlags::accel_y) of [`OverrangeFlags`] and
-    /// [`accel_z`](OverrangeFlags::accel_z) of [`OverrangeFlags`]. Supported by
+    /// [`OverrangeFlags`], [`accel_y`](OverrangeFlags::accel_y) of [`OverrangeFlags`],
+    /// [`accel_z`](OverrangeFlags::accel_z) of [`OverrangeFlags`] and
+    /// [`run_imu_unavailable`](crate::filter_data::Gx5StatusFlags::run_imu_unavailable) of
+    /// [`filter_data::Gx5StatusFlags`](crate::filter_data::Gx5StatusFlags). Supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CX5-45](crate::devices::CX5_45),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15),
@@ -306,8 +308,10 @@ record! {
     /// [`types::Gq7ContinuousBuiltInTest`],
     /// [`gyro_self_test_fail`](types::Gq7ContinuousBuiltInTest::gyro_self_test_fail) of
     /// [`types::Gq7ContinuousBuiltInTest`], [`gyro_x`](OverrangeFlags::gyro_x) of
-    /// [`OverrangeFlags`], [`gyro_y`](OverrangeFlags::gyro_y) of [`OverrangeFlags`] and
-    /// [`gyro_z`](OverrangeFlags::gyro_z) of [`OverrangeFlags`]. Supported by
+    /// [`OverrangeFlags`], [`gyro_y`](OverrangeFlags::gyro_y) of [`OverrangeFlags`],
+    /// [`gyro_z`](OverrangeFlags::gyro_z) of [`OverrangeFlags`] and
+    /// [`run_imu_unavailable`](crate::filter_data::Gx5StatusFlags::run_imu_unavailable) of
+    /// [`filter_data::Gx5StatusFlags`](crate::filter_data::Gx5StatusFlags). Supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CX5-45](crate::devices::CX5_45),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15),
@@ -1355,7 +1359,7 @@ field! {
 record! {
     /// Overrange status (0x80,0x18).
     ///
-    /// Which sensor axes are near or outside their range.
+    /// Sensor axes that are near or outside their range.
     ///
     /// Probably changed by [`mip_3dm::SensorRange`](crate::mip_3dm::SensorRange). Supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
@@ -1415,7 +1419,7 @@ record! {
         /// is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub uncertainty: f32,
-        /// Whether the values are valid.
+        /// Validity of the measured values.
         pub valid_flags: OdometerFlags,
     }
 }

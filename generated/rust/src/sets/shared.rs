@@ -12,7 +12,7 @@
 use crate::types;
 
 bitfield! {
-    /// Which parts of the GPS time are valid.
+    /// Valid parts of the GPS time.
     GpsTimestampFlags: u16 {
         /// The whole seconds of the time of week have been set. Bit 0.
         TOW: bool = 0,
@@ -27,7 +27,7 @@ bitfield! {
 }
 
 bitfield! {
-    /// Whether the external time is valid.
+    /// Validity of the external time.
     ExternalTimestampFlags: u16 {
         /// The time is valid. Bit 0.
         NANOSECONDS: bool = 0,
@@ -36,7 +36,7 @@ bitfield! {
 }
 
 bitfield! {
-    /// Whether the difference of external time is valid.
+    /// Validity of the difference of external time.
     ExternalTimeDeltaFlags: u16 {
         /// The difference is valid. Bit 0.
         DT_NANOS: bool = 0,
@@ -198,7 +198,7 @@ record! {
         ///
         /// Unit: week. Valid if [`valid_flags.week_number`](GpsTimestampFlags::week_number) is set.
         pub week_number: u16,
-        /// Which parts are valid.
+        /// Valid parts of the timestamp.
         pub valid_flags: GpsTimestampFlags,
     }
 }
@@ -389,7 +389,7 @@ record! {
         /// Unit: ns. Valid if [`valid_flags.nanoseconds`](ExternalTimestampFlags::nanoseconds) is
         /// set.
         pub nanoseconds: u64,
-        /// Whether the time is valid.
+        /// Validity of the time.
         pub valid_flags: ExternalTimestampFlags,
     }
 }
@@ -435,7 +435,7 @@ record! {
         ///
         /// Unit: ns. Valid if [`valid_flags.dt_nanos`](ExternalTimeDeltaFlags::dt_nanos) is set.
         pub dt_nanos: u64,
-        /// Whether the difference is valid.
+        /// Validity of the difference.
         pub valid_flags: ExternalTimeDeltaFlags,
     }
 }

@@ -37,7 +37,7 @@ bitfield! {
 }
 
 open_enum! {
-    /// Which part of the device the host communicates with, and by which protocol.
+    /// Part of the device that the host communicates with, and its protocol.
     ProtocolMode: u8 {
         /// The device itself, MIP.
         STANDARD = 1, "standard";
@@ -51,7 +51,7 @@ open_enum! {
 record! {
     /// Interface control (0x7F,0x02).
     ///
-    /// Protocols that a port receives and sends.
+    /// Sets the protocols that a port receives and sends.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
@@ -70,7 +70,7 @@ record! {
     /// Source: mip-sdk-4: Interface control (0x7F,0x02); 3dm-cv7-gnss-ins: Ports.
     #[derive(Copy, Eq, Hash)]
     pub struct InterfaceControl {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Port whose protocols are set or read.
         ///
@@ -155,7 +155,7 @@ record! {
     /// Source: 3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10).
     #[derive(Copy, Eq, Hash)]
     pub struct CommMode {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Communication mode.
         ///

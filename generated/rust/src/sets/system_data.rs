@@ -117,7 +117,7 @@ field! {
 record! {
     /// Time sync status (0xA0,0x02).
     ///
-    /// Whether the device time is locked to the pulse per second.
+    /// Synchronization of the device time with the pulse per second.
     ///
     /// Changed by [`mip_3dm::PpsSourceControl`](crate::mip_3dm::PpsSourceControl). Supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR) and

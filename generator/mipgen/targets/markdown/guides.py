@@ -107,7 +107,9 @@ def surely(step: Step) -> str:
     sure = [code(name) for name in step.response.stated if name in given]
     if len(sure) == len(given):
         return "After these steps, the device answers with these values."
-    return f"Certain: {', '.join(sure)}. The rest is an example." if sure else "The values are an example."
+    if not sure:
+        return "The values are an example."
+    return f"Only {' and '.join(sure)} {'is' if len(sure) == 1 else 'are'} fixed; other values will differ."
 
 
 def streamed(page: Page, stream: Stream) -> str:
@@ -223,7 +225,7 @@ def _baud_rates(page: Page) -> str:
 
 
 def changes(page: Page, guide: Guide) -> str:
-    """What takes the place of the fields that the new device lacks."""
+    """The replacements of the fields that the new device lacks."""
     move = guide.migration
     assert move is not None
     rows = [

@@ -420,7 +420,7 @@ export declare class Ping extends Command<undefined> {
  */
 export declare class Settings<R extends Response | undefined = undefined | SettingsResponse> extends Command<R> {
     constructor(values: Values<Settings, "reserved">);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /** Number of the port, 0 for all. Range: 0 to 8. */
     port?: number;
@@ -469,7 +469,7 @@ export declare class Settings<R extends Response | undefined = undefined | Setti
  */
 export declare class SetTime<R extends Response | undefined = undefined | SetTimeFastResponse | SetTimeSlowResponse> extends Command<R> {
     constructor(values: Values<SetTime>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /** Which half of the time. */
     part?: types.Mode;
@@ -517,7 +517,7 @@ export declare class Status extends Command<StatusPaged | StatusShort | StatusLo
  */
 export declare class Bias<R extends Response | undefined = undefined | BiasVector> extends Command<R> {
     constructor(values: Values<Bias>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /** Taken off the measurement. Elements: x, y, z. Unit: g. Frame: sensor. Required for `write`. */
     bias?: types.Vector3f;
@@ -581,7 +581,7 @@ export declare class Formats extends Command<undefined> {
  */
 export declare class Choice<R extends Response | undefined = undefined | ChoiceResponse> extends Command<R> {
     constructor(values: Values<Choice>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /** Which one. */
     instance?: number;
@@ -614,7 +614,7 @@ export declare class Choice<R extends Response | undefined = undefined | ChoiceR
  */
 export declare class List<R extends Response | undefined = undefined | ListResponse> extends Command<R> {
     constructor(values: Values<List>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /** On the wire only: count. Number of items. The number of elements of `items`. Required for `write`. */
     /** The items. Required for `write`. */
@@ -651,7 +651,7 @@ export declare class Inventory extends Command<InventoryResponse> {
  */
 export declare class Pin<R extends Response | undefined = undefined | PinResponse> extends Command<R> {
     constructor(values: Values<Pin>);
-    /** What to do with the setting. */
+    /** Operation on the setting. */
     function: FunctionSelector;
     /** What drives it. */
     drive?: Drive;

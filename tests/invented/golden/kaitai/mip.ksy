@@ -435,7 +435,7 @@ types:
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: port
         type: u1
         if: function_value == function_selector::write or function_value == function_selector::read or function_value == function_selector::save or function_value == function_selector::load or function_value == function_selector::default_value or function_value == function_selector::apply or _io.size >= 2
@@ -465,7 +465,7 @@ types:
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: part
         type: u1
         enum: mode
@@ -494,7 +494,7 @@ types:
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: bias
         type: vector3f
         if: function_value == function_selector::write or _io.size >= 13
@@ -534,7 +534,7 @@ types:
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: instance
         type: u1
         if: function_value == function_selector::write or function_value == function_selector::read or _io.size >= 2
@@ -581,7 +581,7 @@ types:
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: count
         type: u1
         valid:
@@ -605,7 +605,7 @@ types:
         -orig-id: function
         type: u1
         enum: function_selector
-        doc: What to do with the setting.
+        doc: Operation on the setting.
       - id: drive
         type: u1
         enum: tools_drive

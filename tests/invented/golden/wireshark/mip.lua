@@ -115,7 +115,7 @@ field({ descriptor = 0x02, name = "tools.settings", role = "command", title = "S
     doc = "Every function, and a prefix of parameters for each.", least = 1,
     required = { [1] = 3, [2] = 2, [3] = 1, [4] = 1, [5] = 1, [6] = 3, }, silent = { [6] = true, },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "port", type = "u8", size = 1, doc = "Number of the port, 0 for all. Range: 0 to 8." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["mode"], doc = "What to do. Default: fast. On the Model C: only default and fast; not deprecated." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "baud", type = "u32", size = 4, units = {"Bd", }, doc = "Speed. Unit: Bd. Default: 115200." }, } },
@@ -126,7 +126,7 @@ field({ descriptor = 0x03, name = "tools.set_time", role = "command", title = "S
     doc = "Two responses for one command.", least = 1,
     required = { [1] = 2, [2] = 1, [6] = 2, }, silent = { [6] = true, },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "part", type = "u8", size = 1, enum = E["mode"], doc = "Which half of the time." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "value", type = "u32", size = 4, units = {"s", }, doc = "The new value. Unit: s." }, } },
     } }, { { set = 0x01, name = "tools.set_time", title = "Set time" }, })
@@ -143,7 +143,7 @@ field({ descriptor = 0x05, name = "tools.bias", role = "command", title = "Bias"
     doc = "Its response serves another command too.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "bias", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"g", }, doc = "Taken off the measurement. Unit: g. Frame: sensor.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
     } }, { { set = 0x01, name = "tools.bias", title = "Bias" }, })
 field({ descriptor = 0x06, name = "tools.capture_bias", role = "command", title = "Capture bias",
@@ -166,7 +166,7 @@ field({ descriptor = 0x08, name = "tools.choice", role = "command", title = "Cho
     doc = "A tagged union with an empty variant, nested unions, arrays and strings in it.", least = 1,
     required = { [1] = 3, [2] = 1, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "instance", type = "u8", size = 1, doc = "Which one." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "shape", type = "u8", size = 1, enum = E["tools.shape"], doc = "Which member follows." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "switch", name = "parameters", tag = "shape", doc = "The member.", cases = {
@@ -180,7 +180,7 @@ field({ descriptor = 0x09, name = "tools.list", role = "command", title = "List"
     doc = "Optional counted array; a read may carry a zero count.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 2, body = { { kind = "counter", name = "count", type = "u8", size = 1, doc = "Number of items." }, { kind = "array", name = "items", counter = "count", capacity = 125, size = 2, doc = "The items.", item = { kind = "scalar", name = "item", type = "u16", size = 2 } }, } },
     } }, { { set = 0x01, name = "tools.list", title = "List" }, })
 field({ descriptor = 0x0A, name = "tools.inventory", role = "command", title = "Inventory",
@@ -192,7 +192,7 @@ field({ descriptor = 0x0B, name = "tools.pin", role = "command", title = "Pin",
     doc = "The names of one number depend on another.", least = 1,
     required = { [1] = 2, [2] = 1, }, silent = { },
     rows = {
-      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "drive", type = "u8", size = 1, enum = E["tools.drive"], doc = "What drives it." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "use", type = "u8", size = 1, doc = "How it is used. If drive is pulse: values of pulse_use. If drive is serial: values of serial_use.", readings = { {by = "drive", value = 1, enum = E["tools.pulse_use"] }, {by = "drive", value = 2, enum = E["tools.serial_use"] }, } }, } },
     } }, { { set = 0x01, name = "tools.pin", title = "Pin" }, })

@@ -1126,7 +1126,7 @@ class Settings(Command[R]):
     REQUIRED = {1: 3, 2: 2, 3: 1, 4: 1, 5: 1, 6: 3}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     port: int | None
     """Number of the port, 0 for all. Range: 0 to 8."""
     mode: types.Mode | None
@@ -1312,7 +1312,7 @@ class SetTime(Command[R]):
     REQUIRED = {1: 2, 2: 1, 6: 2}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     part: types.Mode | None
     """Which half of the time."""
     value: int | None
@@ -1488,7 +1488,7 @@ class Bias(Command[R]):
     _VECTORS = {"bias": (types.Vector3f,)}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     bias: types.Vector3f | None
     """Taken off the measurement. Elements: x, y, z. Unit: g. Frame: sensor. Required for `write`.
     """
@@ -1697,7 +1697,7 @@ class Choice(Command[R]):
     _VECTORS = {"parameters": (types.Quatf,)}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     instance: int | None
     """Which one."""
     shape: Shape | None
@@ -1846,7 +1846,7 @@ class List(Command[R]):
     REQUIRED = {1: 2, 2: 0, 3: 0}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     # On the wire only: count. Number of items. The number of elements of `items`. Required for
     # `write`.
     items: tuple[int, ...] | None
@@ -1966,7 +1966,7 @@ class Pin(Command[R]):
     REQUIRED = {1: 2, 2: 1}
 
     function: FunctionSelector
-    """What to do with the setting."""
+    """Operation on the setting."""
     drive: Drive | None
     """What drives it."""
     use: int | None

@@ -200,7 +200,7 @@ struct mip_tools_settings {
      * that one.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /** Number of the port, 0 for all. Range: 0 to 8. */
     uint8_t port;
@@ -400,7 +400,7 @@ struct mip_tools_set_time {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /** Which half of the time. A value of enum mip_mode. */
     uint8_t part;
@@ -831,7 +831,7 @@ struct mip_tools_bias {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /** Taken off the measurement. Elements: x, y, z. Unit: g. Frame: sensor. Required for write. */
     float bias[3];
@@ -1064,7 +1064,7 @@ struct mip_tools_choice {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /** Which one. */
     uint8_t instance;
@@ -1194,7 +1194,7 @@ struct mip_tools_list {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /** Number of items. The number of elements of items. Required for write. */
     uint8_t count;
@@ -1373,7 +1373,7 @@ struct mip_tools_pin {
      * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
-    /** What to do with the setting. A value of enum mip_function_selector. */
+    /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /** What drives it. A value of enum mip_tools_drive. */
     uint8_t drive;

@@ -291,7 +291,7 @@ record! {
     /// Source: guide: Settings; leaflet: Settings.
     #[derive(Copy, Eq, Hash)]
     pub struct Settings {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Number of the port, 0 for all.
         ///
@@ -389,7 +389,7 @@ record! {
     /// Source: guide: Set time.
     #[derive(Copy, Eq, Hash)]
     pub struct SetTime {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Which half of the time.
         pub part: Option<types::Mode>,
@@ -528,7 +528,7 @@ record! {
     /// Source: guide: Bias; leaflet: Bias.
     #[derive(Copy)]
     pub struct Bias {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Taken off the measurement.
         ///
@@ -673,7 +673,7 @@ record! {
     ///
     /// Source: guide: Choice.
     pub struct Choice {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// Which one.
         pub instance: Option<u8>,
@@ -762,7 +762,7 @@ record! {
     /// Source: guide: List.
     #[derive(Eq, Hash)]
     pub struct List {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// The items.
         ///
@@ -843,7 +843,7 @@ record! {
     /// Source: guide: Pin.
     #[derive(Copy, Eq, Hash)]
     pub struct Pin {
-        /// What to do with the setting.
+        /// Operation on the setting.
         pub function: types::FunctionSelector,
         /// What drives it.
         pub drive: Option<Drive>,
