@@ -2180,9 +2180,6 @@ GQ7 = Device(
                 ("0x82", "0x0D", "Linear acceleration"),
             ),
         ),
-        "firmware": Note(
-            "Firmware", "NMEA on the main port requires firmware later than 1.0.10.", ()
-        ),
         "gpio_pins": Note(
             "GPIO pins",
             "Features of each pin, according to MSCL.",

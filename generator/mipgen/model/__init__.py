@@ -21,7 +21,20 @@ from . import (
     simulation,
     types,
 )
-from .devices import EVIDENCE, Answer, Device, DeviceVariant, Evidence, Limit, Note, Port, Rate, Support, strength
+from .devices import (
+    EVIDENCE,
+    Answer,
+    Device,
+    DeviceVariant,
+    Evidence,
+    Limit,
+    Note,
+    Port,
+    ProtocolFirmware,
+    Rate,
+    Support,
+    strength,
+)
 from .evidence import Claim, Erratum, Example, ExampleField, Manual
 from .fields import (
     COMMAND,
@@ -113,6 +126,7 @@ __all__ = [
     "Port",
     "Position",
     "Protocol",
+    "ProtocolFirmware",
     "Rate",
     "Record",
     "Reply",

@@ -34,12 +34,21 @@ def strength(kind: str) -> int:
 
 
 @dataclass(frozen=True, slots=True)
+class ProtocolFirmware:
+    """The versions whose port has a protocol."""
+
+    protocol: str
+    versions: str  # "> 1.0.07"
+
+
+@dataclass(frozen=True, slots=True)
 class Port:
     name: str
     id: int | None
     baud_rates: Detail[tuple[int, ...]]
     receives: Detail[tuple[str, ...]]  # protocols
     sends: Detail[tuple[str, ...]]
+    firmware: Detail[tuple[ProtocolFirmware, ...]] = ()  # of the protocols that not all versions have
 
 
 @dataclass(frozen=True, slots=True)

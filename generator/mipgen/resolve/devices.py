@@ -188,13 +188,7 @@ class _Device:
             supports=supports,
             refuses=tuple(s for s in known if s.evidence.answer == "no"),
             base_rates=self.rates(supports),
-            ports=tuple(
-                m.Port(
-                    p["name"].value, p.scalar("id"), tuple(p["baud_rates"].plain()),
-                    tuple(p["receives"].plain()), tuple(p["sends"].plain()),
-                )
-                for p in node.get("ports") or ()
-            ),
+            ports=tuple(self.port(p) for p in node.get("ports") or ()),
             limits=tuple(self.limit(n) for n in node.get("limits") or ()),
             notes=tuple(
                 m.Note(
@@ -267,6 +261,18 @@ class _Device:
                     remedy = f"write '{f.name}' in fields"
                     self.problems.add(entry.position, f"0x{entry.value:02X} of '{name}' is defined; {remedy}")
                 yield number, entry.value
+
+    def port(self, node: Node) -> m.Port:
+        receives, sends = tuple(node["receives"].plain()), tuple(node["sends"].plain())
+        firmware = []
+        for protocol, versions in node["firmware"].items() if "firmware" in node else ():
+            if protocol not in (*receives, *sends):
+                place, name = node["firmware"].keys[protocol], node["name"].value
+                remedy = "add it to what it receives or sends, or remove it"
+                self.problems.add(place, f"the port '{name}' has no protocol '{protocol}'; {remedy}")
+            firmware.append(m.ProtocolFirmware(protocol, versions.value))
+        rates = tuple(node["baud_rates"].plain())
+        return m.Port(node["name"].value, node.scalar("id"), rates, receives, sends, tuple(firmware))
 
     def known(self, said: list[tuple[Node, m.Evidence]]) -> tuple[m.Support, ...]:
         """All that is said of fields, also that it does not have them, by set and descriptor; the strongest evidence

@@ -3130,8 +3130,6 @@ static const struct mip_profile_note gq7_notes[] = {
      "Data that `3dm.low_pass_filter` can filter on the 3DM-CV7 and the 3DM-GQ7, and so probably "
      "on the others; `3dm.imu_low_pass_filter` filters sensor data only.",
      gq7_anti_aliasing_cells, 8, 3},
-    {"firmware", "Firmware", "NMEA on the main port requires firmware later than 1.0.10.", NULL, 0,
-     0},
     {"gpio_pins", "GPIO pins", "Features of each pin, according to MSCL.", gq7_gpio_pins_cells, 5,
      3},
     {"nmea_output", "NMEA output",
@@ -3169,7 +3167,7 @@ const struct mip_profile mip_profile_gq7 = {
     6,    /* base rates */
     2,    /* ports */
     1,    /* limits */
-    6,    /* notes */
+    5,    /* notes */
     6,    /* readings */
     0,    /* acknowledge codes */
     gq7_also,

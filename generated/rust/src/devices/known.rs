@@ -4748,10 +4748,6 @@ const GQ7_8: &Evidence =
 /// | 0x82 | 0x0E | Compensated angular rate |
 /// | 0x82 | 0x0D | Linear acceleration |
 ///
-/// # Firmware
-///
-/// NMEA on the main port requires firmware later than 1.0.10.
-///
 /// # GPIO pins
 ///
 /// Features of each pin, according to MSCL.

@@ -94,14 +94,20 @@ def rates_of_set(page: Page, s: m.Set) -> str:
     return table(rows, ["Device", "Base rate"]) if rows else ""
 
 
+def protocols(of: m.Port, names: tuple[str, ...]) -> str:
+    """Protocols of a port, with the firmware that has them."""
+    versions = {f.protocol: f.versions for f in of.firmware}
+    return ", ".join(inline(f"{x} (firmware {versions[x]})" if x in versions else x) for x in names)
+
+
 def ports(d: m.Device) -> str:
     rows = [
         [
             inline(p.name),
             "" if p.id is None else code(hexadecimal(p.id)),
             ", ".join(map(str, p.baud_rates)),
-            ", ".join(map(inline, p.receives)),
-            ", ".join(map(inline, p.sends)),
+            protocols(p, p.receives),
+            protocols(p, p.sends),
         ]
         for p in d.ports
     ]
