@@ -312,7 +312,9 @@ def test_every_device_has_its_page(manual: Manual) -> None:
         assert (properties["Manual"] == "none is known") == (d.manual is None)
         assert properties.get("Sources", "") == "; ".join(describe.sources(d))
         for port in d.ports:
-            wanted = {port.name, ", ".join(map(str, port.baud_rates)), ", ".join(port.receives), ", ".join(port.sends)}
+            later = {f.protocol: f" (firmware {f.versions})" for f in port.firmware}
+            receives, sends = (", ".join(x + later.get(x, "") for x in names) for names in (port.receives, port.sends))
+            wanted = {port.name, ", ".join(map(str, port.baud_rates)), receives, sends}
             wanted |= {f"0x{port.id:02X}"} if port.id is not None else set()
             assert any(wanted <= {*row, ""} for row in rows), port.name
         for limit in d.limits:
