@@ -70,6 +70,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="PIN=HZ",
         help="a square wave at a pin of the device",
     )
+    add("--noise", type=_noise, default=1.0, metavar="X", help="times the usual noise (default: 1); 0: none")
     add("--seed", type=int, default=0, metavar="N", help="for noise and faults (default: 0)")
     add(
         "--speed",
@@ -141,7 +142,13 @@ def _device(options: argparse.Namespace, profile: Device, faults: Faults | None)
     except MotionError as error:
         raise Failure(f"--motion {error}", 1 if "file=" in options.motion else 2) from None
     device = VirtualDevice(
-        profile, motion=motion, seed=options.seed, start=options.start, storage=options.storage, faults=faults
+        profile,
+        motion=motion,
+        seed=options.seed,
+        noise=options.noise,
+        start=options.start,
+        storage=options.storage,
+        faults=faults,
     )
     for pin, hertz in options.signal:
         try:
@@ -227,6 +234,10 @@ def _signal(text: str) -> tuple[int, float]:
 
 def _seconds(text: str) -> float:
     return _number(text, 1e-9, 1e10, "duration in seconds; use a number above 0")
+
+
+def _noise(text: str) -> float:
+    return _number(text, 0, 1e3, "noise; use 1 for the usual one, 0 for none")
 
 
 def _speed(text: str) -> float:
