@@ -68,8 +68,8 @@ def test_states_after_a_reset() -> None:
     ("alignment", "motion", "reached"),
     [
         (DUAL_ANTENNA, Standing(), FULL_NAV), (MAG, Standing(), FULL_NAV), (KINEMATIC, Circle(20, 5), FULL_NAV),
-        (KINEMATIC, Standing(), VERTICAL_GYRO), (KINEMATIC, Circle(20, 1.5), VERTICAL_GYRO), (0, Circle(), VERTICAL_GYRO),
-        (EXTERNAL, Standing(), VERTICAL_GYRO),
+        (KINEMATIC, Standing(), VERTICAL_GYRO), (KINEMATIC, Circle(20, 1.5), VERTICAL_GYRO),
+        (0, Circle(), VERTICAL_GYRO), (EXTERNAL, Standing(), VERTICAL_GYRO),
     ],
 )  # fmt: skip
 def test_ways_to_align_the_heading(alignment: int, motion: Any, reached: int) -> None:

@@ -46,6 +46,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add = parser.add_argument
     add("device", nargs="?", metavar="DEVICE", help="which device, as listed by --list")
     add("--list", action="store_true", help="list the devices and end")
+    add("--no-effect", action="store_true", help="list the commands that change nothing on a virtual device and end")
     add("--certain", action="store_true", help="only the commands and data that the device is known to have")
     add("--pty", action="append", default=[], metavar="PATH", help="a pseudo-terminal, with a link to it at PATH")
     add("--tcp", action="append", default=[], metavar="[HOST:]PORT", help="a TCP port; 0: the system chooses one")
@@ -100,6 +101,11 @@ def run(options: argparse.Namespace) -> int:
         for known in DEVICES.values():
             incomplete = f" (incomplete: {_known(known)})" if known.incomplete else ""
             print(f"{known.id:<{width}}  {known.title}{incomplete}")
+        return 0
+    if options.no_effect:
+        from .knowledge import without_effect
+
+        print("\n".join(without_effect()))
         return 0
     whole = _profile(options.device)
     profile = certain(whole) if options.certain else whole

@@ -1,7 +1,7 @@
 """The estimation filter of a device: its states, and the errors of what it estimates.
 
-What it shows is the truth plus an error. Errors and variances change by the same steps, those of a Kalman filter for each
-axis, so that the errors are as large as the uncertainties say: they grow without aiding, and shrink with it.
+What it shows is the truth plus an error. Errors and variances change by the same steps, those of a Kalman filter for
+each axis, so that the errors are as large as the uncertainties say: they grow without aiding, and shrink with it.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ FRESH = 5.0
 
 # Deviations of a new filter, and of measurements in each step.
 NEW_TILT, NEW_HEADING, NEW_GYRO_BIAS, NEW_ACCEL_BIAS = 0.03, 0.05, 3e-4, 0.012
-DUAL_ANTENNA, STANDS, ACCEL_BIAS = 0.01, 0.01, 0.05
+DUAL_ANTENNA, STANDS, RESTS, ACCEL_BIAS = 0.01, 0.01, 2e-4, 0.05
 #: Deviations of GNSS positions along horizontal and vertical axes, and of velocities.
 FIX = (sqrt(0.5), sqrt(0.5), 1.5)
 FIX_VELOCITY = 0.1 / sqrt(3)
@@ -208,7 +208,6 @@ class Filter:
         if not options.automatic:
             return
         if not self.level and self._age >= LEVELED:
-            roll, pitch, _ = euler(self._world.vehicle_of(state))
             user = given in ("AUTO_POSITION_VELOCITY", "MANUAL")
             self.set_attitude(
                 state,
@@ -332,7 +331,7 @@ class Filter:
             self.accel_bias[2].measure(often * ACCEL_BIAS)
         if hypot(*state.rate) < self.options.turns_above:
             for pair in self.attitude:
-                pair.measure_rate(often * self.options.turns_above / 10)
+                pair.measure_rate(often * RESTS)
 
     def _head(self, state: State, often: float) -> None:
         if not self.aligned:
@@ -390,7 +389,7 @@ class Filter:
     def rests(self) -> None:
         """The user says that the device does not turn."""
         for pair in self.attitude if self.level else ():
-            pair.measure_rate(1e-3)
+            pair.measure_rate(RESTS)
 
     def heading(self, kind: str, value: float, deviation: float, magnetic: bool) -> None:
         state = self._world.state
@@ -471,8 +470,8 @@ class Filter:
         """Of tilt, bias of the gyroscope, heading, position and velocity."""
         roll, pitch, yaw = self.attitude
         return (
-            sqrt(max(roll.p, pitch.p)), sqrt(max(roll.r, pitch.r)), sqrt(yaw.p), sqrt(max(x.p for x in self.navigation)),
-            sqrt(max(x.r for x in self.navigation)),
+            sqrt(max(roll.p, pitch.p)), sqrt(max(roll.r, pitch.r)), sqrt(yaw.p),
+            sqrt(max(x.p for x in self.navigation)), sqrt(max(x.r for x in self.navigation)),
         )  # fmt: skip
 
     @property

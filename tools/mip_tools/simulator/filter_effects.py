@@ -12,6 +12,9 @@ from typing import TYPE_CHECKING, Any
 from . import earth
 from .estimate import SOURCES
 from .knowledge import RANGES
+from .rotations import transposed
+from .state import euler, rotation
+from .values import receiver_of
 
 if TYPE_CHECKING:
     from .device import VirtualDevice
@@ -76,7 +79,17 @@ def _point(device: VirtualDevice, v: Values) -> None:
 
 def _antenna(device: VirtualDevice, v: Values) -> None:
     """The offset of a new device is right; a setting that differs from it is wrong by that."""
-    device.world.filter.options.offsets[v["receiver"]] = tuple(v["offset"])
+    receiver = v["receiver"] if v["receiver"] in (1, 2) else receiver_of(v["receiver"])
+    if receiver:
+        device.world.filter.options.offsets[receiver] = tuple(v["offset"])
+
+
+def _tare(device: VirtualDevice, v: Values) -> None:
+    """The vehicle is level now, or points north: the angles of these axes are 0."""
+    world, axes = device.world, _names(v["axes"])
+    if axes:
+        angles = (0.0 if name in axes else x for name, x in zip(("roll", "pitch", "yaw"), euler(world.dcm)))
+        world.sensor_to_vehicle = earth.product(rotation(*angles)[1], transposed(world.state.dcm))
 
 
 def _relative_position(device: VirtualDevice, v: Values) -> None:
@@ -263,6 +276,16 @@ def _height_measured(device: VirtualDevice, v: Values) -> None:
         device.world.filter.position(v["kind"], place, (v["uncertainty"],) * 3, (False, False, True))
 
 
+def _pressure_measured(device: VirtualDevice, v: Values) -> None:
+    if v["valid"]:
+        world = device.world
+        _, pressure, density = world.air
+        metre = density * world.gravity / 100  # mbar
+        height = world.state.height - (v["pressure"] - pressure) / metre
+        place = (world.state.latitude, world.state.longitude, height)
+        world.filter.position(v["kind"], place, (v["uncertainty"] / metre,) * 3, (False, False, True))
+
+
 def _velocity_measured(device: VirtualDevice, v: Values) -> None:
     """North, east, down."""
     device.world.filter.velocity(v["kind"], tuple(v["velocity"]), tuple(v["uncertainty"]))
@@ -323,6 +346,7 @@ FILTER_EFFECTS: dict[str, Act] = {
     "no_velocity": _stands,
     "odometer": _odometer,
     "position_measured": _position_measured,
+    "pressure_measured": _pressure_measured,
     "pressure_noise": _noise("pressure_noise"),
     "pulse": _pulse,
     "reference_point": _point,
@@ -332,6 +356,7 @@ FILTER_EFFECTS: dict[str, Act] = {
     "signals": _signals,
     "soft_iron": _soft_iron,
     "speed_measured": _speed_measured,
+    "tare": _tare,
     "velocity_measured": _velocity_measured,
     "zero_rotation": _turns,
     "zero_velocity": _stops,

@@ -18,7 +18,7 @@ def _length(v: Vector) -> float:
 
 
 def _base_station(w: World, _: Any) -> Vector:
-    latitude, longitude, height = earth.llh(*w.origin)
+    latitude, longitude, height = earth.llh(*w.start_place)
     return earth.ecef(latitude + 5000.0 / earth.A, longitude, height)
 
 

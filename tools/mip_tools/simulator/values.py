@@ -5,6 +5,7 @@ from __future__ import annotations
 import struct
 from collections.abc import Callable, Iterator
 from enum import IntEnum, IntFlag
+from functools import cache
 from typing import Any
 
 from ..binding import Device, Field, Parameter, reflection, registry
@@ -63,6 +64,18 @@ def senses(profile: Device) -> frozenset[str]:
         if (number, kind.DESCRIPTOR) in profile.fields:
             found.update(v.quantity for v in shown(kind, number).parameters.values())
     return frozenset(sense for sense, quantity in _SENSES.items() if quantity in found)
+
+
+@cache
+def receiver_of(number: int) -> int:
+    """The GNSS receiver whose data a set has; 0: none."""
+    found = {
+        v.quantity[:6]
+        for set, kind in registry.all_types()
+        if set == number
+        for v in shown(kind, set).parameters.values()
+    }
+    return next((receiver for receiver in (1, 2) if f"gnss_{receiver}" in found), 0)
 
 
 def _packs(p: Parameter) -> bool:
