@@ -119,7 +119,7 @@ def stated(command: str) -> set[str]:
 
 @pytest.mark.parametrize(("device", "command", "noise"), COMMANDS, ids=[c.NAME for _, c, _ in COMMANDS])
 def test_it_acts(device: str, command: Any, noise: float) -> None:
-    """On something that the specification says, and on no other set: what a filter estimates depends on all of it, and so
+    """On something that the specification says, and on no other set: what a filter estimates depends on all, and so
     does what a receiver shows."""
     before, now = untouched(device, noise), after(device, command, noise)
     changed, known = {x for x in before if before[x] != now[x]}, stated(command.NAME)

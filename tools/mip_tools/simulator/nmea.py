@@ -47,7 +47,7 @@ class _Fix(NamedTuple):
 def _fix(world: World, receiver: int | None) -> _Fix:
     time = utc(world.gps)
     if receiver is None:
-        s = world.estimate
+        s = world.place
         n, e, d = (world.quantity(f"uncertainty.{axis}") for axis in ("north", "east", "down"))
         return _Fix(time, s.latitude, s.longitude, s.height, s.velocity, (n, e, d), 1)
     a = world.fix(receiver)
@@ -125,7 +125,7 @@ def _vtg(world: World, fix: _Fix) -> Iterator[str]:
 
 
 def _hdt(world: World, fix: _Fix) -> Iterator[str]:
-    yield f"HDT,{_course(degrees(euler(world.estimate.dcm)[2]))},T"
+    yield f"HDT,{_course(degrees(euler(world.attitude[1])[2]))},T"
 
 
 def _zda(world: World, fix: _Fix) -> Iterator[str]:
@@ -140,7 +140,7 @@ def _gst(world: World, fix: _Fix) -> Iterator[str]:
 
 
 def _msra(world: World, fix: _Fix) -> Iterator[str]:
-    roll, pitch, yaw = (degrees(angle) for angle in euler(world.estimate.dcm))
+    roll, pitch, yaw = (degrees(angle) for angle in euler(world.attitude[1]))
     yield f"PMSRA,{_clock(fix.time)},{roll:.3f},{pitch:.3f},{yaw:.3f}"
 
 

@@ -141,7 +141,7 @@ def _relative(w: World, _: Any) -> Vector:
 
 
 def _ecef(w: World) -> Vector:
-    x = w.estimate
+    x = w.place
     return earth.ecef(x.latitude, x.longitude, x.height)
 
 
@@ -255,11 +255,11 @@ _SENSORS: dict[str, Function] = {
 }
 
 _MOTION: dict[str, Function] = {
-    "attitude.quaternion": lambda w, _: w.estimate.quaternion,
-    "attitude.dcm": lambda w, _: w.estimate.dcm,
-    "attitude.roll": lambda w, _: euler(w.estimate.dcm)[0],
-    "attitude.pitch": lambda w, _: euler(w.estimate.dcm)[1],
-    "attitude.yaw": lambda w, _: euler(w.estimate.dcm)[2],
+    "attitude.quaternion": lambda w, _: w.attitude[0],
+    "attitude.dcm": lambda w, _: w.attitude[1],
+    "attitude.roll": lambda w, _: euler(w.attitude[1])[0],
+    "attitude.pitch": lambda w, _: euler(w.attitude[1])[1],
+    "attitude.yaw": lambda w, _: euler(w.attitude[1])[2],
     "attitude.sensor_heading": lambda w, _: euler(w.state.dcm)[2],
     "complementary.quaternion": lambda w, _: quaternion(m) if (m := _complementary(w)) is not w.dcm else w.quaternion,
     "complementary.dcm": lambda w, _: _complementary(w),
@@ -269,7 +269,7 @@ _MOTION: dict[str, Function] = {
     "motion.angular_rate": _compensated_rate,
     "motion.specific_force": lambda w, out: _compensated_force(w, w.specific_force, out),
     "motion.acceleration": lambda w, out: _compensated_force(w, earth.turned(w.state.dcm, w.state.acceleration), out),
-    "gravity.vector": lambda w, _: earth.turned(w.estimate.dcm, (0.0, 0.0, w.gravity)),
+    "gravity.vector": lambda w, _: earth.turned(w.attitude[1], (0.0, 0.0, w.gravity)),
     "gravity.magnitude": lambda w, _: earth.gravity(w.modelled[0], w.modelled[2]),
     "bias.angular_rate": lambda w, _: _sum(w.gyro_bias_left, w.gyro_bias_error),
     "bias.specific_force": lambda w, _: _sum(w.accel_bias_left, w.accel_bias_error),
@@ -277,16 +277,16 @@ _MOTION: dict[str, Function] = {
     "identity.matrix": lambda w, _: (1, 0, 0, 0, 1, 0, 0, 0, 1),
     "identity.quaternion": lambda w, _: (1, 0, 0, 0),
     "covariance.magnetic_field": lambda w, _: (1e-6, 0, 0, 0, 1e-6, 0, 0, 0, 1e-6),
-    "position.latitude": lambda w, _: w.estimate.latitude,
-    "position.longitude": lambda w, _: w.estimate.longitude,
-    "position.height": lambda w, _: w.estimate.height,
+    "position.latitude": lambda w, _: w.place.latitude,
+    "position.longitude": lambda w, _: w.place.longitude,
+    "position.height": lambda w, _: w.place.height,
     "position.msl_height": lambda w, _: w.msl_height,
     "position.ecef": lambda w, _: _ecef(w),
     "position.relative": _relative,
-    "velocity.north": lambda w, _: w.estimate.velocity[0],
-    "velocity.east": lambda w, _: w.estimate.velocity[1],
-    "velocity.down": lambda w, _: w.estimate.velocity[2],
-    "velocity.ecef": lambda w, _: earth.from_ned(w.estimate.latitude, w.estimate.longitude, w.estimate.velocity),
+    "velocity.north": lambda w, _: w.place.velocity[0],
+    "velocity.east": lambda w, _: w.place.velocity[1],
+    "velocity.down": lambda w, _: w.place.velocity[2],
+    "velocity.ecef": lambda w, _: earth.from_ned(w.place.latitude, w.place.longitude, w.place.velocity),
 }
 
 

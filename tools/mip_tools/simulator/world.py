@@ -96,15 +96,13 @@ class Antenna:
         self.velocity = _sum(_sum(state.velocity, turning), faster)
 
 
-class Estimate(NamedTuple):
-    """What the filter estimates, of the vehicle frame and of the point that the user has chosen."""
+class Place(NamedTuple):
+    """Where the filter believes the point to be that the user has chosen."""
 
     latitude: float
     longitude: float
     height: float
     velocity: Vector
-    quaternion: Quaternion
-    dcm: Matrix
 
 
 class World:
@@ -402,28 +400,40 @@ class World:
     # ------------------------------------------------------------------ filter
 
     @property
-    def estimate(self) -> Estimate:
-        return self.once("estimate", self._estimate)
+    def attitude(self) -> tuple[Quaternion, Matrix]:
+        """Of the vehicle, as the filter estimates it."""
+        return self.once("attitude", self._attitude)
 
-    def _estimate(self) -> Estimate:
-        s = self.state
-        point: Any = Antenna(s, turned_back(self.sensor_to_vehicle, self.offset)) if self.offset != _ZERO else s
+    def _attitude(self) -> tuple[Quaternion, Matrix]:
         self.filter.advance()
         since = self.filter.since
         wrong = [pair.error + pair.rate * since for pair in self.filter.attitude]
-        q, m = self.quaternion, self.dcm
-        if any(wrong):
-            roll, pitch, yaw = euler(m)
-            q, m = rotation(roll + wrong[0], pitch + wrong[1], yaw + wrong[2])
-        latitude, longitude, height, velocity = point.latitude, point.longitude, point.height, point.velocity
-        if self.filter.placed:
-            n, e, d = (pair.error + pair.rate * since for pair in self.filter.navigation)
-            along, across = earth.radii(latitude)
-            latitude += n / (along + height)
-            longitude += e / ((across + height) * cos(latitude))
-            height -= d
-            velocity = _sum(velocity, _vector([pair.rate for pair in self.filter.navigation]))
-        return Estimate(latitude, longitude, height, velocity, q, m)
+        if not any(wrong):
+            return self.quaternion, self.dcm
+        roll, pitch, yaw = euler(self.dcm)
+        return rotation(roll + wrong[0], pitch + wrong[1], yaw + wrong[2])
+
+    @property
+    def place(self) -> Place:
+        """Position and velocity as the filter estimates them."""
+        return self.once("place", self._place)
+
+    def _place(self) -> Place:
+        s = self.state
+        p: Any = Antenna(s, turned_back(self.sensor_to_vehicle, self.offset)) if self.offset != _ZERO else s
+        self.filter.advance()
+        if not self.filter.placed:
+            return Place(p.latitude, p.longitude, p.height, p.velocity)
+        since = self.filter.since
+        a, b, c = self.filter.navigation
+        along, across = earth.radii(p.latitude)
+        u, v, w = p.velocity
+        return Place(
+            p.latitude + (a.error + a.rate * since) / (along + p.height),
+            p.longitude + (b.error + b.rate * since) / ((across + p.height) * cos(p.latitude)),
+            p.height - (c.error + c.rate * since),
+            (u + a.rate, v + b.rate, w + c.rate),
+        )
 
     @property
     def gyro_bias_error(self) -> Vector:
