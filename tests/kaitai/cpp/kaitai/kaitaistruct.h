@@ -19,6 +19,7 @@ class kstream {
     void align_to_byte() { bits_ = 0; }
     int8_t read_s1() { return static_cast<int8_t>(number(1)); }
     int16_t read_s2be() { return static_cast<int16_t>(number(2)); }
+    int64_t read_s8be() { return static_cast<int64_t>(number(8)); }
     int32_t read_s4be() { return static_cast<int32_t>(number(4)); }
     uint8_t read_u1() { return static_cast<uint8_t>(number(1)); }
     uint16_t read_u2be() { return static_cast<uint16_t>(number(2)); }
