@@ -11,29 +11,63 @@ namespace kaitai {
 
 class kstream {
   public:
-    explicit kstream(const std::string &data) : data_(data) {}
-    bool is_eof() const { return at_ >= data_.size() && bits_ == 0; }
-    uint64_t pos() const { return at_; }
-    uint64_t size() const { return data_.size(); }
-    void seek(uint64_t to) { at_ = to; align_to_byte(); }
-    void align_to_byte() { bits_ = 0; }
-    int8_t read_s1() { return static_cast<int8_t>(number(1)); }
-    int16_t read_s2be() { return static_cast<int16_t>(number(2)); }
-    int64_t read_s8be() { return static_cast<int64_t>(number(8)); }
-    int32_t read_s4be() { return static_cast<int32_t>(number(4)); }
-    uint8_t read_u1() { return static_cast<uint8_t>(number(1)); }
-    uint16_t read_u2be() { return static_cast<uint16_t>(number(2)); }
-    uint32_t read_u4be() { return static_cast<uint32_t>(number(4)); }
-    uint64_t read_u8be() { return number(8); }
-    float read_f4be() { return as<float>(read_u4be()); }
-    double read_f8be() { return as<double>(read_u8be()); }
+    explicit kstream(const std::string &data) : data_(data) {
+    }
+    bool is_eof() const {
+        return at_ >= data_.size() && bits_ == 0;
+    }
+    uint64_t pos() const {
+        return at_;
+    }
+    uint64_t size() const {
+        return data_.size();
+    }
+    void seek(uint64_t to) {
+        at_ = to;
+        align_to_byte();
+    }
+    void align_to_byte() {
+        bits_ = 0;
+    }
+    int8_t read_s1() {
+        return static_cast<int8_t>(number(1));
+    }
+    int16_t read_s2be() {
+        return static_cast<int16_t>(number(2));
+    }
+    int64_t read_s8be() {
+        return static_cast<int64_t>(number(8));
+    }
+    int32_t read_s4be() {
+        return static_cast<int32_t>(number(4));
+    }
+    uint8_t read_u1() {
+        return static_cast<uint8_t>(number(1));
+    }
+    uint16_t read_u2be() {
+        return static_cast<uint16_t>(number(2));
+    }
+    uint32_t read_u4be() {
+        return static_cast<uint32_t>(number(4));
+    }
+    uint64_t read_u8be() {
+        return number(8);
+    }
+    float read_f4be() {
+        return as<float>(read_u4be());
+    }
+    double read_f8be() {
+        return as<double>(read_u8be());
+    }
     std::string read_bytes(uint64_t count) {
         align_to_byte();
         need(count);
         at_ += count;
         return data_.substr(at_ - count, count);
     }
-    std::string read_bytes_full() { return read_bytes(data_.size() - at_); }
+    std::string read_bytes_full() {
+        return read_bytes(data_.size() - at_);
+    }
     std::string read_bytes_term(char end, bool include, bool consume, bool) {
         size_t found = data_.find(end, at_);
         if (found == std::string::npos) {
@@ -57,7 +91,9 @@ class kstream {
         }
         return value;
     }
-    static std::string bytes_to_str(const std::string &bytes, const char *) { return bytes; }
+    static std::string bytes_to_str(const std::string &bytes, const char *) {
+        return bytes;
+    }
 
   private:
     std::string data_;
@@ -87,7 +123,8 @@ class kstream {
         --bits_;
         return static_cast<uint8_t>(data_[at_ - 1]) >> (first_is_highest ? bits_ : 7 - bits_) & 1;
     }
-    template <class To, class From> static To as(From from) {
+    template <class To, class From>
+    static To as(From from) {
         To to;
         static_assert(sizeof(to) == sizeof(from), "");
         std::memcpy(&to, &from, sizeof(to));
@@ -97,9 +134,13 @@ class kstream {
 
 class kstruct {
   public:
-    explicit kstruct(kstream *io) : m__io(io) {}
-    virtual ~kstruct() {}
-    kstream *_io() const { return m__io; }
+    explicit kstruct(kstream *io) : m__io(io) {
+    }
+    virtual ~kstruct() {
+    }
+    kstream *_io() const {
+        return m__io;
+    }
 
   protected:
     kstream *m__io;
