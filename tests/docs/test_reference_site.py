@@ -356,7 +356,7 @@ def shown(page: browser.Page, selector: str) -> list[str]:
 
 @in_browser
 def test_tools_begin_with_any_fragment(page: browser.Page) -> None:
-    for name in ("inspector", "builder", "bandwidth", "finder"):
+    for name in ("inspector", "builder", "bandwidth", "finder", "live"):
         go(page, f"tools/{name}.html#%E0%A4%A")
         assert page.run("document.querySelector('[data-tool] :is(input, select, textarea)') !== null"), name
 
@@ -421,7 +421,7 @@ def test_the_builder_says_what_it_cannot_open(page: browser.Page) -> None:
 
 @in_browser
 def test_tools_of_another_specification(page: browser.Page) -> None:
-    for name in ("inspector", "builder", "bandwidth", "finder"):
+    for name in ("inspector", "builder", "bandwidth", "finder", "live"):
         go(page, f"tools/{name}.html", "invented")
         assert page.run("document.querySelector('.mip-tool').children.length") > 0
 
@@ -430,7 +430,7 @@ def test_tools_of_another_specification(page: browser.Page) -> None:
 def test_a_site_without_the_workbench(page: browser.Page) -> None:
     """The folder alone: its pages say how to get the tools, and the search finds text."""
     site = built("real", tools=False)
-    for name in ("inspector", "builder", "bandwidth", "finder"):
+    for name in ("inspector", "builder", "bandwidth", "finder", "live"):
         page.open(site / f"tools/{name}.html")
         assert f"build/workbench/{name}.html" in page.run("document.querySelector('.mip-tool').textContent")
     page.open(site / "index.html")

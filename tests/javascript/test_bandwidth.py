@@ -30,7 +30,8 @@ window.choose = (device, wanted) => {
     return {
         need: document.querySelector(".mip-need")?.textContent ?? null,
         ports: Object.fromEntries(
-            [...document.querySelectorAll("[data-port]")].map((row) => [row.dataset.port, row.querySelector("span").textContent]),
+            [...document.querySelectorAll("[data-port]")]
+                .map((one) => [one.dataset.port, one.querySelector("span").textContent]),
         ),
     };
 };
@@ -148,7 +149,9 @@ def test_a_rate_that_the_device_cannot_send(page: browser.Page, rate: str) -> No
     assert chosen == {"need": None, "ports": {}}
     said = "Scaled accel needs a rate above 0 Hz and up to 1000 Hz."
     assert page.run("document.querySelector('.mip-output').textContent") == said
-    assert page.run("document.querySelector('.mip-rate.mip-wrong').textContent") == "a rate above 0 Hz and up to 1000 Hz"
+    assert (
+        page.run("document.querySelector('.mip-rate.mip-wrong').textContent") == "a rate above 0 Hz and up to 1000 Hz"
+    )
 
 
 def test_the_nearest_rate_is_what_counts(page: browser.Page) -> None:

@@ -262,7 +262,11 @@ def test_what_is_built_is_in_the_address(own: browser.Page) -> None:
 
 @pytest.mark.parametrize(
     ("fragment", "field"),
-    [("mip_3dm_pps_source_control_write", "3dm.pps_source_control"), ("lever arm", "filter.speed_lever_arm"), ("zzzz", "")],
+    [
+        ("mip_3dm_pps_source_control_write", "3dm.pps_source_control"),
+        ("lever arm", "filter.speed_lever_arm"),
+        ("zzzz", ""),
+    ],
 )
 def test_what_is_no_field_leads_to_the_hits_of_the_finder(own: browser.Page, fragment: str, field: str) -> None:
     """And to no packet: the first command of the specification is not what was meant."""
@@ -315,8 +319,10 @@ def browsed(page: browser.Page) -> dict[str, str]:
     """The names of all fields that are offered, with their titles and marks."""
     shown: dict[str, str] = page.run(
         "new Promise((done) => { const list = document.querySelector('.mip-browse');"
-        " list.addEventListener('toggle', () => setTimeout(() => done(Object.fromEntries([...list.querySelectorAll('li')]"
-        ".map((one) => [one.querySelector('code').textContent, one.querySelector('strong').textContent])))), { once: true });"
+        " list.addEventListener('toggle', () => setTimeout(() =>"
+        " done(Object.fromEntries([...list.querySelectorAll('li')]"
+        ".map((one) => [one.querySelector('code').textContent, one.querySelector('strong').textContent])))),"
+        " { once: true });"
         " list.open = true; })"
     )
     page.run("document.querySelector('.mip-browse').open = false")
@@ -325,7 +331,10 @@ def browsed(page: browser.Page) -> dict[str, str]:
 
 def test_a_search_shows_first_what_the_device_has(own: browser.Page) -> None:
     start(own, "device=3dm-gx5-15")
-    own.run("const search = document.querySelector('#mip-field'); search.value = 'pps'; search.dispatchEvent(new Event('input'))")
+    own.run(
+        "const search = document.querySelector('#mip-field'); search.value = 'pps';"
+        " search.dispatchEvent(new Event('input'))"
+    )
     assert "Not supported by the 3DM-GX5-15:" in own.run("document.querySelector('.mip-hits').textContent")
     own.run("put('#mip-device', '3dm-cv7-gnss-ins')")
     assert own.run("document.querySelector('.mip-hits li').dataset.field") == "3dm.pps_source_control"

@@ -122,7 +122,7 @@ export function table(heads, rows, label) {
     const cells = heads.map((text) => element("th", { scope: "col" }, text));
     return element(
         "div",
-        { class: "mip-scroll", tabindex: "0", role: "region", "aria-label": label ?? heads.join(", ") },
+        { class: "mip-scroll", tabindex: "0", role: "group", "aria-label": label ?? heads.join(", ") },
         element("table", {}, element("thead", {}, element("tr", {}, cells)), element("tbody", {}, rows)),
     );
 }

@@ -36,7 +36,12 @@ class Page:
         self.socket = socket.create_connection(("127.0.0.1", server.number), PATIENCE)
         lines = [f"GET {path} HTTP/1.1", f"Host: {host or f'127.0.0.1:{server.number}'}", "Origin: https://else.where"]
         if key:
-            lines += ["Upgrade: websocket", "Connection: Upgrade", f"Sec-WebSocket-Key: {key}", "Sec-WebSocket-Version: 13"]
+            lines += [
+                "Upgrade: websocket",
+                "Connection: Upgrade",
+                f"Sec-WebSocket-Key: {key}",
+                "Sec-WebSocket-Version: 13",
+            ]
         self.socket.sendall("\r\n".join([*lines, "", ""]).encode())
         self.held = b""
         head = b""

@@ -131,7 +131,9 @@ class Server:
         if host not in (f"{HOST}:{self.number}", f"localhost:{self.number}"):
             raise Refused("403 Forbidden")
         if not hmac.compare_digest(path.encode(), f"/{self.token}".encode()):
-            self._say(f"a page of {headers.get('origin', 'unknown origin')} was turned away: it does not know the token")
+            self._say(
+                f"a page of {headers.get('origin', 'unknown origin')} was turned away: it does not know the token"
+            )
             raise Refused("403 Forbidden")
         key = headers.get("sec-websocket-key", "")
         if method != "GET" or headers.get("upgrade", "").lower() != "websocket" or not key:
