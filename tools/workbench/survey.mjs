@@ -29,9 +29,13 @@ export async function survey(protocol, pieces, progress = () => true) {
     const found = { bytes: 0, packets: 0, sentences: 0, damaged: 0, gaps: [], pages: [{ offset: 0, first: 0 }] };
     const fields = new Map();
     const watch = new Clocks(protocol);
+    let dollar = false; // the last byte outside packets
     const parser = new Parser({
         onSkipped: (bytes) => {
-            found.sentences += sentencesIn(bytes);
+            for (const byte of bytes) {
+                if (dollar && byte >= 0x41 && byte <= 0x5a) found.sentences++; // NMEA: a dollar and a capital letter
+                dollar = byte === 0x24;
+            }
             if (bytes.length > 1 && bytes[0] === 0x75 && bytes[1] === 0x65) found.damaged++;
         },
     });
@@ -71,13 +75,6 @@ export async function survey(protocol, pieces, progress = () => true) {
         pages: found.pages.filter(holds),
         fields: [...fields.values()].sort((a, b) => a.set - b.set || a.descriptor - b.descriptor),
     };
-}
-
-/** NMEA sentences that begin in these bytes. */
-function sentencesIn(bytes) {
-    let count = 0;
-    for (let i = 0; i + 5 < bytes.length; i++) if (bytes[i] === 0x24 && bytes[i + 1] >= 0x41 && bytes[i + 1] <= 0x5a) count++;
-    return count;
 }
 
 /** Finds the time of packets, by the first timestamp in each. */
