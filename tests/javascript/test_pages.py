@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from pathlib import Path
 
 import browser
 import pytest
-from javascript.test_types import modules  # noqa: F401
 from support import SPECS, heavy
 from workbench import workbench
 
@@ -66,15 +64,16 @@ def test_any_fragment_is_an_address(page: browser.Page, name: str, fragment: str
 IN_USE = {
     "inspector.html": "#bytes=75650C04042801041B55+75650C0704F1280003A801B681+75650C0404F128032AFD",
     "builder.html": "#device=3dm-cv7-gnss-ins&packet=75650C0B0B0F01820204000A05000A300C",
-    "bandwidth.html": "#device=3dm-cv7-gnss-ins&streams=sensor.scaled_accel@100",
+    "bandwidth.html": "#device=3dm-gx5-15&streams=sensor.scaled_accel@100",
     "finder.html": "#find=lever%20arm",
-    "live.html": "",
+    "live.html": "#device=3dm-gx5-15&streams=sensor.scaled_accel@100",
 }
 
 
+@heavy("Chromium and npm")
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 @pytest.mark.parametrize("name", PAGES)
-def test_axe_finds_nothing(page: browser.Page, name: str, scheme: str, modules: Path) -> None:  # noqa: F811
+def test_axe_finds_nothing(page: browser.Page, name: str, scheme: str) -> None:
     page.call("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": scheme}])
     page.size(1400)
     page.open("about:blank")
@@ -82,7 +81,7 @@ def test_axe_finds_nothing(page: browser.Page, name: str, scheme: str, modules: 
     page.run("document.querySelectorAll('details:not(.mip-browse details)').forEach((part) => (part.open = true))")
     if name == "live.html":  # what is there after a connection
         page.run("document.querySelectorAll('#tool [hidden]').forEach((part) => (part.hidden = false))")
-    page.run((modules / "axe-core/axe.min.js").read_text("utf-8") + "; 0")
+    page.run(f"{browser.axe()}; 0")
     found = page.run(
         "axe.run({ resultTypes: ['violations'] }).then(({ violations }) => violations.map(({ id, nodes }) =>"
         " `${id}: ${nodes.slice(0, 3).map((node) => node.html.slice(0, 160)).join(' | ')}`))"

@@ -36,7 +36,7 @@ export function links(options = {}) {
         },
         builder(field) {
             const href = address(options.builderPage, { field: field.name });
-            return href && element("a", { href, class: "mip-note", "aria-label": `Build ${field.title}` }, "Build a packet");
+            return href && element("a", { href, class: "mip-note", "aria-label": `Build a packet: ${field.title}` }, "Build a packet");
         },
     };
 }

@@ -82,6 +82,7 @@ export function picker(index, { id, label, choose, device = () => undefined, set
         "form",
         {
             role: "search",
+            "aria-label": label,
             onsubmit: (event) => {
                 event.preventDefault();
                 list.querySelector("button")?.click();
