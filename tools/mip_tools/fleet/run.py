@@ -8,6 +8,7 @@ import os
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -203,10 +204,9 @@ class _Run:
         self, client: Any, function: Callable[..., Any], jobs: Sequence[tuple[str, tuple[Any, ...]]], what: str
     ) -> Iterator[tuple[str, Any]]:
         """The results, or the exceptions, as they come."""
-        from dask.distributed import as_completed
-
+        completed: Any = import_module("dask.distributed").as_completed
         futures = {client.submit(function, *job, pure=False): key for key, job in jobs}
-        for count, future in enumerate(as_completed(list(futures)), 1):
+        for count, future in enumerate(completed(list(futures)), 1):
             error = future.exception()
             self._progress(count, len(futures), what)
             yield futures[future], future.result() if error is None else error
