@@ -24,7 +24,7 @@ from mipgen.emit import output, render
 from mipgen.resolve.load import load_model
 from mipgen.resolve.subset import Selection, select
 from mipgen.targets.rust import names
-from support import ROOT, heavy, locked, need
+from support import ROOT, heavy, locked, need, nightly
 from support import driver as conformance_driver
 
 HERE = Path(__file__).parent
@@ -150,9 +150,9 @@ def test_serde_defmt_and_embedded_io() -> None:
         passes(folder, *lint, "--", "-D", "warnings")
 
 
-@heavy(LONG)
+@nightly("the real Rust crate with serde")
 def test_every_field_goes_to_json_and_comes_back() -> None:
-    """Of the real specification; of the difficult one, the test above does it."""
+    """Of the real specification; of the difficult one, which has every kind of field, the test above does it."""
     with with_dependencies("real") as folder:
         passes(folder, "test", "--quiet", "--test", "json")
 
