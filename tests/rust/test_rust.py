@@ -160,13 +160,17 @@ def test_every_field_goes_to_json_and_comes_back() -> None:
 
 @heavy(LONG)
 def test_lints_of_dependencies() -> None:
-    """Each feature that brings a dependency alone and with a set, and all together."""
+    """Features that bring a dependency alone and with a set, of which the seed draws some; and all together."""
     manifest = rendered("difficult")["Cargo.toml"].decode("utf-8")
     alone = re.findall(r'^([\w-]+) = \[.*"dep:', manifest, re.MULTILINE)
     assert len(alone) == manifest.count("optional = true")
     few = [["--no-default-features", f"--features={name}{sets}"] for name in alone for sets in ("", ",tools")]
     with with_dependencies() as folder:
-        for features in (*few, ["--all-features"], ["--features=embedded-io-async,core-error"]):
+        for features in (
+            *chance("dependencies").sample(few, rounds(2, len(few))),
+            ["--all-features"],
+            ["--features=embedded-io-async,core-error"],
+        ):
             passes(folder, "clippy", "--quiet", "-p", "mip-protocol", *features, "--", "-D", "warnings")
 
 
