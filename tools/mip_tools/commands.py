@@ -13,6 +13,7 @@ COMMANDS = {
     "info": ("cli.info", "show what is in a log: types, rates, gaps, damage"),
     "doctor": ("cli.doctor", "find out what is wrong with a device or a log, and why"),
     "export": ("cli.export", "write a log as a table: csv, jsonl, npz, parquet, arrow"),
+    "fleet": ("cli.fleet", "write many logs as one Parquet data set, in parallel"),
     "plot": ("cli.plot", "plot values of a log over time"),
     "cut": ("cli.cut", "copy a part of a log"),
     "record": ("cli.record", "write what a device sends to a file"),
