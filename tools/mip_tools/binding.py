@@ -48,6 +48,12 @@ def name() -> str:
     return _found()
 
 
+def wanted() -> str:
+    """What another process must `use` to have the same package."""
+    given = _wanted or os.environ.get(VARIABLE) or USUAL
+    return str(Path(given).resolve()) if Path(given).is_dir() and given != name() else given
+
+
 def _found() -> str:
     wanted = _wanted or os.environ.get(VARIABLE) or USUAL
     if all(word.isidentifier() for word in wanted.split(".")) and _importable(wanted):
