@@ -589,8 +589,8 @@ WAYS = ((1400, "default"), (390, "default"), (390, "slate"))
 
 @heavy("chromium and npm")
 def test_no_serious_findings_of_axe(page: browser.Page) -> None:
-    """In both schemes, wide and narrow. It takes seconds for a large page, so that each is seen in one of these ways, which
-    the seed draws; nightly in all."""
+    """In both schemes, wide and narrow. It takes seconds for a large page, so that each is seen in one of these ways,
+    which the seed draws; nightly in all."""
     axe = browser.axe()
     look = (
         "axe.run(document, { resultTypes: ['violations'], preload: false }).then(({ violations }) =>"

@@ -39,7 +39,7 @@ TOOLS = (
     Tool(
         "live",
         "Live device",
-        "Connects to a device at a serial port, or to one that `mip serve` shares: plots and numbers, attitude, commands, "
-        "recordings and settings.",
+        "Connects to a device at a serial port, or to one that `mip serve` shares: plots and numbers, attitude, "
+        "commands, recordings and settings.",
     ),
 )
