@@ -18,13 +18,14 @@ COMMANDS = {
     "cut": ("cli.cut", "copy a part of a log"),
     "record": ("cli.record", "write what a device sends to a file"),
     "monitor": ("cli.monitor", "show the latest values of a device, live"),
-    "stream": ("cli.stream", "write what a device sends as JSON lines, CSV or MCAP, live"),
+    "stream": ("cli.stream", "write what a device sends as JSON lines, CSV or MCAP, or show it in Foxglove, live"),
     "send": ("cli.send", "send a command and show the answer"),
     "config": ("cli.config", "copy, compare and restore the settings of a device"),
     "profile": ("cli.profile", "ask a device what it has, and write it for a specification"),
     "fields": ("cli.fields", "look up fields: bytes, values, units, devices"),
     "bandwidth": ("cli.bandwidth", "compute the baud rate that streams need"),
     "simulate": ("simulator.command", "run a virtual device, on a pseudo-terminal or TCP"),
+    "serve": ("web.command", "let pages in a browser use a device, or a virtual one"),
     "completion": ("cli.completion", "print a script for completion in a shell"),
 }
 
