@@ -9,7 +9,8 @@ VENV := .venv
 RUN := $(VENV)/bin/python
 # What is compiled of the generator is kept, even where Python is told to keep nothing: it is a third of a short run.
 MIPGEN := PYTHONDONTWRITEBYTECODE= PYTHONPATH=generator $(RUN) -m mipgen
-JOBS ?= 2
+# Processes of tests: some tests wait, so one more than a small machine has processors.
+JOBS ?= 3
 TESTS ?= tests
 
 .DEFAULT_GOAL := help
@@ -84,15 +85,15 @@ PYTEST = PYTHONDONTWRITEBYTECODE= SEED=$(SEED) $(RUN) -m pytest -n $(JOBS) --dis
 
 .PHONY: test
 test: tools $(VENV)/development.stamp ## run the tests of all languages that need a C compiler and cargo only: make test SEED=2
-	@$(PYTEST) -m "not heavy and not cross" $(TESTS)
+	@$(PYTEST) -m "not (heavy or cross or nightly)" $(TESTS)
 
 .PHONY: test-all
 test-all: tools-all test $(VENV)/all.stamp ## these, and those that take long, or need other compilers, browsers and Pythons
-	@$(PYTEST) -m heavy $(TESTS)
+	@$(PYTEST) -m "heavy and not nightly" $(TESTS)
 
 .PHONY: nightly
 nightly: SEED ?= $(shell date +%s)
-nightly: tools-all tools-cross tools-fuzz $(VENV)/all.stamp ## all tests, random ones with a seed of their own and many more rounds, and fuzzing: make nightly SEED=2 TIME=600
+nightly: tools-all tools-cross tools-fuzz tools-semver $(VENV)/all.stamp ## all tests, random ones with a seed of their own and many more rounds, and fuzzing: make nightly SEED=2 TIME=600
 	@NIGHTLY=1 $(PYTEST) $(TESTS)
 	@$(MAKE) --no-print-directory fuzz TIME=$(or $(TIME),600)
 	@$(MAKE) --no-print-directory prove
@@ -105,11 +106,11 @@ test-cross: tools-cross $(VENV)/development.stamp ## run C on other machines, in
 SLOW := cli discovery install mutations output slices targets
 .PHONY: quick
 quick: $(VENV)/development.stamp ## run the quick tests of the generator, and Python with every printed packet, in a minute
-	@$(PYTEST) -m "not heavy" tests/generator $(SLOW:%=--ignore=tests/generator/test_%.py) \
+	@$(PYTEST) -m "not (heavy or nightly)" tests/generator $(SLOW:%=--ignore=tests/generator/test_%.py) \
 	  $(foreach spec,real invented,$(foreach way,decode_to_their_values encode_to_their_bytes,"tests/conformance/test_conformance.py::test_examples_$(way)[python-$(spec)]"))
 
 .PHONY: semver
-semver: tools-semver $(VENV)/development.stamp ## of test-all: compare the Rust crate with the last release, and with itself and an addition
+semver: tools-semver $(VENV)/development.stamp ## of nightly: compare the Rust crate with the last release, and with itself and an addition
 	@$(PYTEST) tests/rust/test_rust_semver.py
 
 .PHONY: mutate
