@@ -357,7 +357,7 @@ def shown(page: browser.Page, selector: str) -> list[str]:
 
 @in_browser
 def test_tools_begin_with_any_fragment(page: browser.Page) -> None:
-    for name in ("inspector", "builder", "bandwidth", "finder"):
+    for name in ("inspector", "builder", "bandwidth", "finder", "live"):
         go(page, f"tools/{name}.html#%E0%A4%A")
         assert page.run("document.querySelector('[data-tool] :is(input, select, textarea)') !== null"), name
 
@@ -422,7 +422,7 @@ def test_the_builder_says_what_it_cannot_open(page: browser.Page) -> None:
 
 @in_browser
 def test_tools_of_another_specification(page: browser.Page) -> None:
-    for name in ("inspector", "builder", "bandwidth", "finder"):
+    for name in ("inspector", "builder", "bandwidth", "finder", "live"):
         go(page, f"tools/{name}.html", "invented")
         assert page.run("document.querySelector('.mip-tool').children.length") > 0
 
@@ -431,7 +431,7 @@ def test_tools_of_another_specification(page: browser.Page) -> None:
 def test_a_site_without_the_workbench(page: browser.Page) -> None:
     """The folder alone: its pages say how to get the tools, and the search finds text."""
     site = built("invented", tools=False)
-    for name in ("inspector", "builder", "bandwidth", "finder"):
+    for name in ("inspector", "builder", "bandwidth", "finder", "live"):
         page.open(site / f"tools/{name}.html")
         assert f"build/workbench/{name}.html" in page.run("document.querySelector('.mip-tool').textContent")
     page.open(site / "index.html")
@@ -589,15 +589,9 @@ WAYS = ((1400, "default"), (390, "default"), (390, "slate"))
 
 @heavy("chromium and npm")
 def test_no_serious_findings_of_axe(page: browser.Page) -> None:
-    """axe-core looks for what keeps people from reading a page: in both schemes, wide and narrow. It takes seconds for
-    a large page, so that each is seen in one of these ways, which the seed draws; nightly in all."""
-    folder = BUILD / "axe"
-    with locked(folder):
-        folder.mkdir(exist_ok=True)
-        for name in ("package.json", "package-lock.json"):
-            shutil.copy(Path(__file__).parent / "axe" / name, folder)
-        subprocess.run([need("npm"), "ci", "--silent", "--ignore-scripts"], cwd=folder, check=True)
-    axe = (folder / "node_modules/axe-core/axe.min.js").read_text("utf-8")
+    """In both schemes, wide and narrow. It takes seconds for a large page, so that each is seen in one of these ways,
+    which the seed draws; nightly in all."""
+    axe = browser.axe()
     look = (
         "axe.run(document, { resultTypes: ['violations'], preload: false }).then(({ violations }) =>"
         " violations.filter(({ impact }) => ['serious', 'critical'].includes(impact)).map(({ id, nodes }) =>"

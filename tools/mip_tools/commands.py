@@ -25,6 +25,7 @@ COMMANDS = {
     "fields": ("cli.fields", "look up fields: bytes, values, units, devices"),
     "bandwidth": ("cli.bandwidth", "compute the baud rate that streams need"),
     "simulate": ("simulator.command", "run a virtual device, on a pseudo-terminal or TCP"),
+    "serve": ("web.command", "let pages in a browser use a device, or a virtual one"),
     "completion": ("cli.completion", "print a script for completion in a shell"),
 }
 
