@@ -25,6 +25,7 @@ TOOLS = {
     "builder": "Packet builder",
     "finder": "Field finder",
     "inspector": "Packet inspector",
+    "live": "Live device",
 }
 
 #: By this name the tools import the package with the codec, whatever it is called.
@@ -36,7 +37,9 @@ class Failure(Exception):
 
 
 # The forms of statements that modules use; Biome writes each at the beginning of a line.
-_IMPORT = re.compile(r'^import (?:\{(?P<names>[^}]*)\}|(?P<default>\w+)) from "(?P<source>[^"]+)";$', re.M)
+_IMPORT = re.compile(
+    r'^import (?:\{(?P<names>[^}]*)\}|\* as (?P<all>\w+)|(?P<default>\w+)) from "(?P<source>[^"]+)";$', re.M
+)
 _FORWARD = re.compile(r'^export (?:\{(?P<names>[^}]*)\}|\*) from "(?P<source>[^"]+)";$', re.M)
 _DECLARED = re.compile(r"^export (?=(?:async )?(?:const|class|function\*?) (?P<name>\w+))", re.M)
 _DEFAULT = re.compile(r"^export default ", re.M)
@@ -78,6 +81,8 @@ class Bundle:
 
         def imported(match: re.Match[str]) -> str:
             source = self.add(self.resolved(match["source"], path), importers)
+            if match["all"]:
+                return f"const {match['all']} = {source};"
             names = f"default: {match['default']}" if match["default"] else ", ".join(_pairs(match["names"], "{}: {}"))
             return f"const {{ {names} }} = {source};"
 
@@ -131,15 +136,20 @@ def build(package: Path, folder: Path) -> list[Path]:
     """Writes the workbench; returns its pages."""
     script = Bundle(package).text()
     page = Template((HERE / "page.html").read_text("utf-8"))
-    links = "\n".join(f'            <a href="{name}.html">{title}</a>' for name, title in TOOLS.items())
     folder.mkdir(parents=True, exist_ok=True)
     (folder / "workbench.js").write_text(script, "utf-8")
     for style in sorted(HERE.glob("*.css")):
         shutil.copy(style, folder)
     pages = [folder / f"{name}.html" for name in TOOLS]
     for path, (name, title) in zip(pages, TOOLS.items(), strict=True):
-        path.write_text(page.substitute(name=name, title=title, links=links), "utf-8")
+        path.write_text(page.substitute(name=name, title=title, links=_links(name)), "utf-8")
     return pages
+
+
+def _links(here: str) -> str:
+    current = {here: ' aria-current="page"'}
+    lines = (f'            <a href="{name}.html"{current.get(name, "")}>{title}</a>' for name, title in TOOLS.items())
+    return "\n".join(lines)
 
 
 def main(arguments: list[str]) -> int:
