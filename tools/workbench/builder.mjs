@@ -110,7 +110,9 @@ export function builder(root, protocol, options = {}) {
     started = true;
     const useDevice = (chosen) => {
         state.device = chosen;
+        started = false; // the packet is the same
         redrawn();
+        started = true;
     };
     return { choose: (name) => choose(protocol, name, begin), state: () => state, useDevice };
 }
