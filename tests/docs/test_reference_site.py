@@ -405,7 +405,7 @@ def test_my_device_is_remembered(page: browser.Page) -> None:
     go(page, "sets/3dm.html")
     wait(page, "document.querySelector('article .mip-mine')")
     rows = "[...document.querySelectorAll('.mip-other')]"
-    others: list[str] = page.run(f"{rows}.map((row) => row.querySelector('a').hash.slice(1))")
+    others: list[str] = page.run(f"{rows}.map((row) => row.querySelector('a[href*=\"fields/\"]').hash.slice(1))")
     device = next(d for d in model("real").devices if d.id == "3dm-gx5-15")
     has = {s.field.full_name for s in (*device.certain, *device.probable)}
     fields = [f for f in model("real").fields if f.family == "3dm" and f.role == m.COMMAND]

@@ -162,7 +162,8 @@
         await load("fields.js");
         if (kind === "fields") return title.after(remarkOn(device, title.id));
         for (const row of document.querySelectorAll("article tbody tr")) {
-            const answer = answerOf(device, row.querySelector("a[href*='fields/']")?.hash.slice(1));
+            const link = row.querySelector("a[href*='fields/']");
+            const answer = link ? answerOf(device, link.hash.slice(1)) : "yes";
             if (!answer || answer === "no") row.classList.add("mip-other");
         }
         title.after(element("p", { class: "mip-mine" }, `What the ${device.title}, my device, is not known to have is in italics.`));
