@@ -231,7 +231,7 @@ export declare class CommSpeedResponse extends Response {
  * 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR,
  * 3DM-RQ1-IMU, 3DM-RTK and DEMOD-DC.
  *
- * A device that is not in a normal operating mode may refuse the command.
+ * A device that is not in a normal operating mode may reject the command.
  *
  * - 3dm-gx5-15: 4.1.1 Ping (0x01, 0x01)
  * - 3dm-cv7-gnss-ins: Ping (0x01,0x01)
@@ -312,11 +312,11 @@ export declare class GetDeviceDescriptors extends Command<GetDeviceDescriptorsRe
  * 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR,
  * 3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU,
  * 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-IMU and 3DM-RTK. Uncertain: The maximum duration of the test.
- * The manual of the 3DM-CV7 says several seconds; 10 s leaves room for that.
+ * The manual of the 3DM-CV7 states several seconds; 10 s leaves room for that.
  *
  * The test interrupts normal operation for up to several seconds; no data is available meanwhile. The device must be at
  * rest; acceleration, rotation or vibration cause false failures. The continuous built-in test, if the device has it,
- * gives more detail about a failure.
+ * describes a failure in more detail.
  *
  * - 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05)
  * - 3dm-cv7-gnss-ins: Built in test (0x01,0x05)
@@ -462,7 +462,7 @@ export declare class GpsTimeUpdate<R extends Response | undefined = undefined | 
     /** Meaning of the value. */
     fieldId?: GpsTimeField;
     /**
-     * Time, as `field_id` says. Required for `write` and `apply`.
+     * Week or seconds, as selected by `field_id`. Required for `write` and `apply`.
      *
      * - If `fieldId` is `GpsTimeField.WEEK_NUMBER`: unit week. GPS week number since 6 January 1980.
      * - If `fieldId` is `GpsTimeField.TOW`: unit s. Whole seconds of the GPS week.

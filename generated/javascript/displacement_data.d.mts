@@ -11,7 +11,7 @@ import type * as types from "./types.mjs";
 
 export type TimestampFlags = Flavor<number, "displacement_data.timestamp_flags">;
 /**
- * Validity of the time of displacement data. Uncertain: That it is a bitfield. MSCL takes the time for valid if the
+ * Validity of the time of displacement data. Uncertain: That it is a bitfield. MSCL considers the time valid if the
  * number is 1.
  */
 export declare const TimestampFlags: Bitfield<TimestampFlags> & {

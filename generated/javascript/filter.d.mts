@@ -129,7 +129,7 @@ export declare const MagParameterSource: Enumeration<MagParameterSource> & {
     readonly NONE: MagParameterSource & 1;
     /** The World Magnetic Model, at the estimated position. */
     readonly WMM: MagParameterSource & 2;
-    /** The value that the command gives. */
+    /** The value specified by the command. */
     readonly MANUAL: MagParameterSource & 3;
 };
 
@@ -138,7 +138,7 @@ export type AdaptiveMeasurementSelector = Flavor<number, "filter.adaptive_measur
 export declare const AdaptiveMeasurementSelector: Enumeration<AdaptiveMeasurementSelector> & {
     /** No adaptation. */
     readonly DISABLED: AdaptiveMeasurementSelector & 0;
-    /** Adapted by the limits that the command gives. */
+    /** Adapted by the limits specified by the command. */
     readonly FIXED: AdaptiveMeasurementSelector & 1;
     /** Adapted by the filter itself; the limits are ignored. 3DM-GX5 and later. */
     readonly AUTO: AdaptiveMeasurementSelector & 2;
@@ -285,7 +285,7 @@ export type RelativePositionSource = Flavor<number, "filter.relative_position_so
 export declare const RelativePositionSource: Enumeration<RelativePositionSource> & {
     /** The base station of the RTK corrections. */
     readonly AUTO: RelativePositionSource & 0;
-    /** The coordinates that the command gives. */
+    /** The coordinates specified by the command. */
     readonly MANUAL: RelativePositionSource & 1;
 };
 
@@ -727,27 +727,27 @@ export declare class MagMagnitudeErrorAdaptiveMeasurementResponse extends Respon
     /** Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0. */
     frequency: number;
     /**
-     * Lower limit of the error. Unit: gauss. Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives
-     * m/s^2 in the command and gauss in the response.
+     * Lower limit of the error. Unit: gauss. Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45
+     * gives m/s^2 in the command and gauss in the response.
      */
     lowLimit: number;
     /**
-     * Upper limit of the error. Unit: gauss. Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives
-     * m/s^2 in the command and gauss in the response.
+     * Upper limit of the error. Unit: gauss. Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45
+     * gives m/s^2 in the command and gauss in the response.
      */
     highLimit: number;
     /**
-     * Standard deviation at the lower limit. Unit: gauss. Range: at least 0. Uncertain: The unit. The SDK gives m/s^2;
+     * Standard deviation at the lower limit. Unit: gauss. Range: at least 0. Uncertain: The unit. The SDK states m/s^2;
      * a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
      */
     lowLimitUncertainty: number;
     /**
-     * Standard deviation at the upper limit. Unit: gauss. Range: at least 0. Uncertain: The unit. The SDK gives m/s^2;
+     * Standard deviation at the upper limit. Unit: gauss. Range: at least 0. Uncertain: The unit. The SDK states m/s^2;
      * a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
      */
     highLimitUncertainty: number;
     /**
-     * Smallest standard deviation. Unit: gauss. Range: at least 0. Uncertain: The unit. The SDK gives m/s^2; a manual
+     * Smallest standard deviation. Unit: gauss. Range: at least 0. Uncertain: The unit. The SDK states m/s^2; a manual
      * of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
      */
     minimumUncertainty: number;
@@ -769,16 +769,17 @@ export declare class MagDipAngleErrorAdaptiveMeasurementResponse extends Respons
     /** Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0. */
     frequency: number;
     /**
-     * Upper limit of the error. Unit: rad. Uncertain: The unit. The SDK gives m/s^2; rad is inferred from the quantity.
+     * Upper limit of the error. Unit: rad. Uncertain: The unit. The SDK states m/s^2; rad is inferred from the
+     * quantity.
      */
     highLimit: number;
     /**
-     * Standard deviation at the upper limit. Unit: rad. Range: at least 0. Uncertain: The unit. The SDK gives m/s^2;
+     * Standard deviation at the upper limit. Unit: rad. Range: at least 0. Uncertain: The unit. The SDK states m/s^2;
      * rad is inferred from the quantity.
      */
     highLimitUncertainty: number;
     /**
-     * Smallest standard deviation. Unit: rad. Range: at least 0. Uncertain: The unit. The SDK gives m/s^2; rad is
+     * Smallest standard deviation. Unit: rad. Range: at least 0. Uncertain: The unit. The SDK states m/s^2; rad is
      * inferred from the quantity.
      */
     minimumUncertainty: number;
@@ -1471,8 +1472,8 @@ export declare class ExternalGnssUpdate extends Command<undefined> {
  * 3DM-GV7-INS, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * Refused unless external heading updates are enabled, by `HeadingSource` on the 3DM-GX5 and by
- * `AidingMeasurementEnable` on the 3DM-CV7. The 3DM-GX5-15 takes at most 20 updates per second. If the declination
- * source is not valid, -25 models refuse true headings and -45 models magnetic ones.
+ * `AidingMeasurementEnable` on the 3DM-CV7. The 3DM-GX5-15 accepts at most 20 updates per second. If the declination
+ * source is not valid, -25 models reject true headings and -45 models magnetic ones.
  *
  * - 3dm-cv7-gnss-ins: External Heading Update (0x0D,0x17)
  * - 3dm-gx5-15: 4.3.7 External Heading Update (0x0D, 0x17)
@@ -1484,7 +1485,7 @@ export declare class ExternalHeadingUpdate extends Command<undefined> {
      * 3.141592653589793. Positive: clockwise seen from above.
      */
     heading: number;
-    /** Standard deviation; the device refuses a value out of bounds. Unit: rad. Range: greater than 0. */
+    /** Standard deviation; the device rejects a value out of bounds. Unit: rad. Range: greater than 0. */
     headingUncertainty: number;
     /** North that the heading refers to. */
     type: HeadingType;
@@ -1758,8 +1759,8 @@ export declare class AutoZupt<R extends Response | undefined = undefined | AutoZ
  *
  * Better than `ExternalHeadingUpdate` if the heading changes quickly; the time must be accurate. Refused unless
  * external heading updates are enabled, by `HeadingSource` on the 3DM-GX5 and by `AidingMeasurementEnable` on the
- * 3DM-CV7. The 3DM-GX5-15 takes at most 20 updates per second. If the declination source is not valid, -25 models
- * refuse true headings and -45 models magnetic ones.
+ * 3DM-CV7. The 3DM-GX5-15 accepts at most 20 updates per second. If the declination source is not valid, -25 models
+ * reject true headings and -45 models magnetic ones.
  *
  * - 3dm-cv7-gnss-ins: External Heading Update With Time (0x0D,0x1F)
  * - 3dm-gx5-15: 4.3.8 External Heading Update with Timestamp (0x0D, 0x1F)
@@ -1775,7 +1776,7 @@ export declare class ExternalHeadingUpdateWithTime extends Command<undefined> {
      * 3.141592653589793. Positive: clockwise seen from above.
      */
     heading: number;
-    /** Standard deviation; the device refuses a value out of bounds. Unit: rad. Range: greater than 0. */
+    /** Standard deviation; the device rejects a value out of bounds. Unit: rad. Range: greater than 0. */
     headingUncertainty: number;
     /** North that the heading refers to. */
     type: HeadingType;
@@ -2279,28 +2280,28 @@ export declare class MagMagnitudeErrorAdaptiveMeasurement<R extends Response | u
     /** Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required for `write`. */
     frequency?: number;
     /**
-     * Lower limit of the error. Unit: gauss. Required for `write`. Uncertain: The unit. The SDK gives m/s^2; a manual
+     * Lower limit of the error. Unit: gauss. Required for `write`. Uncertain: The unit. The SDK states m/s^2; a manual
      * of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
      */
     lowLimit?: number;
     /**
-     * Upper limit of the error. Unit: gauss. Required for `write`. Uncertain: The unit. The SDK gives m/s^2; a manual
+     * Upper limit of the error. Unit: gauss. Required for `write`. Uncertain: The unit. The SDK states m/s^2; a manual
      * of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
      */
     highLimit?: number;
     /**
      * Standard deviation at the lower limit. Unit: gauss. Range: at least 0. Required for `write`. Uncertain: The unit.
-     * The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
+     * The SDK states m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
      */
     lowLimitUncertainty?: number;
     /**
      * Standard deviation at the upper limit. Unit: gauss. Range: at least 0. Required for `write`. Uncertain: The unit.
-     * The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
+     * The SDK states m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
      */
     highLimitUncertainty?: number;
     /**
      * Smallest standard deviation. Unit: gauss. Range: at least 0. Required for `write`. Uncertain: The unit. The SDK
-     * gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
+     * states m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
      */
     minimumUncertainty?: number;
     /** Apply the new setting. */
@@ -2341,18 +2342,18 @@ export declare class MagDipAngleErrorAdaptiveMeasurement<R extends Response | un
     /** Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required for `write`. */
     frequency?: number;
     /**
-     * Upper limit of the error. Unit: rad. Required for `write`. Uncertain: The unit. The SDK gives m/s^2; rad is
+     * Upper limit of the error. Unit: rad. Required for `write`. Uncertain: The unit. The SDK states m/s^2; rad is
      * inferred from the quantity.
      */
     highLimit?: number;
     /**
      * Standard deviation at the upper limit. Unit: rad. Range: at least 0. Required for `write`. Uncertain: The unit.
-     * The SDK gives m/s^2; rad is inferred from the quantity.
+     * The SDK states m/s^2; rad is inferred from the quantity.
      */
     highLimitUncertainty?: number;
     /**
      * Smallest standard deviation. Unit: rad. Range: at least 0. Required for `write`. Uncertain: The unit. The SDK
-     * gives m/s^2; rad is inferred from the quantity.
+     * states m/s^2; rad is inferred from the quantity.
      */
     minimumUncertainty?: number;
     /** Apply the new setting. */
@@ -2516,9 +2517,9 @@ export declare class MagneticMagnitudeSource<R extends Response | undefined = un
  * `filter_data.CompAngularRate` and `filter_data.GravityVector`. Probably changes `filter_data.CompAccel`. Not listed
  * in any device profile. Known only from the MicroStrain MIP SDK.
  *
- * It is the inverse of the matrix that `3dm.SensorToVehicleTransformDcm` takes. The device refuses a matrix that is not
- * orthonormal to within 0.001. The device keeps a quaternion, so the elements read back may differ slightly from those
- * written.
+ * It is the inverse of the matrix that `3dm.SensorToVehicleTransformDcm` accepts. The device rejects a matrix that is
+ * not orthonormal to within 0.001. The device keeps a quaternion, so the elements read back may differ slightly from
+ * those written.
  *
  * - mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E)
  */
@@ -2554,8 +2555,8 @@ export declare class SensorToVehicleRotationDcm<R extends Response | undefined =
  * `filter_data.CompAngularRate` and `filter_data.GravityVector`. Probably changes `filter_data.CompAccel`. Not listed
  * in any device profile. Known only from the MicroStrain MIP SDK.
  *
- * It is the inverse of the quaternion that `3dm.SensorToVehicleTransformQuaternion` takes. The device normalizes it, so
- * the elements read back may differ slightly from those written.
+ * It is the inverse of the quaternion that `3dm.SensorToVehicleTransformQuaternion` accepts. The device normalizes it,
+ * so the elements read back may differ slightly from those written.
  *
  * - mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F)
  */
@@ -2633,7 +2634,7 @@ export declare class AidingMeasurementEnable<R extends Response | undefined = un
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `KinematicConstraintResponse`. Probably changes
  * `filter_data.NedVelocity`, `filter_data.EcefVelocity`, `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`
  * and `filter_data.EulerAngles`. Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain:
- * Whether there are further values. The SDK has plain numbers and gives the values in remarks.
+ * Whether there are further values. The SDK has plain numbers and states the values in remarks.
  *
  * - mip-sdk-4: Kinematic constraint (0x0D,0x51)
  */
@@ -2893,7 +2894,7 @@ export declare class SpeedMeasurement extends Command<undefined> {
     constructor(values: Values<SpeedMeasurement, "source">);
     /** Send 1. Reserved: send 1. */
     source: number;
-    /** GPS time of week of the measurement. Unit: s. Range: 0 to 604800. Uncertain: The unit; the SDK gives none. */
+    /** GPS time of week of the measurement. Unit: s. Range: 0 to 604800. Uncertain: The unit; the SDK states none. */
     tow: number;
     /** Speed, negative in reverse. Unit: m/s. Frame: vehicle. */
     speed: number;

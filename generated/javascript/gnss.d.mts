@@ -258,7 +258,7 @@ export declare class ReceiverInfo extends Command<ReceiverInfoResponse> {
  * Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-GQ7-GNSS/INS. Refused by 3DM-GX3-25. On the
  * 3DM-GQ7-GNSS/INS: firmware > 1.0.10.
  *
- * A device accepts certain combinations only. The 3DM-CV7-GNSS/INS needs GPS or Galileo, and refuses GPS L1 with BeiDou
+ * A device accepts certain combinations only. The 3DM-CV7-GNSS/INS needs GPS or Galileo, and rejects GPS L1 with BeiDou
  * L1 alone. For GPS and BeiDou it accepts none, L1, or L1 and L5; for Galileo none, or L1 and L5; for GLONASS none or
  * L1.
  *

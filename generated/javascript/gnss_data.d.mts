@@ -492,7 +492,7 @@ export declare const RawFlags: Bitfield<RawFlags> & {
 };
 
 export type BaseStationIndicators = Flavor<number, "gnss_data.base_station_indicators">;
-/** Properties of a base station, as its RTCM message gives them. */
+/** Properties of a base station, as in its RTCM message. */
 export declare const BaseStationIndicators: Bitfield<BaseStationIndicators> & {
     /** GPS is supported. Bit 0. */
     readonly GPS: BaseStationIndicators;
@@ -910,7 +910,7 @@ export declare class GpsTime extends Data {
  * gnss_external_2 (0x95). Probably supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX5-35 and 3DM-GX5-45. Known
  * only from the MicroStrain MIP SDK.
  *
- * Clock info 2 replaces it and gives more detail.
+ * Clock info 2 replaces it, with more detail.
  *
  * - mip-sdk-4: Clock Info (0x81,0x0A)
  */
@@ -1523,8 +1523,9 @@ export declare class RtkCorrectionsStatus extends Data {
      */
     epochStatus: RtkEpochStatus;
     /**
-     * Status flags of the RTK dongle; of use only with a dongle. Valid if `RtkCorrectionsStatusFlags.DONGLE_STATUS` of
-     * `validFlags` is set. The same word as in the response to `rtk.GetStatusFlags`, in one of its two forms.
+     * Status flags of the RTK dongle, meaningful only if one is connected. Valid if
+     * `RtkCorrectionsStatusFlags.DONGLE_STATUS` of `validFlags` is set. The same word as in the response to
+     * `rtk.GetStatusFlags`, in one of its two forms.
      */
     dongleStatus: types.RtkStatusFlags;
     /**
@@ -1686,8 +1687,8 @@ export declare class GpsEphemeris extends Data {
  * gnss_external_2 (0x95). Also called `glo_ephemeris`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
  * 3DM-GQ7-GNSS/INS.
  *
- * The interface control document of GLONASS explains p and ft. A period of four years has 1461 days; no source says how
- * nt, a u8, counts them.
+ * The interface control document of GLONASS explains p and ft. A period of four years has 1461 days; no source states
+ * how nt, a u8, counts them.
  *
  * - 3dm-cv7-gnss-ins: Glonass Ephemeris (0x91,0x62)
  * - 3dm-cv7-gnss-ins: Glonass Ephemeris (0x92,0x62)
@@ -1783,7 +1784,7 @@ export declare class GlonassEphemeris extends Data {
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
  * gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-GQ7-GNSS/INS.
  *
- * The layout is that of the GPS ephemeris. No source says what the two inter-signal corrections mean here. `iodc`
+ * The layout is that of the GPS ephemeris. No source states what the two inter-signal corrections mean here. `iodc`
  * changes with the clock data; according to the manual, it rolls over at 4.
  *
  * - 3dm-cv7-gnss-ins: Galileo Ephemeris (0x91,0x63)
@@ -1911,7 +1912,7 @@ export declare class GalileoEphemeris extends Data {
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
  * gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-GQ7-GNSS/INS.
  *
- * The layout is that of the GPS ephemeris. No source says what the two inter-signal corrections mean here. `iodc`
+ * The layout is that of the GPS ephemeris. No source states what the two inter-signal corrections mean here. `iodc`
  * changes with the clock data; according to the manual, it rolls over at 4.
  *
  * - 3dm-cv7-gnss-ins: BeiDou Ephemeris (0x91,0x64)

@@ -37,6 +37,6 @@ export declare class Acknowledge extends Response {
     constructor(values: Values<Acknowledge>);
     /** Descriptor of the command that is answered. */
     command: number;
-    /** 0 if the command is acknowledged, else the reason why it is refused. */
+    /** 0 (ACK) if the device carried out the command, otherwise the reason why it did not (NACK). */
     code: types.AckCode;
 }

@@ -24,6 +24,20 @@ _HIDDEN = re.compile(r"<(script|style)\b.*?</\1>|<!--.*?-->", re.S)
 #: The folder that `make workbench` has built. Without it the site has no tools, and its search finds text only.
 WORKBENCH = os.environ.get("MIP_WORKBENCH", "")
 
+#: How much of each part of a page the search has. The index of fields has what is in parameters, values and bits.
+_BEGINNINGS = {
+    "fields/": 120,
+    "types/": 0,
+    "types.md": 0,
+    "compare/": 0,
+    "examples.md": 0,
+    "errata.md": 40,
+    "sets/": 120,
+    "devices/": 120,
+}
+_TABLES = re.compile(r"(?:packets|units)\.md$")  # pages with tables that can be found
+_LEFT_OUT = re.compile(r"<(pre|table)\b.*?</\1>", re.S)
+
 _texts: dict[str, Any] = {}  # the address of a page -> its title and sections
 
 
@@ -46,10 +60,15 @@ def on_page_markdown(markdown: str, page: Any, **_: Any) -> str:
 
 def on_page_content(content: str, page: Any, **_: Any) -> str:
     """Keeps the text of a page for the search, which finds what indexes lead to and not these."""
-    if page.file.src_uri.startswith("indexes/"):
+    path = page.file.src_uri
+    if path.startswith("indexes/"):
         return content
-    title, *parts = sections(content)
-    _texts[page.url] = [page.url, title[1] or page.title, [["", "", title[2]], *parts]]
+    title, *parts = sections(content if _TABLES.match(path) else _LEFT_OUT.sub(" ", content))
+    if path.startswith(("fields/", "devices/", "sets/")):
+        parts = [part for part in parts if "." in part[0]]  # responses, which have a name; the rest is alike on all
+    cut = next((length for begins, length in _BEGINNINGS.items() if path.startswith(begins)), None)
+    kept = [[anchor, heading, text[:cut]] for anchor, heading, text in [["", "", title[2]], *parts]]
+    _texts[page.url] = [page.url, title[1] or page.title, kept]
     return content
 
 
@@ -59,7 +78,7 @@ def on_post_build(config: Any) -> None:
     text = json.dumps([_texts[url] for url in sorted(_texts)], ensure_ascii=False, separators=(",", ":"))
     (assets / "text.js").write_text(f"globalThis.mipText = {text};\n", "utf-8")
     if WORKBENCH:
-        for name in ("workbench.js", "tools.css"):
+        for name in ("workbench.js", "fields.js", "tools.css"):
             shutil.copy(Path(WORKBENCH, name), assets)
 
 

@@ -640,7 +640,7 @@ F["filter_data.heading_source_flags"] = {
 F["filter_data.gnss_aiding_status"] = {
   { name = "tight_coupling", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Raw ranges of the receiver are used." },
   { name = "differential", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "RTK corrections are used." },
-  { name = "integer_fix", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "There is an RTK integer fix, which gives the best position." },
+  { name = "integer_fix", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "There is an RTK integer fix, with the most accurate position." },
   { name = "gps_l1", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "GPS L1 is used." },
   { name = "gps_l2", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "GPS L2 is used." },
   { name = "gps_l5", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "GPS L5 is used; not on every model." },
@@ -827,7 +827,7 @@ local ACKNOWLEDGE_FIELD = { descriptor = 0xF1, name = "protocol.acknowledge", ro
     always = 2,
     rows = {
       { kind = "scalar", name = "command", type = "u8", size = 1, doc = "Descriptor of the command that is answered." },
-      { kind = "scalar", name = "code", type = "u8", size = 1, enum = E["ack_code"], doc = "0 if the command is acknowledged, else the reason why it is refused." },
+      { kind = "scalar", name = "code", type = "u8", size = 1, enum = E["ack_code"], doc = "0 (ACK) if the device carried out the command, otherwise the reason why it did not (NACK)." },
     } }
 
 -- Descriptor sets.
@@ -916,7 +916,7 @@ field({ descriptor = 0x72, name = "base.gps_time_update", role = "command", titl
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "field_id", type = "u8", size = 1, enum = E["base.gps_time_field"], doc = "Meaning of the value." }, } },
-      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "value", type = "u32", size = 4, doc = "Time, as `field_id` says. If field_id is week_number: unit week. GPS week number since 6 January 1980. If field_id is tow: unit s. Whole seconds of the GPS week." }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "value", type = "u32", size = 4, doc = "Week or seconds, as selected by `field_id`. If field_id is week_number: unit week. GPS week number since 6 January 1980. If field_id is tow: unit s. Whole seconds of the GPS week." }, } },
     } }, { { set = 0x01, name = "base.gps_time_update", title = "GPS time update" }, })
 field({ descriptor = 0x7E, name = "base.soft_reset", role = "command", title = "Reset device",
     doc = "Acknowledges the command, then resets the device immediately.", least = 0,
@@ -2125,7 +2125,7 @@ field({ descriptor = 0x17, name = "filter.external_heading_update", role = "comm
     always = 3,
     rows = {
       { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above." },
-      { kind = "scalar", name = "heading_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation; the device refuses a value out of bounds. Unit: rad. Range: greater than 0." },
+      { kind = "scalar", name = "heading_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation; the device rejects a value out of bounds. Unit: rad. Range: greater than 0." },
       { kind = "scalar", name = "type", type = "u8", size = 1, enum = E["filter.heading_type"], doc = "North that the heading refers to." },
     } }, { { set = 0x0D, name = "filter.external_heading_update", title = "External heading update" }, })
 field({ descriptor = 0x18, name = "filter.heading_source", role = "command", title = "Heading update control",
@@ -2187,7 +2187,7 @@ field({ descriptor = 0x1F, name = "filter.external_heading_update_with_time", ro
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week of the measurement. Unit: s. Range: at least 0, less than 604800." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week, counted without rollover. Unit: week." },
       { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above." },
-      { kind = "scalar", name = "heading_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation; the device refuses a value out of bounds. Unit: rad. Range: greater than 0." },
+      { kind = "scalar", name = "heading_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation; the device rejects a value out of bounds. Unit: rad. Range: greater than 0." },
       { kind = "scalar", name = "type", type = "u8", size = 1, enum = E["filter.heading_type"], doc = "North that the heading refers to." },
     } }, { { set = 0x0D, name = "filter.external_heading_update_with_time", title = "External heading update with time" }, })
 field({ descriptor = 0x20, name = "filter.auto_angular_zupt", role = "command", title = "Zero angular rate update",
@@ -3611,7 +3611,7 @@ field({ descriptor = 0x31, name = "gnss_data.rtk_corrections_status", role = "da
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow is set." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set." },
       { kind = "scalar", name = "epoch_status", type = "u16", size = 2, flags = F["gnss_data.rtk_epoch_status"], doc = "Corrections received during this epoch. Valid if valid_flags.epoch_status is set." },
-      { kind = "scalar", name = "dongle_status", type = "u32", size = 4, flags = F["rtk_status_flags"], doc = "Status flags of the RTK dongle; of use only with a dongle. Valid if valid_flags.dongle_status is set." },
+      { kind = "scalar", name = "dongle_status", type = "u32", size = 4, flags = F["rtk_status_flags"], doc = "Status flags of the RTK dongle, meaningful only if one is connected. Valid if valid_flags.dongle_status is set." },
       { kind = "scalar", name = "gps_correction_latency", type = "float", size = 4, units = {"s", }, doc = "Latency of the last GPS correction. Unit: s. Range: at least 0. Valid if valid_flags.gps_latency is set." },
       { kind = "scalar", name = "glonass_correction_latency", type = "float", size = 4, units = {"s", }, doc = "Latency of the last GLONASS correction. Unit: s. Range: at least 0. Valid if valid_flags.glonass_latency is set." },
       { kind = "scalar", name = "galileo_correction_latency", type = "float", size = 4, units = {"s", }, doc = "Latency of the last Galileo correction. Unit: s. Range: at least 0. Valid if valid_flags.galileo_latency is set." },
@@ -4025,7 +4025,7 @@ field({ descriptor = 0x20, name = "filter_data.standard_atmosphere", role = "dat
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.standard_atmosphere", title = "Standard atmosphere" }, })
 field({ descriptor = 0x21, name = "filter_data.pressure_altitude", role = "data", title = "Pressure altitude",
-    doc = "Altitude that the US Standard Atmosphere of 1976 gives for the measured pressure.", least = 6,
+    doc = "Altitude from the measured pressure, by the US Standard Atmosphere of 1976.", least = 6,
     always = 2,
     plain = true,
     rows = {

@@ -22,7 +22,7 @@ REAL = pytest.param("real", marks=heavy("programs and site of the real reference
 small = pytest.mark.parametrize("manual", ["invented", REAL], indirect=True)
 
 ANCHOR = re.compile(r'<a id="([^"]*)"></a>')
-LINK = re.compile(r"(?<!\\)\[((?:\\.|`[^`]*`|[^\[\]\\`])*)\]\(([^()\s]*)\)")
+LINK = re.compile(r"(?<!\\)!?\[((?:\\.|`[^`]*`|[^\[\]\\`])*)\]\(([^()\s]*)\)")
 
 
 # --------------------------------------------------------------------------- reading Markdown

@@ -19,11 +19,12 @@ from urllib.parse import unquote
 
 import browser
 import pytest
+from mipgen import model as m
 from mipgen.base.cache import key as cache_key
 from mipgen.emit import output
 from random_values import chance
 from reference import REAL, manual_of, navigation
-from searches import FIELDS
+from searches import FIELDS, WORDS
 from searches import PAGES as WANTED_PAGES
 from support import BUILD, NIGHTLY, heavy, locked, model, need, rounds, tree
 from workbench import workbench
@@ -143,7 +144,7 @@ def test_contents_of_a_page_are_its_sections(spec: str) -> None:
 
 @each_spec
 def test_text_for_the_search(spec: str) -> None:
-    """Each page with its sections, whose anchors are on it; nothing of a page is missing."""
+    """Each page with its sections, whose anchors are on it."""
     manual, site = manual_of(spec), built(spec)
     script = (site / "assets/text.js").read_text("utf-8")
     texts = json.loads(script.removeprefix("globalThis.mipText = ").removesuffix(";\n"))
@@ -166,7 +167,7 @@ def test_tools_have_pages(spec: str, name: str) -> None:
     page = (site / f"tools/{name}.html").read_text("utf-8")
     assert f'data-tool="{name}"' in page and 'src="../assets/site.js"' in page
     assert all((site / "assets" / file).is_file() for file in ("site.js", "workbench.js", "tools.css", "text.js"))
-    for file in ("workbench.js", "tools.css"):
+    for file in ("workbench.js", "fields.js", "tools.css"):
         assert (site / "assets" / file).read_bytes() == (workbench(spec) / file).read_bytes()
     assert f'href="tools/{name}.html"' in (site / "index.html").read_text("utf-8")
 
@@ -182,6 +183,50 @@ def test_what_people_type_in_the_index() -> None:
     command = [need("node"), "-e", program, workbench("real") / "workbench.js", json.dumps(list(FIELDS))]
     done = subprocess.run(command, capture_output=True, text=True, check=True)
     assert dict(zip(FIELDS, json.loads(done.stdout), strict=True)) == FIELDS
+
+
+#: Bytes that a page loads for its first search.
+FIRST_SEARCH = 800_000
+
+
+def test_the_first_search_is_small() -> None:
+    assets = built("real") / "assets"
+    assert sum((assets / name).stat().st_size for name in ("search.js", "fields.js", "text.js")) <= FIRST_SEARCH
+
+
+def searched(queries: list[str]) -> dict[str, list[str]]:
+    """The addresses that the search of the site finds, in their order, without a browser."""
+    program = (
+        "const [search, fields, text] = process.argv.slice(1); require(search); require(fields); require(text);"
+        " const index = mipFields.indexOf(new mipFields.Protocol(mipFields.model));"
+        " const addresses = (query) => mipSearch.search(index, mipText, query).groups.flatMap("
+        "({ codes = [], fields = [], pages = [] }) => [...codes, ...fields, ...pages].map(({ href }) => href));"
+        " const queries = JSON.parse(require('node:fs').readFileSync(0));"
+        " console.log(JSON.stringify(queries.map((query) => [query, addresses(query)])));"
+    )
+    assets = built("real") / "assets"
+    command = [need("node"), "-e", program, *(assets / name for name in ("search.js", "fields.js", "text.js"))]
+    done = subprocess.run(command, input=json.dumps(queries), capture_output=True, text=True, check=True)
+    return dict(json.loads(done.stdout))
+
+
+@with_node
+def test_what_people_type_leads_to_the_page() -> None:
+    """95 of 100 searches have what is meant first, among them slips of the pen, and questions that users asked."""
+    wanted = {query: [page_of(field)] for query, field in FIELDS.items()}
+    wanted |= {query: [page] for query, page in WANTED_PAGES.items()} | WORDS
+    assert len(wanted) > 200
+    found = searched(list(wanted))
+    first = {query: (found[query] or ["nothing"])[0] for query in wanted}
+    missed = {
+        query: (first[query], pages)
+        for query, pages in wanted.items()
+        if first[query] not in pages and first[query].partition("#")[0] not in pages
+    }
+    assert len(missed) <= len(wanted) / 20, missed
+    for page, _, anchor in {page.partition("#") for pages in wanted.values() for page in pages}:
+        assert not anchor or f'id="{anchor}"' in (built("real") / page).read_text("utf-8"), (page, anchor)
+        assert (built("real") / page).is_file(), page
 
 
 def test_keywords_find_their_fields_first() -> None:
@@ -341,6 +386,38 @@ def test_search_by_keyboard(page: browser.Page) -> None:
     page.run("document.querySelector('.mip-search').requestSubmit(); 0")
     page.browser.wait_for("Page.loadEventFired")
     assert page.run("location.href").endswith("packets.html#protocol.acknowledge")
+
+
+@in_browser
+def test_my_device_is_remembered(page: browser.Page) -> None:
+    """Chosen on its page; shown on pages of fields and sets, in the search and in the calculator."""
+    press = "document.querySelector('.mip-choose').click()"
+    go(page, "devices/3dm-gx5-15.html")
+    page.run(press)
+    for field, said in (
+        ("base/ping", "supported"), ("sensor/scaled_accel", "supported"),
+        ("3dm/pps_source_control", "not known to be supported"),
+    ):  # fmt: skip
+        go(page, f"fields/{field}.html")
+        wait(page, "document.querySelector('article .mip-mine')")
+        assert page.run("document.querySelector('.mip-mine').textContent") == f"On my device, 3DM-GX5-15: {said}."
+    typed(page, "0x0C28")
+    assert "not known" in page.run("document.querySelector('.mip-search .mip-mine').textContent")
+    go(page, "sets/3dm.html")
+    wait(page, "document.querySelector('article .mip-mine')")
+    rows = "[...document.querySelectorAll('.mip-other')]"
+    others: list[str] = page.run(f"{rows}.map((row) => row.querySelector('a[href*=\"fields/\"]').hash.slice(1))")
+    device = next(d for d in model("real").devices if d.id == "3dm-gx5-15")
+    has = {s.field.full_name for s in (*device.certain, *device.probable)}
+    fields = [f for f in model("real").fields if f.family == "3dm" and f.role == m.COMMAND]
+    wanted = {f.full_name for f in fields} - has
+    assert wanted and {name for name in others if not name.endswith("_response")} == wanted
+    go(page, "tools/bandwidth.html")
+    assert "3DM-GX5-15" in page.run("document.querySelector('.mip-tool select').selectedOptions[0].textContent")
+    go(page, "devices/3dm-gx5-15.html")
+    page.run(press)
+    go(page, "fields/base/ping.html")
+    assert page.run("document.querySelector('.mip-mine')") is None
 
 
 def shown(page: browser.Page, selector: str) -> list[str]:

@@ -49,9 +49,17 @@ def test_contents(manual: Manual) -> None:
         for s in of.sets:
             assert [f"0x{s.number:02X}", s.title, str(len(asked(s, of))), prose(s.description, of)] in rows, s.name
         for d in of.devices:
-            known = f"{len(d.certain)}{' (incomplete)' if d.incomplete else ''}"
-            row = [d.title, ", ".join(d.also), str(d.model_number or ""), known, str(len(d.probable))]
-            row.append(prose(d.description, of))
+            row = [d.title, *d.also, str(d.model_number or "")]
+            if not d.certain and d.incomplete:
+                found = [
+                    line
+                    for line in bullets(manual.pages[path])
+                    if re.search(rf"[ ,]{re.escape(d.title)}[ ,(]|{re.escape(d.title)}$", line)
+                ]
+                assert found and all(part in found[0] for part in row), d.id
+                continue
+            row = [d.title, ", ".join(d.also), str(d.model_number or ""), str(len(d.certain))]
+            row += [str(len(d.probable))] * bool(d.incomplete) + [prose(d.description, of)]
             assert [cell for cell in row if cell] in [[cell for cell in found if cell] for found in rows], d.id
         for x in of.protocol.manuals:
             errata = sum(e.manual == x.id for e in of.errata)
@@ -456,3 +464,16 @@ def test_vectors_become_those_of_other_software() -> None:
     frames = {f.symbol: {c.name: c.values for c in f.conversions} for f in model("real").protocol.frames}
     assert frames["vehicle"] == frames["sensor"] == {"rep_103": ("x", "-y", "-z")}
     assert frames["ned"] == {"enu": ("y", "x", "-z")}
+
+
+def test_frames_are_drawn(manual: Manual) -> None:
+    """Each axis of each frame with its direction, and what the image shows in words."""
+    page = manual.page("units.md")
+    shown = dict(re.findall(r"!\[([^\]]*)\]\(assets/frames/([^)]+)\.svg\)", page))
+    for frame in manual.model.protocol.frames:
+        for title, axes in [(frame.title, frame.axes), *((c.title, c.axes) for c in frame.conversions)]:
+            if axes:
+                words = [axis.replace("_", " ") for axis in axes]
+                name = shown[f"{title}: " + ", ".join(f"{x} {word}" for x, word in zip("xyz", words, strict=True))]
+                drawing = manual.files[f"docs/assets/frames/{name}.svg"].decode()
+                assert re.findall(r"<tspan[^>]*>(\w)</tspan> ([\w ]+)</text>", drawing) == [*zip("xyz", words)]

@@ -44,7 +44,7 @@ def test_what_is_built(spec: str, tmp_path: Path) -> None:
         page = (folder / f"{tool.name}.html").read_text("utf-8")
         assert f"<title>{tool.title}</title>" in page and f"<h1>{tool.title}</h1>" in page
     names = sorted(path.name for path in folder.iterdir())
-    assert names == sorted([*(path.name for path in pages), "page.css", "tools.css", "workbench.js"])
+    assert names == sorted([*(path.name for path in pages), "fields.js", "page.css", "tools.css", "workbench.js"])
     assert all((folder / name).read_bytes() == (workbench(spec) / name).read_bytes() for name in names)
 
 

@@ -4,8 +4,9 @@
 
 PACKAGE is a codec that mipgen generated, such as `generated/javascript`, of any specification. Browsers load no modules
 from disk, so the tools, the codec and the model of the specification become one classic script, `workbench.js`, which
-defines one global object, `mip`, with the exports of `index.mjs`. FOLDER gets that script, the style sheets, and a page
-for each tool.
+defines one global object, `mip`, with the exports of `index.mjs`. FOLDER gets that script, the style sheets, a page for
+each tool, and `fields.js`, with which a page searches fields: a quarter of the size, because its model has names and
+descriptions only. It defines `mipFields`.
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ import shutil
 import sys
 from pathlib import Path
 from string import Template
+from typing import Any
 
 HERE = Path(__file__).resolve().parent
 
@@ -57,12 +59,12 @@ class Bundle:
             raise Failure(f"{package} has no package.json; generate the target javascript first") from None
         self.functions: dict[str, str] = {}
 
-    def text(self) -> str:
-        last = self.add(HERE / "index.mjs", ())
+    def text(self, module: str, name: str, about: str) -> str:
+        last = self.add(HERE / module, ())
         functions = "\n\n".join(self.functions.values())
         return (
-            "// The MIP workbench: tools, codec and model as one script, built from modules. MIT licence.\n"
-            f'(() => {{\n"use strict";\nconst modules = {{}};\n\n{functions}\n\nglobalThis.mip = {last};\n}})();\n'
+            f"// The MIP workbench: {about} as one script, built from modules. MIT licence.\n"
+            f'(() => {{\n"use strict";\nconst modules = {{}};\n\n{functions}\n\nglobalThis.{name} = {last};\n}})();\n'
         )
 
     def add(self, path: Path, importers: tuple[Path, ...]) -> str:
@@ -132,12 +134,71 @@ def _pairs(names: str, form: str) -> list[str]:
     return [form.format(there, here or there) for there, _, here in found]
 
 
+#: What the search reads of each part of the model.
+_READ = {
+    "model": ("format", "packet", "scalars", "acknowledge", "ack_code", "function_selector", "functions", "vocabulary"),
+    "field": ("set", "name", "descriptor", "role", "title", "description", "command", "responses", "keywords",
+              "symbols", "also", "deprecated", "occurrences"),
+    "type": ("name", "kind", "symbols"),
+    "part": ("name", "short", "value", "description"),
+    "parameter": ("name", "type", "description"),
+    "set": ("number", "title"),
+    "device": ("id", "title"),
+}  # fmt: skip
+
+
+def searched(model: dict[str, Any]) -> dict[str, Any]:
+    """The part of a model that `find.mjs` reads, and for each device the numbers of its fields."""
+
+    def some(kind: str, of: dict[str, Any], **more: Any) -> dict[str, Any]:
+        return {key: of[key] for key in _READ[kind] if key in of} | {key: value for key, value in more.items() if value}
+
+    def symbols(of: dict[str, Any]) -> dict[str, str]:
+        """Those of Rust are like those of Python for a search, which looks at letters and digits."""
+        found = {re.sub(r"\W|_", "", symbol): (language, symbol) for language, symbol in of.get("symbols", {}).items()}
+        return dict(found.values())
+
+    def parameter(of: dict[str, Any]) -> dict[str, Any]:
+        variants = [{"type": one["type"]} for one in of.get("variants", ()) if "type" in one]
+        cases = [{"parameter": parameter(one["parameter"])} for one in of.get("cases", ()) if one.get("parameter")]
+        return some("parameter", of, variants=variants, cases=cases)
+
+    def parameters(of: dict[str, Any]) -> list[dict[str, Any]]:
+        return [parameter(one) for one in of.get("parameters", ())]
+
+    types = []
+    for of in model["types"]:
+        parts = {key: [some("part", one) for one in of.get(key, ())] for key in ("values", "bits")}
+        types.append(some("type", of, symbols=symbols(of), parameters=parameters(of), **parts))
+    fields = [
+        some("field", of, symbols=symbols(of)) | {"parameters": parameters(of), "sources": []} for of in model["fields"]
+    ]
+    sets = [some("set", of) for of in model["sets"]]
+    numbers = {place["name"]: i for i, of in enumerate(model["fields"]) for place in [of, *of.get("occurrences", ())]}
+    devices = [some("device", of, **_supported(of, numbers)) for of in model.get("devices", ())]
+    return some("model", model, types=types, sets=sets, fields=fields, devices=devices)
+
+
+def _supported(device: dict[str, Any], numbers: dict[str, int]) -> dict[str, list[int]]:
+    """The numbers of the fields that a device has: surely, probably, and not."""
+    answers: dict[str, set[int]] = {"yes": set(), "probable": set(), "no": set()}
+    for one in device["supports"]:
+        answers[device["evidence"][one["evidence"]]["answer"]].add(numbers[one["field"]])
+    return {answer: sorted(found) for answer, found in answers.items()}
+
+
 def build(package: Path, folder: Path) -> list[Path]:
     """Writes the workbench; returns its pages."""
-    script = Bundle(package).text()
+    tools, fields = Bundle(package), Bundle(package)
+    model = json.loads(
+        (package / "model.mjs").read_text("utf-8").removeprefix("export default ").rstrip().removesuffix(";")
+    )
     page = Template((HERE / "page.html").read_text("utf-8"))
     folder.mkdir(parents=True, exist_ok=True)
-    (folder / "workbench.js").write_text(script, "utf-8")
+    (folder / "workbench.js").write_text(tools.text("index.mjs", "mip", "tools, codec and model"), "utf-8")
+    part = json.dumps(searched(model), ensure_ascii=False, separators=(",", ":"))
+    script = fields.text("fields.mjs", "mipFields", "the search for fields")
+    (folder / "fields.js").write_text(f"{script}mipFields.model = {part};\n", "utf-8")
     for style in sorted(HERE.glob("*.css")):
         shutil.copy(style, folder)
     pages = [folder / f"{name}.html" for name in TOOLS]

@@ -14,6 +14,9 @@ const PARTS = 4;
 const TEXT = 5;
 const PLACES = [TITLE, WORDS, PARTS, TEXT];
 
+const ASKED_CODE =
+    /^(?:mip )?(?:error|nack|n?ack code|ack\/nack|return code|code|err|result|reply)(?: code)?\s*[:=#]?\s*(?:0x([0-9a-f]{1,2})|(\d{1,2}))$/i;
+
 /** Bytes of a packet before its payload: what is shorter may be a descriptor. */
 const FRAME_HEAD = 4;
 
@@ -40,11 +43,13 @@ export function find(index, text, limit = 20) {
     const squashed = squash(query);
     const vendor = /\s/.test(query) ? "" : index.vendorWords(query);
     const words = [...new Set(wordsOf(query))];
+    const enumerator = vendor && /[_:]/.test(query) ? vendor.split(" ") : []; // of the vendor, with its field and its value
     for (const entry of index.entries) {
         const rank = Math.min(
-            rankOfSymbol(entry, squashed),
+            rankOfSymbol(entry, squashed, /\s/.test(query)),
             entry.vendor.has(vendor) ? VENDOR : Infinity,
             rankOfWords(entry, words, index.synonyms),
+            rankOfWords(entry, enumerator, index.synonyms),
         );
         if (rank < Infinity && !ranks.has(entry.field)) ranks.set(entry.field, rank);
     }
@@ -52,6 +57,52 @@ export function find(index, text, limit = 20) {
     const order = ({ field, rank }) => (rank < EXACT - 1 ? [rank] : [rank, entryRank(field), rank < EXACT ? 0 : field.name.length]);
     const found = [...ranks].map(([field, rank]) => ({ field, rank }));
     return found.sort((a, b) => compared(order(a), order(b))).slice(0, limit);
+}
+
+/** The code of an acknowledge that a text asks for: "error 0x03", "NACK 4", "invalid_parameter"; undefined for other texts. */
+export function codeIn({ protocol }, text) {
+    const [, hex, decimal] = ASKED_CODE.exec(text.trim()) ?? [];
+    const number = hex ? Number.parseInt(hex, 16) : Number(decimal ?? Number.NaN);
+    return protocol.types.get(protocol.model.ack_code).values.find((one) => one.value === number);
+}
+
+/** The same words, with the nearest that are known in place of those that nothing begins with; undefined if all are known. */
+export function corrected(known, text) {
+    let changed = false;
+    const right = text.toLowerCase().replace(/[a-z]{4,}/g, (word) => {
+        if (known.sorted.some((one) => one.startsWith(stem(word)))) return word;
+        const near = known.sorted.filter((one) => Math.abs(one.length - word.length) < 3 && !/[0-9]/.test(one));
+        const ranked = near.map((one) => [slips(word, one), -known.counts.get(one), one]).filter(([far]) => far <= word.length / 4);
+        if (!ranked.length) return word;
+        changed = true;
+        return ranked.sort((a, b) => a[0] - b[0] || a[1] - b[1])[0][2];
+    });
+    return changed ? right : undefined;
+}
+
+/** The words of texts, for `corrected`, with those of all fields. */
+export function knownWords({ entries }, texts) {
+    const counts = new Map();
+    const all = [...entries.flatMap(({ words }) => Object.values(words)), ...texts];
+    for (const text of all) for (const word of wordsOf(text)) counts.set(word, (counts.get(word) ?? 0) + 1);
+    return { counts, sorted: [...counts.keys()].sort() };
+}
+
+/** How many letters are wrong, missing, too many, or exchanged with the next one. */
+function slips(one, other) {
+    let before = [];
+    let last = Array.from({ length: other.length + 1 }, (_, j) => j);
+    for (let i = 1; i <= one.length; i++) {
+        const row = [i];
+        for (let j = 1; j <= other.length; j++) {
+            const same = one[i - 1] === other[j - 1];
+            row[j] = Math.min(last[j] + 1, row[j - 1] + 1, last[j - 1] + (same ? 0 : 1));
+            const exchanged = i > 1 && j > 1 && one[i - 1] === other[j - 2] && one[i - 2] === other[j - 1];
+            if (exchanged) row[j] = Math.min(row[j], before[j - 2] + 1);
+        }
+        [before, last] = [last, row];
+    }
+    return last[other.length];
 }
 
 /** A text that is a packet, or the beginning of one, for the inspector; undefined for other texts. */
@@ -118,7 +169,7 @@ function wordsOf(text) {
 }
 
 // What symbols of the vendor have beside the words of a name: mip::data_sensor::, MIP_CMD_DESC_, CH_FIELD_, extract_mip_.
-const BESIDE = ["mip", "data", "command", "cmd", "descriptor", "ch", "field", "vec", "insert", "to", "extract", "from"];
+const BESIDE = ["mip", "data", "command", "cmd", "descriptor", "ch", "field", "vec", "estimated", "insert", "to", "extract", "from"];
 
 /**
  * A function: the words of a symbol in the vocabulary of the specification, in no order, without those beside a name and
@@ -129,7 +180,7 @@ function vendorWordsOf({ model, functions }) {
     const usual = new Map(others);
     const beside = new Set([...BESIDE, ...[...functions.values()].map((one) => one.name)]);
     return (symbol) => {
-        const words = wordsOf(symbol.replace(/(?<=[a-z0-9])(?=[A-Z])/g, "_").replaceAll("_", " "));
+        const words = wordsOf(symbol.replace(/(?<=[a-z]|[0-9](?=[A-Z][a-z]))(?=[A-Z])/g, "_").replaceAll("_", " "));
         const plain = words.map(stem).map((word) => usual.get(word) ?? word);
         return plain
             .filter((word) => !beside.has(word))
@@ -206,14 +257,14 @@ function partsOf(protocol, parameter) {
     return [parameter, ...inner, ...cases];
 }
 
-function rankOfSymbol(entry, query) {
+function rankOfSymbol(entry, query, several) {
     if (query.length < 2) return Infinity;
     if (entry.constants.has(query)) return EXACT;
     let rank = Infinity;
     for (const name of entry.squashed) {
         if (name === query) return EXACT;
         // A symbol with more behind it: mip_base_ping_encode, PpsSourceControl::write. The longest name is meant.
-        if (name.length > 6 && query.startsWith(name)) rank = Math.min(rank, BEGINNING + 1 / name.length);
+        if (name.length > 6 && !several && query.startsWith(name)) rank = Math.min(rank, BEGINNING + 1 / name.length);
         else if (name.startsWith(query)) rank = Math.min(rank, BEGINNING + 0.9);
     }
     return rank;

@@ -1053,7 +1053,7 @@ CV7_GNSS_INS = Device(
         ),
         "gnss_signals": Note(
             "GNSS signals",
-            "Signals that can be enabled together by `gnss.signal_config`. GPS or Galileo must be enabled, and GPS L1 with BeiDou L1 alone is refused.",
+            "Signals that can be enabled together by `gnss.signal_config`. GPS or Galileo must be enabled, and GPS L1 with BeiDou L1 alone is rejected.",
             (
                 ("Constellation", "Choices"),
                 ("GPS", "none, L1, L1 + L5"),

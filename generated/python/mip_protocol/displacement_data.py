@@ -15,8 +15,8 @@ from .field import Data, Field
 
 @codec.open_flag(8)
 class TimestampFlags(IntFlag):
-    """Validity of the time of displacement data. Uncertain: That it is a bitfield. MSCL takes the
-    time for valid if the number is 1.
+    """Validity of the time of displacement data. Uncertain: That it is a bitfield. MSCL considers
+    the time valid if the number is 1.
     """
 
     TIME = 1 << 0

@@ -137,7 +137,7 @@ class MagParameterSource(codec.OpenEnum):
     WMM = 2
     """The World Magnetic Model, at the estimated position."""
     MANUAL = 3
-    """The value that the command gives."""
+    """The value specified by the command."""
 
 
 class AdaptiveMeasurementSelector(codec.OpenEnum):
@@ -146,7 +146,7 @@ class AdaptiveMeasurementSelector(codec.OpenEnum):
     DISABLED = 0
     """No adaptation."""
     FIXED = 1
-    """Adapted by the limits that the command gives."""
+    """Adapted by the limits specified by the command."""
     AUTO = 2
     """Adapted by the filter itself; the limits are ignored. 3DM-GX5 and later."""
 
@@ -290,7 +290,7 @@ class RelativePositionSource(codec.OpenEnum):
     AUTO = 0
     """The base station of the RTK corrections."""
     MANUAL = 1
-    """The coordinates that the command gives."""
+    """The coordinates specified by the command."""
 
 
 class ReferencePoint(codec.OpenEnum):
@@ -1536,26 +1536,26 @@ class MagMagnitudeErrorAdaptiveMeasurementResponse(Response):
     frequency: float
     """Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0."""
     low_limit: float
-    """Lower limit of the error. Unit: gauss. Uncertain: The unit. The SDK gives m/s^2; a manual of
+    """Lower limit of the error. Unit: gauss. Uncertain: The unit. The SDK states m/s^2; a manual of
     the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
     """
     high_limit: float
-    """Upper limit of the error. Unit: gauss. Uncertain: The unit. The SDK gives m/s^2; a manual of
+    """Upper limit of the error. Unit: gauss. Uncertain: The unit. The SDK states m/s^2; a manual of
     the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
     """
     low_limit_uncertainty: float
     """Standard deviation at the lower limit. Unit: gauss. Range: at least 0. Uncertain: The unit.
-    The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the
+    The SDK states m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the
     response.
     """
     high_limit_uncertainty: float
     """Standard deviation at the upper limit. Unit: gauss. Range: at least 0. Uncertain: The unit.
-    The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the
+    The SDK states m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the
     response.
     """
     minimum_uncertainty: float
     """Smallest standard deviation. Unit: gauss. Range: at least 0. Uncertain: The unit. The SDK
-    gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
+    states m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
     """
 
     def __init__(
@@ -1658,16 +1658,16 @@ class MagDipAngleErrorAdaptiveMeasurementResponse(Response):
     frequency: float
     """Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0."""
     high_limit: float
-    """Upper limit of the error. Unit: rad. Uncertain: The unit. The SDK gives m/s^2; rad is
+    """Upper limit of the error. Unit: rad. Uncertain: The unit. The SDK states m/s^2; rad is
     inferred from the quantity.
     """
     high_limit_uncertainty: float
     """Standard deviation at the upper limit. Unit: rad. Range: at least 0. Uncertain: The unit. The
-    SDK gives m/s^2; rad is inferred from the quantity.
+    SDK states m/s^2; rad is inferred from the quantity.
     """
     minimum_uncertainty: float
-    """Smallest standard deviation. Unit: rad. Range: at least 0. Uncertain: The unit. The SDK gives
-    m/s^2; rad is inferred from the quantity.
+    """Smallest standard deviation. Unit: rad. Range: at least 0. Uncertain: The unit. The SDK
+    states m/s^2; rad is inferred from the quantity.
     """
 
     def __init__(
@@ -3723,8 +3723,8 @@ class ExternalHeadingUpdate(Command[None]):
     3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     Refused unless external heading updates are enabled, by `HeadingSource` on the 3DM-GX5 and by
-    `AidingMeasurementEnable` on the 3DM-CV7. The 3DM-GX5-15 takes at most 20 updates per second. If
-    the declination source is not valid, -25 models refuse true headings and -45 models magnetic
+    `AidingMeasurementEnable` on the 3DM-CV7. The 3DM-GX5-15 accepts at most 20 updates per second.
+    If the declination source is not valid, -25 models reject true headings and -45 models magnetic
     ones.
 
     - 3dm-cv7-gnss-ins: External Heading Update (0x0D,0x17)
@@ -3750,7 +3750,7 @@ class ExternalHeadingUpdate(Command[None]):
     -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above.
     """
     heading_uncertainty: float
-    """Standard deviation; the device refuses a value out of bounds. Unit: rad. Range: greater than
+    """Standard deviation; the device rejects a value out of bounds. Unit: rad. Range: greater than
     0.
     """
     type: HeadingType
@@ -4617,8 +4617,8 @@ class ExternalHeadingUpdateWithTime(Command[None]):
 
     Better than `ExternalHeadingUpdate` if the heading changes quickly; the time must be accurate.
     Refused unless external heading updates are enabled, by `HeadingSource` on the 3DM-GX5 and by
-    `AidingMeasurementEnable` on the 3DM-CV7. The 3DM-GX5-15 takes at most 20 updates per second. If
-    the declination source is not valid, -25 models refuse true headings and -45 models magnetic
+    `AidingMeasurementEnable` on the 3DM-CV7. The 3DM-GX5-15 accepts at most 20 updates per second.
+    If the declination source is not valid, -25 models reject true headings and -45 models magnetic
     ones.
 
     - 3dm-cv7-gnss-ins: External Heading Update With Time (0x0D,0x1F)
@@ -4650,7 +4650,7 @@ class ExternalHeadingUpdateWithTime(Command[None]):
     -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above.
     """
     heading_uncertainty: float
-    """Standard deviation; the device refuses a value out of bounds. Unit: rad. Range: greater than
+    """Standard deviation; the device rejects a value out of bounds. Unit: rad. Range: greater than
     0.
     """
     type: HeadingType
@@ -6345,25 +6345,25 @@ class MagMagnitudeErrorAdaptiveMeasurement(Command[R]):
     """
     low_limit: float | None
     """Lower limit of the error. Unit: gauss. Required for `write`. Uncertain: The unit. The SDK
-    gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
+    states m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
     """
     high_limit: float | None
     """Upper limit of the error. Unit: gauss. Required for `write`. Uncertain: The unit. The SDK
-    gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
+    states m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
     """
     low_limit_uncertainty: float | None
     """Standard deviation at the lower limit. Unit: gauss. Range: at least 0. Required for `write`.
-    Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command
+    Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command
     and gauss in the response.
     """
     high_limit_uncertainty: float | None
     """Standard deviation at the upper limit. Unit: gauss. Range: at least 0. Required for `write`.
-    Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command
+    Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command
     and gauss in the response.
     """
     minimum_uncertainty: float | None
     """Smallest standard deviation. Unit: gauss. Range: at least 0. Required for `write`. Uncertain:
-    The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss
+    The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss
     in the response.
     """
 
@@ -6605,16 +6605,16 @@ class MagDipAngleErrorAdaptiveMeasurement(Command[R]):
     """Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required for `write`.
     """
     high_limit: float | None
-    """Upper limit of the error. Unit: rad. Required for `write`. Uncertain: The unit. The SDK gives
-    m/s^2; rad is inferred from the quantity.
+    """Upper limit of the error. Unit: rad. Required for `write`. Uncertain: The unit. The SDK
+    states m/s^2; rad is inferred from the quantity.
     """
     high_limit_uncertainty: float | None
     """Standard deviation at the upper limit. Unit: rad. Range: at least 0. Required for `write`.
-    Uncertain: The unit. The SDK gives m/s^2; rad is inferred from the quantity.
+    Uncertain: The unit. The SDK states m/s^2; rad is inferred from the quantity.
     """
     minimum_uncertainty: float | None
     """Smallest standard deviation. Unit: rad. Range: at least 0. Required for `write`. Uncertain:
-    The unit. The SDK gives m/s^2; rad is inferred from the quantity.
+    The unit. The SDK states m/s^2; rad is inferred from the quantity.
     """
 
     def __init__(
@@ -7236,8 +7236,8 @@ class SensorToVehicleRotationDcm(Command[R]):
     Probably changes `filter_data.CompAccel`. Not listed in any device profile. Known only from the
     MicroStrain MIP SDK.
 
-    It is the inverse of the matrix that `mip_3dm.SensorToVehicleTransformDcm` takes. The device
-    refuses a matrix that is not orthonormal to within 0.001. The device keeps a quaternion, so the
+    It is the inverse of the matrix that `mip_3dm.SensorToVehicleTransformDcm` accepts. The device
+    rejects a matrix that is not orthonormal to within 0.001. The device keeps a quaternion, so the
     elements read back may differ slightly from those written.
 
     - mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E)
@@ -7351,8 +7351,8 @@ class SensorToVehicleRotationQuaternion(Command[R]):
     Probably changes `filter_data.CompAccel`. Not listed in any device profile. Known only from the
     MicroStrain MIP SDK.
 
-    It is the inverse of the quaternion that `mip_3dm.SensorToVehicleTransformQuaternion` takes. The
-    device normalizes it, so the elements read back may differ slightly from those written.
+    It is the inverse of the quaternion that `mip_3dm.SensorToVehicleTransformQuaternion` accepts.
+    The device normalizes it, so the elements read back may differ slightly from those written.
 
     - mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F)
     """
@@ -7614,8 +7614,8 @@ class KinematicConstraint(Command[R]):
     `KinematicConstraintResponse`. Probably changes `filter_data.NedVelocity`,
     `filter_data.EcefVelocity`, `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and
     `filter_data.EulerAngles`. Not listed in any device profile. Known only from the MicroStrain MIP
-    SDK. Uncertain: Whether there are further values. The SDK has plain numbers and gives the values
-    in remarks.
+    SDK. Uncertain: Whether there are further values. The SDK has plain numbers and states the
+    values in remarks.
 
     - mip-sdk-4: Kinematic constraint (0x0D,0x51)
     """
@@ -8643,7 +8643,7 @@ class SpeedMeasurement(Command[None]):
     """Send 1. Reserved: send 1."""
     tow: float
     """GPS time of week of the measurement. Unit: s. Range: 0 to 604800. Uncertain: The unit; the
-    SDK gives none.
+    SDK states none.
     """
     speed: float
     """Speed, negative in reverse. Unit: m/s. Frame: vehicle."""

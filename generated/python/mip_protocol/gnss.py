@@ -581,7 +581,7 @@ class SignalConfig(Command[R]):
     1.0.10.
 
     A device accepts certain combinations only. The 3DM-CV7-GNSS/INS needs GPS or Galileo, and
-    refuses GPS L1 with BeiDou L1 alone. For GPS and BeiDou it accepts none, L1, or L1 and L5; for
+    rejects GPS L1 with BeiDou L1 alone. For GPS and BeiDou it accepts none, L1, or L1 and L5; for
     Galileo none, or L1 and L5; for GLONASS none or L1.
 
     - 3dm-cv7-gnss-ins: Signal Configuration (0x0E,0x02)

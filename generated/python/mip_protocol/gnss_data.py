@@ -525,7 +525,7 @@ class RawFlags(IntFlag):
 
 @codec.open_flag(16)
 class BaseStationIndicators(IntFlag):
-    """Properties of a base station, as its RTCM message gives them."""
+    """Properties of a base station, as in its RTCM message."""
 
     GPS = 1 << 0
     """GPS is supported. Bit 0."""
@@ -1405,7 +1405,7 @@ class ClockInfo(Shared, Data):
     (0x94) and gnss_external_2 (0x95). Probably supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45,
     3DM-GX5-35 and 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
-    Clock info 2 replaces it and gives more detail.
+    Clock info 2 replaces it, with more detail.
 
     - mip-sdk-4: Clock Info (0x81,0x0A)
     """
@@ -3339,7 +3339,7 @@ class RtkCorrectionsStatus(Shared, Data):
     `valid_flags` is set.
     """
     dongle_status: types.RtkStatusFlags
-    """Status flags of the RTK dongle; of use only with a dongle. Valid if
+    """Status flags of the RTK dongle, meaningful only if one is connected. Valid if
     `RtkCorrectionsStatusFlags.DONGLE_STATUS` of `valid_flags` is set. The same word as in the
     response to `rtk.GetStatusFlags`, in one of its two forms.
     """
@@ -3940,7 +3940,7 @@ class GlonassEphemeris(Shared, Data):
     Probably supported by 3DM-GQ7-GNSS/INS.
 
     The interface control document of GLONASS explains p and ft. A period of four years has 1461
-    days; no source says how nt, a u8, counts them.
+    days; no source states how nt, a u8, counts them.
 
     - 3dm-cv7-gnss-ins: Glonass Ephemeris (0x91,0x62)
     - 3dm-cv7-gnss-ins: Glonass Ephemeris (0x92,0x62)
@@ -4317,7 +4317,7 @@ class GalileoEphemeris(Shared, Data):
     (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS. Probably supported by
     3DM-GQ7-GNSS/INS.
 
-    The layout is that of the GPS ephemeris. No source says what the two inter-signal corrections
+    The layout is that of the GPS ephemeris. No source states what the two inter-signal corrections
     mean here. `iodc` changes with the clock data; according to the manual, it rolls over at 4.
 
     - 3dm-cv7-gnss-ins: Galileo Ephemeris (0x91,0x63)
@@ -4786,7 +4786,7 @@ class BeidouEphemeris(Shared, Data):
     (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS. Probably supported by
     3DM-GQ7-GNSS/INS.
 
-    The layout is that of the GPS ephemeris. No source says what the two inter-signal corrections
+    The layout is that of the GPS ephemeris. No source states what the two inter-signal corrections
     mean here. `iodc` changes with the clock data; according to the manual, it rolls over at 4.
 
     - 3dm-cv7-gnss-ins: BeiDou Ephemeris (0x91,0x64)

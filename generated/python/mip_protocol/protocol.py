@@ -56,7 +56,7 @@ class Acknowledge(Shared, Response):
     command: int
     """Descriptor of the command that is answered."""
     code: types.AckCode
-    """0 if the command is acknowledged, else the reason why it is refused."""
+    """0 (ACK) if the device carried out the command, otherwise the reason why it did not (NACK)."""
 
     def __init__(self, command: int, code: types.AckCode) -> None:
         self.command = command

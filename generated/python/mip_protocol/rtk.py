@@ -842,7 +842,7 @@ class LedControl(Command[None]):
 
     For advanced use. Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
-    Only in calibration mode or production test mode; otherwise it is refused.
+    Only in calibration mode or production test mode; otherwise it is rejected.
 
     - mip-sdk-4: LED control (0x0F,0x21)
     """

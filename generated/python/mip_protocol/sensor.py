@@ -539,8 +539,7 @@ class CompOrientationMatrix(Data):
     3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR,
     3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-GX5-35 and 3DM-GX5-45.
 
-    `v_vehicle = m * v_ned`; the sensor frame takes the place of the vehicle frame on the
-    3DM-GX5-15.
+    `v_vehicle = m * v_ned`; the 3DM-GX5-15 uses the sensor frame in place of the vehicle frame.
 
     - 3dm-gx5-15: 5.1.6 CF Orientation Matrix (0x80, 0x09)
     - 3dm-cv7-gnss-ins: Complementary Filter Orientation Matrix (0x80,0x09)
@@ -595,8 +594,8 @@ class CompQuaternion(Data):
     3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS,
     3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-GX5-35 and 3DM-GX5-45.
 
-    `v_vehicle = q^-1 * v_ned * q`; the sensor frame takes the place of the vehicle frame on the
-    3DM-GX5-15.
+    `v_vehicle = q^-1 * v_ned * q`; the 3DM-GX5-15 uses the sensor frame in place of the vehicle
+    frame.
 
     - 3dm-gx5-15: 5.1.7 CF Quaternion (0x80, 0x0A)
     - 3dm-cv7-gnss-ins: Complementary Filter Quaternion (0x80,0x0A)

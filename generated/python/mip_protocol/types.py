@@ -1293,11 +1293,11 @@ class CommInterface(codec.OpenEnum):
 @codec.open_flag(32)
 class RtkStatusFlags(IntFlag):
     """State of the modem and of the corrections. Models of another kind send
-    `RtkStatusFlagsLegacy`. Uncertain: Which model sends which of the two forms. The SDK says only
-    that the model number decides it. Uncertain: Other software of the vendor evaluates `version`: 0
-    is the legacy form, 1 is this one. In the legacy form of the SDK the same two bits are `sinr`.
-    Uncertain: The SDK gives the names only; the descriptions follow from them. The meaning of the
-    values is not known.
+    `RtkStatusFlagsLegacy`. Uncertain: Which model sends which of the two forms. The SDK states only
+    that it depends on the model number. Uncertain: Other software of the vendor evaluates
+    `version`: 0 is the legacy form, 1 is this one. In the legacy form of the SDK the same two bits
+    are `sinr`. Uncertain: The SDK has the names only; the descriptions follow from them. The
+    meaning of the values is not known.
 
     - mip-sdk-4: Get Status Flags (0x0F,0x01)
     """
@@ -1392,7 +1392,7 @@ class RtkStatusFlags(IntFlag):
 class RtkStatusFlagsLegacy(IntFlag):
     """State of the modem and of the corrections, in its older form. Uncertain: Which model sends
     which of the two forms; see `RtkStatusFlags`. Uncertain: The SDK calls bits 20-31 reserved, but
-    also puts the last four numbers there. Uncertain: The SDK gives the names only; the descriptions
+    also puts the last four numbers there. Uncertain: The SDK has the names only; the descriptions
     follow from them. The meaning of the values is not known.
 
     - mip-sdk-4: Get Status Flags (0x0F,0x01)

@@ -65,7 +65,7 @@ MIP_API const char *mip_base_gps_time_field_name(uint8_t value);
  * Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and
  * 3DM-RQ1-45-ST.
  *
- * A device that is not in a normal operating mode may refuse the command.
+ * A device that is not in a normal operating mode may reject the command.
  *
  * - 3dm-gx5-15: 4.1.1 Ping (0x01, 0x01)
  * - 3dm-cv7-gnss-ins: Ping (0x01,0x01)
@@ -302,14 +302,14 @@ MIP_CHECKED static inline mip_error mip_base_get_device_descriptors_response_enc
  *
  * Answered by mip_base_built_in_test_response. The device may take 10 s to answer. Supported by
  * 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Uncertain:
- * The maximum duration of the test. The manual of the 3DM-CV7 says several seconds; 10 s leaves
+ * The maximum duration of the test. The manual of the 3DM-CV7 states several seconds; 10 s leaves
  * room for that.
  *
  * The test interrupts normal operation for up to several seconds; no data is available meanwhile.
  *
  * The device must be at rest; acceleration, rotation or vibration cause false failures.
  *
- * The continuous built-in test, if the device has it, gives more detail about a failure.
+ * The continuous built-in test, if the device has it, describes a failure in more detail.
  *
  * - 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05)
  * - 3dm-cv7-gnss-ins: Built in test (0x01,0x05)
@@ -850,7 +850,7 @@ struct mip_base_gps_time_update {
     /** Meaning of the value. A value of enum mip_base_gps_time_field. */
     uint8_t field_id;
     /**
-     * Time, as `field_id` says. Required for write and apply. If field_id is
+     * Week or seconds, as selected by `field_id`. Required for write and apply. If field_id is
      * MIP_BASE_GPS_TIME_FIELD_WEEK_NUMBER: unit week. GPS week number since 6 January 1980. If
      * field_id is MIP_BASE_GPS_TIME_FIELD_TOW: unit s. Whole seconds of the GPS week.
      */
@@ -881,8 +881,8 @@ MIP_CHECKED static inline mip_error mip_base_gps_time_update_encode(
    * Apply the new setting. Fills the structure and returns its address.
    *
    * - field_id: Meaning of the value. A value of enum mip_base_gps_time_field.
-   * - value: Time, as `field_id` says. Required for write and apply. If field_id is
-   *   MIP_BASE_GPS_TIME_FIELD_WEEK_NUMBER: unit week. GPS week number since 6 January 1980. If
+   * - value: Week or seconds, as selected by `field_id`. Required for write and apply. If field_id
+   * is MIP_BASE_GPS_TIME_FIELD_WEEK_NUMBER: unit week. GPS week number since 6 January 1980. If
    *   field_id is MIP_BASE_GPS_TIME_FIELD_TOW: unit s. Whole seconds of the GPS week.
    */
 static inline struct mip_base_gps_time_update *
@@ -911,7 +911,7 @@ static inline struct mip_base_gps_time_update *mip_base_gps_time_update_read(
  * its address.
  *
  * - field_id: Meaning of the value. A value of enum mip_base_gps_time_field.
- * - value: Time, as `field_id` says. Required for write and apply. If field_id is
+ * - value: Week or seconds, as selected by `field_id`. Required for write and apply. If field_id is
  *   MIP_BASE_GPS_TIME_FIELD_WEEK_NUMBER: unit week. GPS week number since 6 January 1980. If
  *   field_id is MIP_BASE_GPS_TIME_FIELD_TOW: unit s. Whole seconds of the GPS week.
  */

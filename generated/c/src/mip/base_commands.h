@@ -370,7 +370,7 @@ static inline mip_error mip_send_for_base_gps_time_update_tow_response(
  * GPS time update: write. Apply the new setting. See mip_device_call.
  *
  * - field_id: Meaning of the value. A value of enum mip_base_gps_time_field.
- * - value: Time, as `field_id` says. Required for write and apply. If field_id is
+ * - value: Week or seconds, as selected by `field_id`. Required for write and apply. If field_id is
  *   MIP_BASE_GPS_TIME_FIELD_WEEK_NUMBER: unit week. GPS week number since 6 January 1980. If
  *   field_id is MIP_BASE_GPS_TIME_FIELD_TOW: unit s. Whole seconds of the GPS week.
  */
@@ -427,7 +427,7 @@ static inline struct mip_result mip_call_for_base_gps_time_update_tow_response_r
  * mip_device_call.
  *
  * - field_id: Meaning of the value. A value of enum mip_base_gps_time_field.
- * - value: Time, as `field_id` says. Required for write and apply. If field_id is
+ * - value: Week or seconds, as selected by `field_id`. Required for write and apply. If field_id is
  *   MIP_BASE_GPS_TIME_FIELD_WEEK_NUMBER: unit week. GPS week number since 6 January 1980. If
  *   field_id is MIP_BASE_GPS_TIME_FIELD_TOW: unit s. Whole seconds of the GPS week.
  */

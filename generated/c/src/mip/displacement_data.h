@@ -26,8 +26,8 @@ extern "C" {
 #define MIP_DISPLACEMENT_DATA_SET 0x90
 
 /**
- * Validity of the time of displacement data. Uncertain: That it is a bitfield. MSCL takes the time
- * for valid if the number is 1.
+ * Validity of the time of displacement data. Uncertain: That it is a bitfield. MSCL considers the
+ * time valid if the number is 1.
  */
 typedef uint8_t mip_displacement_data_timestamp_flags;
 /** Bit 0. The clock has been set; `time` is valid. */

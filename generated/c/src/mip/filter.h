@@ -137,7 +137,7 @@ enum mip_filter_mag_parameter_source MIP_ENUM_8 {
     MIP_FILTER_MAG_PARAMETER_SOURCE_NONE = 1,
     /** The World Magnetic Model, at the estimated position. */
     MIP_FILTER_MAG_PARAMETER_SOURCE_WMM = 2,
-    /** The value that the command gives. */
+    /** The value specified by the command. */
     MIP_FILTER_MAG_PARAMETER_SOURCE_MANUAL = 3
 };
 
@@ -147,7 +147,7 @@ MIP_API const char *mip_filter_mag_parameter_source_name(uint8_t value);
 enum mip_filter_adaptive_measurement_selector MIP_ENUM_8 {
     /** No adaptation. */
     MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_DISABLED = 0,
-    /** Adapted by the limits that the command gives. */
+    /** Adapted by the limits specified by the command. */
     MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_FIXED = 1,
     /** Adapted by the filter itself; the limits are ignored. 3DM-GX5 and later. */
     MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_AUTO = 2
@@ -302,7 +302,7 @@ MIP_API const char *mip_filter_adaptive_level_name(uint8_t value);
 enum mip_filter_relative_position_source MIP_ENUM_8 {
     /** The base station of the RTK corrections. */
     MIP_FILTER_RELATIVE_POSITION_SOURCE_AUTO = 0,
-    /** The coordinates that the command gives. */
+    /** The coordinates specified by the command. */
     MIP_FILTER_RELATIVE_POSITION_SOURCE_MANUAL = 1
 };
 
@@ -1505,9 +1505,9 @@ static inline struct mip_filter_external_gnss_update *mip_filter_external_gnss_u
  * Refused unless external heading updates are enabled, by mip_filter_heading_source on the 3DM-GX5
  * and by mip_filter_aiding_measurement_enable on the 3DM-CV7.
  *
- * The 3DM-GX5-15 takes at most 20 updates per second.
+ * The 3DM-GX5-15 accepts at most 20 updates per second.
  *
- * If the declination source is not valid, -25 models refuse true headings and -45 models magnetic
+ * If the declination source is not valid, -25 models reject true headings and -45 models magnetic
  * ones.
  *
  * - 3dm-cv7-gnss-ins: External Heading Update (0x0D,0x17)
@@ -1520,7 +1520,7 @@ struct mip_filter_external_heading_update {
      */
     float heading;
     /**
-     * Standard deviation; the device refuses a value out of bounds. Unit: rad. Range: greater than
+     * Standard deviation; the device rejects a value out of bounds. Unit: rad. Range: greater than
      * 0.
      */
     float heading_uncertainty;
@@ -1554,7 +1554,7 @@ MIP_CHECKED static inline mip_error mip_filter_external_heading_update_encode(
    *
    * - heading: Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range:
    *   -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above.
-   * - heading_uncertainty: Standard deviation; the device refuses a value out of bounds. Unit: rad.
+   * - heading_uncertainty: Standard deviation; the device rejects a value out of bounds. Unit: rad.
    *   Range: greater than 0.
    * - type: North that the heading refers to. A value of enum mip_filter_heading_type.
    */
@@ -2516,9 +2516,9 @@ MIP_CHECKED static inline mip_error mip_filter_auto_zupt_response_encode(
  * Refused unless external heading updates are enabled, by mip_filter_heading_source on the 3DM-GX5
  * and by mip_filter_aiding_measurement_enable on the 3DM-CV7.
  *
- * The 3DM-GX5-15 takes at most 20 updates per second.
+ * The 3DM-GX5-15 accepts at most 20 updates per second.
  *
- * If the declination source is not valid, -25 models refuse true headings and -45 models magnetic
+ * If the declination source is not valid, -25 models reject true headings and -45 models magnetic
  * ones.
  *
  * - 3dm-cv7-gnss-ins: External Heading Update With Time (0x0D,0x1F)
@@ -2535,7 +2535,7 @@ struct mip_filter_external_heading_update_with_time {
      */
     float heading;
     /**
-     * Standard deviation; the device refuses a value out of bounds. Unit: rad. Range: greater than
+     * Standard deviation; the device rejects a value out of bounds. Unit: rad. Range: greater than
      * 0.
      */
     float heading_uncertainty;
@@ -2571,7 +2571,7 @@ MIP_CHECKED static inline mip_error mip_filter_external_heading_update_with_time
    * - week_number: GPS week, counted without rollover. Unit: week.
    * - heading: Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range:
    *   -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above.
-   * - heading_uncertainty: Standard deviation; the device refuses a value out of bounds. Unit: rad.
+   * - heading_uncertainty: Standard deviation; the device rejects a value out of bounds. Unit: rad.
    *   Range: greater than 0.
    * - type: North that the heading refers to. A value of enum mip_filter_heading_type.
    */
@@ -4290,30 +4290,32 @@ struct mip_filter_mag_magnitude_adaptive {
      */
     float frequency;
     /**
-     * Lower limit of the error. Unit: gauss. Required for write. Uncertain: The unit. The SDK gives
-     * m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
+     * Lower limit of the error. Unit: gauss. Required for write. Uncertain: The unit. The SDK
+     * states m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the
+     * response.
      */
     float low_limit;
     /**
-     * Upper limit of the error. Unit: gauss. Required for write. Uncertain: The unit. The SDK gives
-     * m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
+     * Upper limit of the error. Unit: gauss. Required for write. Uncertain: The unit. The SDK
+     * states m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the
+     * response.
      */
     float high_limit;
     /**
      * Standard deviation at the lower limit. Unit: gauss. Range: at least 0. Required for write.
-     * Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the
+     * Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the
      * command and gauss in the response.
      */
     float low_limit_uncertainty;
     /**
      * Standard deviation at the upper limit. Unit: gauss. Range: at least 0. Required for write.
-     * Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the
+     * Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the
      * command and gauss in the response.
      */
     float high_limit_uncertainty;
     /**
      * Smallest standard deviation. Unit: gauss. Range: at least 0. Required for write. Uncertain:
-     * The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and
+     * The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and
      * gauss in the response.
      */
     float minimum_uncertainty;
@@ -4351,19 +4353,19 @@ MIP_CHECKED static inline mip_error mip_filter_mag_magnitude_adaptive_encode(
    * - frequency: Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required
    * for write.
    * - low_limit: Lower limit of the error. Unit: gauss. Required for write. Uncertain: The unit.
-   * The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the
+   * The SDK states m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the
    *   response.
    * - high_limit: Upper limit of the error. Unit: gauss. Required for write. Uncertain: The unit.
-   * The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the
+   * The SDK states m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the
    *   response.
    * - low_limit_uncertainty: Standard deviation at the lower limit. Unit: gauss. Range: at least 0.
-   *   Required for write. Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45
+   *   Required for write. Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45
    * gives m/s^2 in the command and gauss in the response.
    * - high_limit_uncertainty: Standard deviation at the upper limit. Unit: gauss. Range: at least
-   * 0. Required for write. Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45
+   * 0. Required for write. Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45
    * gives m/s^2 in the command and gauss in the response.
    * - minimum_uncertainty: Smallest standard deviation. Unit: gauss. Range: at least 0. Required
-   * for write. Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in
+   * for write. Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in
    * the command and gauss in the response.
    */
 static inline struct mip_filter_mag_magnitude_adaptive *mip_filter_mag_magnitude_adaptive_write(
@@ -4427,30 +4429,31 @@ struct mip_filter_mag_magnitude_adaptive_response {
     /** Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0. */
     float frequency;
     /**
-     * Lower limit of the error. Unit: gauss. Uncertain: The unit. The SDK gives m/s^2; a manual of
+     * Lower limit of the error. Unit: gauss. Uncertain: The unit. The SDK states m/s^2; a manual of
      * the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
      */
     float low_limit;
     /**
-     * Upper limit of the error. Unit: gauss. Uncertain: The unit. The SDK gives m/s^2; a manual of
+     * Upper limit of the error. Unit: gauss. Uncertain: The unit. The SDK states m/s^2; a manual of
      * the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
      */
     float high_limit;
     /**
      * Standard deviation at the lower limit. Unit: gauss. Range: at least 0. Uncertain: The unit.
-     * The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the
+     * The SDK states m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the
      * response.
      */
     float low_limit_uncertainty;
     /**
      * Standard deviation at the upper limit. Unit: gauss. Range: at least 0. Uncertain: The unit.
-     * The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the
+     * The SDK states m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the
      * response.
      */
     float high_limit_uncertainty;
     /**
      * Smallest standard deviation. Unit: gauss. Range: at least 0. Uncertain: The unit. The SDK
-     * gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
+     * states m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the
+     * response.
      */
     float minimum_uncertainty;
 };
@@ -4514,18 +4517,18 @@ struct mip_filter_mag_dip_angle_adaptive {
      */
     float frequency;
     /**
-     * Upper limit of the error. Unit: rad. Required for write. Uncertain: The unit. The SDK gives
+     * Upper limit of the error. Unit: rad. Required for write. Uncertain: The unit. The SDK states
      * m/s^2; rad is inferred from the quantity.
      */
     float high_limit;
     /**
      * Standard deviation at the upper limit. Unit: rad. Range: at least 0. Required for write.
-     * Uncertain: The unit. The SDK gives m/s^2; rad is inferred from the quantity.
+     * Uncertain: The unit. The SDK states m/s^2; rad is inferred from the quantity.
      */
     float high_limit_uncertainty;
     /**
      * Smallest standard deviation. Unit: rad. Range: at least 0. Required for write. Uncertain: The
-     * unit. The SDK gives m/s^2; rad is inferred from the quantity.
+     * unit. The SDK states m/s^2; rad is inferred from the quantity.
      */
     float minimum_uncertainty;
 };
@@ -4558,12 +4561,12 @@ MIP_CHECKED static inline mip_error mip_filter_mag_dip_angle_adaptive_encode(
    * - frequency: Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required
    * for write.
    * - high_limit: Upper limit of the error. Unit: rad. Required for write. Uncertain: The unit. The
-   *   SDK gives m/s^2; rad is inferred from the quantity.
+   *   SDK states m/s^2; rad is inferred from the quantity.
    * - high_limit_uncertainty: Standard deviation at the upper limit. Unit: rad. Range: at least 0.
-   *   Required for write. Uncertain: The unit. The SDK gives m/s^2; rad is inferred from the
+   *   Required for write. Uncertain: The unit. The SDK states m/s^2; rad is inferred from the
    *   quantity.
    * - minimum_uncertainty: Smallest standard deviation. Unit: rad. Range: at least 0. Required for
-   *   write. Uncertain: The unit. The SDK gives m/s^2; rad is inferred from the quantity.
+   *   write. Uncertain: The unit. The SDK states m/s^2; rad is inferred from the quantity.
    */
 static inline struct mip_filter_mag_dip_angle_adaptive *mip_filter_mag_dip_angle_adaptive_write(
     struct mip_filter_mag_dip_angle_adaptive *command, mip_bool enable, float frequency,
@@ -4622,18 +4625,18 @@ struct mip_filter_mag_dip_angle_adaptive_response {
     /** Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0. */
     float frequency;
     /**
-     * Upper limit of the error. Unit: rad. Uncertain: The unit. The SDK gives m/s^2; rad is
+     * Upper limit of the error. Unit: rad. Uncertain: The unit. The SDK states m/s^2; rad is
      * inferred from the quantity.
      */
     float high_limit;
     /**
      * Standard deviation at the upper limit. Unit: rad. Range: at least 0. Uncertain: The unit. The
-     * SDK gives m/s^2; rad is inferred from the quantity.
+     * SDK states m/s^2; rad is inferred from the quantity.
      */
     float high_limit_uncertainty;
     /**
-     * Smallest standard deviation. Unit: rad. Range: at least 0. Uncertain: The unit. The SDK gives
-     * m/s^2; rad is inferred from the quantity.
+     * Smallest standard deviation. Unit: rad. Range: at least 0. Uncertain: The unit. The SDK
+     * states m/s^2; rad is inferred from the quantity.
      */
     float minimum_uncertainty;
 };
@@ -5227,9 +5230,9 @@ MIP_CHECKED static inline mip_error mip_filter_magnetic_magnitude_source_respons
  * mip_filter_data_gravity_vector. Probably changes mip_filter_data_comp_accel. Not listed in any
  * device profile. Known only from the MicroStrain MIP SDK.
  *
- * It is the inverse of the matrix that mip_3dm_sensor_to_vehicle_transform_dcm takes.
+ * It is the inverse of the matrix that mip_3dm_sensor_to_vehicle_transform_dcm accepts.
  *
- * The device refuses a matrix that is not orthonormal to within 0.001.
+ * The device rejects a matrix that is not orthonormal to within 0.001.
  *
  * The device keeps a quaternion, so the elements read back may differ slightly from those written.
  *
@@ -5373,7 +5376,7 @@ MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_rotation_dcm_re
  * mip_filter_data_gravity_vector. Probably changes mip_filter_data_comp_accel. Not listed in any
  * device profile. Known only from the MicroStrain MIP SDK.
  *
- * It is the inverse of the quaternion that mip_3dm_sensor_to_vehicle_transform_quaternion takes.
+ * It is the inverse of the quaternion that mip_3dm_sensor_to_vehicle_transform_quaternion accepts.
  *
  * The device normalizes it, so the elements read back may differ slightly from those written.
  *
@@ -5746,7 +5749,7 @@ MIP_CHECKED static inline mip_error mip_filter_aiding_measurement_enable_respons
  * mip_filter_data_ecef_velocity, mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm
  * and mip_filter_data_euler_angles. Not listed in any device profile. Known only from the
  * MicroStrain MIP SDK. Uncertain: Whether there are further values. The SDK has plain numbers and
- * gives the values in remarks.
+ * states the values in remarks.
  *
  * - mip-sdk-4: Kinematic constraint (0x0D,0x51)
  */
@@ -6741,7 +6744,7 @@ struct mip_filter_speed_measurement {
     uint8_t source;
     /**
      * GPS time of week of the measurement. Unit: s. Range: 0 to 604800. Uncertain: The unit; the
-     * SDK gives none.
+     * SDK states none.
      */
     float tow;
     /** Speed, negative in reverse. Unit: m/s. Frame: vehicle. */
@@ -6774,7 +6777,7 @@ MIP_CHECKED static inline mip_error mip_filter_speed_measurement_encode(
    * Speed measurement. Fills the structure and returns its address.
    *
    * - tow: GPS time of week of the measurement. Unit: s. Range: 0 to 604800. Uncertain: The unit;
-   * the SDK gives none.
+   * the SDK states none.
    * - speed: Speed, negative in reverse. Unit: m/s. Frame: vehicle.
    * - speed_uncertainty: Standard deviation of the speed. Unit: m/s. Range: at least 0.
    */

@@ -763,7 +763,7 @@ static inline mip_error mip_send_filter_external_heading_update(
  *
  * - heading: Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range:
  *   -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above.
- * - heading_uncertainty: Standard deviation; the device refuses a value out of bounds. Unit: rad.
+ * - heading_uncertainty: Standard deviation; the device rejects a value out of bounds. Unit: rad.
  *   Range: greater than 0.
  * - type: North that the heading refers to. A value of enum mip_filter_heading_type.
  */
@@ -1391,7 +1391,7 @@ static inline mip_error mip_send_filter_external_heading_update_with_time(
  * - week_number: GPS week, counted without rollover. Unit: week.
  * - heading: Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range:
  *   -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above.
- * - heading_uncertainty: Standard deviation; the device refuses a value out of bounds. Unit: rad.
+ * - heading_uncertainty: Standard deviation; the device rejects a value out of bounds. Unit: rad.
  *   Range: greater than 0.
  * - type: North that the heading refers to. A value of enum mip_filter_heading_type.
  */
@@ -2458,19 +2458,19 @@ static inline mip_error mip_send_filter_mag_magnitude_adaptive(
  * - frequency: Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required for
  *   write.
  * - low_limit: Lower limit of the error. Unit: gauss. Required for write. Uncertain: The unit. The
- *   SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the
+ *   SDK states m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the
  *   response.
  * - high_limit: Upper limit of the error. Unit: gauss. Required for write. Uncertain: The unit. The
- *   SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the
+ *   SDK states m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the
  *   response.
  * - low_limit_uncertainty: Standard deviation at the lower limit. Unit: gauss. Range: at least 0.
- *   Required for write. Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives
+ *   Required for write. Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 gives
  *   m/s^2 in the command and gauss in the response.
  * - high_limit_uncertainty: Standard deviation at the upper limit. Unit: gauss. Range: at least 0.
- *   Required for write. Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives
+ *   Required for write. Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 gives
  *   m/s^2 in the command and gauss in the response.
  * - minimum_uncertainty: Smallest standard deviation. Unit: gauss. Range: at least 0. Required for
- *   write. Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the
+ *   write. Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the
  *   command and gauss in the response.
  */
 static inline struct mip_result mip_call_filter_mag_magnitude_adaptive_write(
@@ -2576,12 +2576,12 @@ static inline mip_error mip_send_filter_mag_dip_angle_adaptive(
  * - frequency: Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required for
  *   write.
  * - high_limit: Upper limit of the error. Unit: rad. Required for write. Uncertain: The unit. The
- *   SDK gives m/s^2; rad is inferred from the quantity.
+ *   SDK states m/s^2; rad is inferred from the quantity.
  * - high_limit_uncertainty: Standard deviation at the upper limit. Unit: rad. Range: at least 0.
- *   Required for write. Uncertain: The unit. The SDK gives m/s^2; rad is inferred from the
+ *   Required for write. Uncertain: The unit. The SDK states m/s^2; rad is inferred from the
  *   quantity.
  * - minimum_uncertainty: Smallest standard deviation. Unit: rad. Range: at least 0. Required for
- *   write. Uncertain: The unit. The SDK gives m/s^2; rad is inferred from the quantity.
+ *   write. Uncertain: The unit. The SDK states m/s^2; rad is inferred from the quantity.
  */
 static inline struct mip_result mip_call_filter_mag_dip_angle_adaptive_write(
     struct mip_device *device, mip_bool enable, float frequency, float high_limit,
@@ -3948,7 +3948,7 @@ static inline mip_error mip_send_filter_speed_measurement(
  * Speed measurement. See mip_device_call.
  *
  * - tow: GPS time of week of the measurement. Unit: s. Range: 0 to 604800. Uncertain: The unit; the
- *   SDK gives none.
+ *   SDK states none.
  * - speed: Speed, negative in reverse. Unit: m/s. Frame: vehicle.
  * - speed_uncertainty: Standard deviation of the speed. Unit: m/s. Range: at least 0.
  */

@@ -47,7 +47,7 @@ typedef uint16_t mip_filter_data_gnss_aiding_status;
 #define MIP_FILTER_DATA_GNSS_AIDING_STATUS_TIGHT_COUPLING 0x0001U
 /** Bit 1. RTK corrections are used. */
 #define MIP_FILTER_DATA_GNSS_AIDING_STATUS_DIFFERENTIAL 0x0002U
-/** Bit 2. There is an RTK integer fix, which gives the best position. */
+/** Bit 2. There is an RTK integer fix, with the most accurate position. */
 #define MIP_FILTER_DATA_GNSS_AIDING_STATUS_INTEGER_FIX 0x0004U
 /** Bit 3. GPS L1 is used. */
 #define MIP_FILTER_DATA_GNSS_AIDING_STATUS_GPS_L1 0x0008U
@@ -508,7 +508,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_ned_velocity_encode(
  *
  * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
  *
- * `v_vehicle = q^-1 * v_ned * q`. The 3DM-GX5-15 manual gives the inverse rotation.
+ * `v_vehicle = q^-1 * v_ned * q`. The 3DM-GX5-15 manual documents the inverse rotation.
  *
  * - 3dm-cv7-gnss-ins: Attitude Quaternion (0x82,0x03)
  * - 3dm-gx5-15: 5.2.3 Orientation, Quaternion (0x82, 0x03)
@@ -1786,7 +1786,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_standard_atmosphere_encode(
 /**
  * Pressure altitude: data (0x82,0x21).
  *
- * Altitude that the US Standard Atmosphere of 1976 gives for the measured pressure.
+ * Altitude from the measured pressure, by the US Standard Atmosphere of 1976.
  *
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
@@ -1832,8 +1832,8 @@ MIP_CHECKED static inline mip_error mip_filter_data_pressure_altitude_encode(
  *
  * The density of the surrounding air, as the altitude at which the standard atmosphere is as dense.
  *
- * Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: The SDK
- * gives the name only; the description is the usual meaning of the term.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: The SDK has
+ * the name only; the description is the usual meaning of the term.
  *
  * - mip-sdk-4: Density altitude (0x82,0x22)
  */

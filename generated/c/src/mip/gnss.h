@@ -232,7 +232,7 @@ MIP_CHECKED static inline mip_error mip_gnss_receiver_info_response_encode(
  *
  * A device accepts certain combinations only.
  *
- * The 3DM-CV7-GNSS/INS needs GPS or Galileo, and refuses GPS L1 with BeiDou L1 alone. For GPS and
+ * The 3DM-CV7-GNSS/INS needs GPS or Galileo, and rejects GPS L1 with BeiDou L1 alone. For GPS and
  * BeiDou it accepts none, L1, or L1 and L5; for Galileo none, or L1 and L5; for GLONASS none or L1.
  *
  * - 3dm-cv7-gnss-ins: Signal Configuration (0x0E,0x02)

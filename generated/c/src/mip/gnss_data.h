@@ -474,7 +474,7 @@ typedef uint16_t mip_gnss_data_raw_flags;
 #define MIP_GNSS_DATA_RAW_FLAGS_LOCK_TIME 0x8000U
 /** Bits 0 to 15. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_RAW_FLAGS_FLAGS 0xFFFFU
-/** Properties of a base station, as its RTCM message gives them. */
+/** Properties of a base station, as in its RTCM message. */
 typedef uint16_t mip_gnss_data_base_station_indicators;
 /** Bit 0. GPS is supported. */
 #define MIP_GNSS_DATA_BASE_STATION_INDICATORS_GPS 0x0001U
@@ -1052,7 +1052,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_gps_time_encode(
  * MIP_GNSS_CORRECTIONS_SET, MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Known only from the
  * MicroStrain MIP SDK.
  *
- * Clock info 2 replaces it and gives more detail.
+ * Clock info 2 replaces it, with more detail.
  *
  * - mip-sdk-4: Clock Info (0x81,0x0A)
  */
@@ -2124,7 +2124,7 @@ struct mip_gnss_data_rtk_corrections_status {
      */
     mip_gnss_data_rtk_epoch_status epoch_status;
     /**
-     * Status flags of the RTK dongle; of use only with a dongle. Valid if
+     * Status flags of the RTK dongle, meaningful only if one is connected. Valid if
      * MIP_GNSS_DATA_RTK_CORRECTIONS_STATUS_FLAGS_DONGLE_STATUS in valid_flags is set.
      *
      * The same word as in the response to mip_rtk_get_status_flags, in one of its two forms.
@@ -2375,7 +2375,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_gps_ephemeris_encode(
  *
  * The interface control document of GLONASS explains p and ft.
  *
- * A period of four years has 1461 days; no source says how nt, a u8, counts them.
+ * A period of four years has 1461 days; no source states how nt, a u8, counts them.
  *
  * - 3dm-cv7-gnss-ins: Glonass Ephemeris (0x91,0x62)
  * - 3dm-cv7-gnss-ins: Glonass Ephemeris (0x92,0x62)
@@ -2520,7 +2520,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_glonass_ephemeris_encode(
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
  * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-GNSS/INS.
  *
- * The layout is that of the GPS ephemeris. No source says what the two inter-signal corrections
+ * The layout is that of the GPS ephemeris. No source states what the two inter-signal corrections
  * mean here.
  *
  * `iodc` changes with the clock data; according to the manual, it rolls over at 4.
@@ -2710,7 +2710,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_galileo_ephemeris_encode(
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
  * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-GNSS/INS.
  *
- * The layout is that of the GPS ephemeris. No source says what the two inter-signal corrections
+ * The layout is that of the GPS ephemeris. No source states what the two inter-signal corrections
  * mean here.
  *
  * `iodc` changes with the clock data; according to the manual, it rolls over at 4.

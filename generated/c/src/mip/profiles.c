@@ -1589,7 +1589,7 @@ static const struct mip_profile_note cv7_gnss_ins_notes[] = {
      cv7_gnss_ins_rtcm_input_cells, 9, 2},
     {"gnss_signals", "GNSS signals",
      "Signals that can be enabled together by `gnss.signal_config`. GPS or Galileo must be "
-     "enabled, and GPS L1 with BeiDou L1 alone is refused.",
+     "enabled, and GPS L1 with BeiDou L1 alone is rejected.",
      cv7_gnss_ins_gnss_signals_cells, 5, 2},
     {"sensor_ranges", "Sensor ranges",
      "Settings of `3dm.sensor_range`. The manual gives them for related models, and its gyroscope "

@@ -54,8 +54,8 @@ struct mip_protocol_acknowledge {
     /** Descriptor of the command that is answered. */
     uint8_t command;
     /**
-     * 0 if the command is acknowledged, else the reason why it is refused. A value of enum
-     * mip_ack_code.
+     * 0 (ACK) if the device carried out the command, otherwise the reason why it did not (NACK). A
+     * value of enum mip_ack_code.
      */
     uint8_t code;
 };

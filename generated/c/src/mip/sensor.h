@@ -378,7 +378,7 @@ MIP_CHECKED static inline mip_error mip_sensor_delta_velocity_encode(
  *
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
- * `v_vehicle = m * v_ned`; the sensor frame takes the place of the vehicle frame on the 3DM-GX5-15.
+ * `v_vehicle = m * v_ned`; the 3DM-GX5-15 uses the sensor frame in place of the vehicle frame.
  *
  * - 3dm-gx5-15: 5.1.6 CF Orientation Matrix (0x80, 0x09)
  * - 3dm-cv7-gnss-ins: Complementary Filter Orientation Matrix (0x80,0x09)
@@ -421,8 +421,8 @@ MIP_CHECKED static inline mip_error mip_sensor_comp_orientation_matrix_encode(
  *
  * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
  *
- * `v_vehicle = q^-1 * v_ned * q`; the sensor frame takes the place of the vehicle frame on the
- * 3DM-GX5-15.
+ * `v_vehicle = q^-1 * v_ned * q`; the 3DM-GX5-15 uses the sensor frame in place of the vehicle
+ * frame.
  *
  * - 3dm-gx5-15: 5.1.7 CF Quaternion (0x80, 0x0A)
  * - 3dm-cv7-gnss-ins: Complementary Filter Quaternion (0x80,0x0A)

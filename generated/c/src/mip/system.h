@@ -66,7 +66,7 @@ MIP_API const char *mip_system_protocol_mode_name(uint8_t value);
  * The change comes before the acknowledge, which is sent on the main port; bytes that arrive during
  * the change may be lost.
  *
- * The device refuses protocols that it or the port does not have, and more parsers than it has;
+ * The device rejects protocols that it or the port does not have, and more parsers than it has;
  * then nothing is changed.
  *
  * Answers to an incoming protocol are sent on the same port, even if the protocol is not an

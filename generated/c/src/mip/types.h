@@ -2235,11 +2235,11 @@ MIP_API const char *mip_comm_interface_name(uint8_t value);
 
 /**
  * State of the modem and of the corrections. Models of another kind send
- * mip_rtk_status_flags_legacy. Uncertain: Which model sends which of the two forms. The SDK says
- * only that the model number decides it. Uncertain: Other software of the vendor evaluates
+ * mip_rtk_status_flags_legacy. Uncertain: Which model sends which of the two forms. The SDK states
+ * only that it depends on the model number. Uncertain: Other software of the vendor evaluates
  * `version`: 0 is the legacy form, 1 is this one. In the legacy form of the SDK the same two bits
- * are `sinr`. Uncertain: The SDK gives the names only; the descriptions follow from them. The
- * meaning of the values is not known.
+ * are `sinr`. Uncertain: The SDK has the names only; the descriptions follow from them. The meaning
+ * of the values is not known.
  *
  * - mip-sdk-4: Get Status Flags (0x0F,0x01)
  */
@@ -2352,7 +2352,7 @@ static inline void mip_rtk_status_flags_set_version(mip_rtk_status_flags *flags,
 /**
  * State of the modem and of the corrections, in its older form. Uncertain: Which model sends which
  * of the two forms; see mip_rtk_status_flags. Uncertain: The SDK calls bits 20-31 reserved, but
- * also puts the last four numbers there. Uncertain: The SDK gives the names only; the descriptions
+ * also puts the last four numbers there. Uncertain: The SDK has the names only; the descriptions
  * follow from them. The meaning of the values is not known.
  *
  * - mip-sdk-4: Get Status Flags (0x0F,0x01)

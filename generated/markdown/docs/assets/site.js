@@ -23,10 +23,14 @@
         return loading.get(name);
     }
 
+    function hasTools() {
+        return document.querySelector("link[href$='assets/tools.css']") !== null;
+    }
+
     /** The specification, for all tools of this page; null if the site is built without the workbench. */
     let known;
     async function protocol() {
-        if (!document.querySelector("link[href$='assets/tools.css']")) return null;
+        if (!hasTools()) return null;
         await load("workbench.js");
         known ??= new mip.Protocol(mip.model);
         return known;
@@ -44,7 +48,11 @@
     async function fill(tool) {
         const show = async () => {
             const of = await protocol();
-            if (of) mip[tool.dataset.tool](tool, of, { ...addresses, start: mip.fragment() });
+            if (of)
+                mip[tool.dataset.tool](tool, of, {
+                    ...addresses,
+                    start: mip.fragment() || (tool.dataset.tool === "bandwidth" && mine()?.id) || "",
+                });
         };
         await show();
         addEventListener("hashchange", show);
@@ -100,98 +108,102 @@
         }
     }
 
+    /** Moves the programs of a field beside its text on wide screens. */
+    function beside() {
+        const heading = document.getElementById("programs");
+        if (!heading || !matchMedia("screen and (min-width: 1640px)").matches) return;
+        const section = [heading];
+        while (section.at(-1).nextElementSibling && section.at(-1).nextElementSibling.tagName !== "H2") {
+            section.push(section.at(-1).nextElementSibling);
+        }
+        const box = element("div", { class: "mip-beside" });
+        document.querySelector("article h2").before(box);
+        box.append(...section);
+    }
+
+    // ------------------------------------------------------------------------------------------------ my device
+
+    const MINE = "mip-device";
+
+    /** The device that a reader has chosen: its id and its title; null if there is none. */
+    function mine() {
+        try {
+            return JSON.parse(localStorage.getItem(MINE));
+        } catch {
+            return null; // a browser may keep nothing
+        }
+    }
+
+    /** Whether a device has a field, by the index of fields: yes, probable, no, or undefined if nothing is known. */
+    function answerOf(device, name) {
+        const { devices, fields } = mipFields.model;
+        const of = devices.find(({ id }) => id === device.id);
+        const asked = fields.find((field) => field.name === name)?.command ?? name; // a device has a response with its command
+        const number = fields.findIndex((field) => field.name === asked);
+        return ["yes", "probable", "no"].find((answer) => of?.[answer]?.includes(number));
+    }
+
+    const SAID = { yes: "supported", probable: "probably supported", no: "rejected", undefined: "not known to be supported" };
+
+    /** A field on the device of the reader. */
+    function remarkOn(device, name) {
+        const link = element("a", { href: `${site}devices/${device.id}.html` }, device.title);
+        return element("p", { class: "mip-mine" }, "On my device, ", link, `: ${SAID[answerOf(device, name)]}.`);
+    }
+
+    /** The page of a device can make it that of the reader; pages of fields and sets show what it has. */
+    async function myDevice() {
+        const title = document.querySelector("article h1");
+        const [, kind, name] = /\/(devices|fields|sets)\/(?:\w+\/)?([\w-]+)\.html/.exec(location.pathname) ?? [];
+        if (!title || !kind || !hasTools()) return;
+        if (kind === "devices") return chooser(title, { id: name, title: title.firstChild.textContent.trim() });
+        const device = mine();
+        if (!device) return;
+        await load("fields.js");
+        if (kind === "fields") return title.after(remarkOn(device, title.id));
+        for (const row of document.querySelectorAll("article tbody tr")) {
+            const link = row.querySelector("a[href*='fields/']");
+            const answer = link ? answerOf(device, link.hash.slice(1)) : "yes";
+            if (!answer || answer === "no") row.classList.add("mip-other");
+        }
+        title.after(element("p", { class: "mip-mine" }, `What the ${device.title}, my device, is not known to have is in italics.`));
+    }
+
+    function chooser(title, device) {
+        const chosen = mine()?.id === device.id;
+        const button = element("button", { class: "md-button mip-choose" }, chosen ? "No longer my device" : "This is my device");
+        button.addEventListener("click", () => {
+            if (chosen) localStorage.removeItem(MINE);
+            else localStorage.setItem(MINE, JSON.stringify(device));
+            button.remove();
+            chooser(title, device);
+        });
+        title.after(button);
+    }
+
     // ------------------------------------------------------------------------------------------------ search
 
-    const FIELDS = 8;
-    const PASSAGES = 10;
-    const OF_A_PAGE = 3;
-    const LEADING = 4;
-    const COLLECTIONS = ["errata.html", "examples.html"]; // they repeat what other pages have
-
-    function wordsOf(text) {
-        return text.toLowerCase().match(/[a-z0-9]+/g) ?? [];
-    }
-
-    /** How much of a heading the words are, from 0 to 1; 0 if it lacks one of them. */
-    function shareOf(heading, patterns) {
-        const all = wordsOf(heading);
-        return patterns.every((pattern) => pattern.test(heading.toLowerCase())) && all.length ? patterns.length / all.length : 0;
-    }
-
-    /**
-     * The sections of all pages that have all words, the best first: in a heading, in the title, in the text. `leads` is more
-     * than 0 for what is named by the words: the pages that have them in the title, the sections whose headings are mostly
-     * these words.
-     */
-    function passages(text, without) {
-        const words = [...new Set(wordsOf(text))];
-        if (!words.length || words.join("").length < 2) return [];
-        const patterns = words.map((word) => new RegExp(`(?<![a-z0-9])${word}`));
-        const found = [];
-        for (const [url, title, sections] of globalThis.mipText ?? []) {
-            if (without.has(url)) continue;
-            const ranked = [];
-            for (const [anchor, heading, content] of sections) {
-                if (without.has(`${url}#${anchor}`)) continue;
-                const places = [heading || title, title, content].map((place) => place.toLowerCase());
-                const ranks = patterns.map((pattern) => places.findIndex((place) => pattern.test(place)));
-                // A heading of the page is enough: the title alone is no reason to show each of its sections.
-                if (ranks.includes(-1) || (heading && ranks.every((rank) => rank === 1))) continue;
-                const whole = places.findIndex((place) => place.includes(text.toLowerCase()));
-                const named = anchor.toLowerCase().endsWith(`.${text.trim().toLowerCase()}`); // an erratum by its id
-                const last = named ? -9 : COLLECTIONS.includes(url) ? 9 : 0;
-                const rank = ranks.reduce((sum, one) => sum + one, 0) / ranks.length + (whole < 0 ? 0.5 : 0) + last;
-                const listed = heading && (last || /^(compare|guides|types)\b/.test(url)); // what these name has pages of its own
-                const share = url.startsWith("fields/") || listed ? 0 : shareOf(heading || title, patterns);
-                const leads = heading && share < 0.5 ? 0 : share;
-                ranked.push({ rank, leads, url, title, anchor, heading, content, patterns });
-            }
-            found.push(...ranked.sort((a, b) => a.rank - b.rank).slice(0, OF_A_PAGE));
-        }
-        const leading = found.filter(({ leads }) => leads).sort((a, b) => b.leads - a.leads || a.rank - b.rank);
-        const first = new Set(leading.slice(0, LEADING));
-        const others = found.filter((one) => !first.has(one)).sort((a, b) => a.rank - b.rank);
-        return [...first, ...others.map((one) => ({ ...one, leads: 0 }))].slice(0, PASSAGES);
-    }
-
-    /** What stands around the first of the words. */
-    function excerpt({ content, patterns }) {
-        const lower = content.toLowerCase();
-        const at = Math.min(...patterns.map((pattern) => lower.search(pattern)).filter((place) => place >= 0), lower.length);
-        const from = at < 60 ? 0 : content.indexOf(" ", at - 60) + 1;
-        return `${from ? "… " : ""}${content.slice(from, from + 160)}${from + 160 < content.length ? " …" : ""}`;
-    }
-
-    /** Without responses of commands that come before them: they are on the same page. */
-    function fieldsOf(found) {
-        const names = found.map(({ name }) => name);
-        return found.filter(({ command }, i) => !command || !names.slice(0, i).includes(command));
-    }
-
-    function addressOf(field) {
-        const [set, page] = (field.command ?? field.name).split(".");
-        const page_ = field.set ? `fields/${set}/${page}.html` : "packets.html";
-        return { page: page_, href: `${site}${page_}#${field.name}` };
-    }
-
-    /** What shows a field: its page, or a section of one that shows more. */
-    function shownBy(field) {
-        const { page } = addressOf(field);
-        return page.startsWith("fields/") ? page : `${page}#${field.name}`;
-    }
-
-    function fieldItem(field) {
+    function fieldItem({ field, href }) {
         const title = element("strong", {}, field.title);
-        const link = element("a", { href: addressOf(field).href }, title, ` ${mip.descriptorOf(field)}`);
+        const link = element("a", { href: site + href }, title, ` ${mipFields.descriptorOf(field)}`);
         const item = element("li", { "data-field": field.name }, link, ` ${field.role} `, element("code", {}, field.name));
         if (field.description) item.append(element("div", {}, field.description));
+        if (mine()) item.append(remarkOn(mine(), field.name));
         return item;
     }
 
     function passageItem(passage) {
-        const href = `${site}${passage.url}${passage.anchor ? `#${passage.anchor}` : ""}`;
         const words = passage.heading ? `${passage.title}: ${passage.heading}` : passage.title;
-        return element("li", {}, element("a", { href }, words), element("div", {}, excerpt(passage)));
+        return element("li", {}, element("a", { href: site + passage.href }, words), element("div", {}, mipSearch.excerpt(passage)));
+    }
+
+    function codeItem({ href, value, name, description }) {
+        const title = element("strong", {}, `0x${value.toString(16).padStart(2, "0")}`);
+        return element("li", {}, element("a", { href: site + href }, title, " ", name), element("div", {}, description));
+    }
+
+    function packetItem(packet) {
+        return element("li", {}, openIn("inspector", "Packet: open in the inspector", packet));
     }
 
     function count(number, word) {
@@ -225,30 +237,22 @@
                 status.textContent = text ? "Loading …" : "";
                 return;
             }
-            const ranked = index ? mip.find(index, text, 2 * FIELDS) : [];
-            const fields = fieldsOf(ranked.map(({ field }) => field)).slice(0, FIELDS);
-            // What has the name that is typed, or is asked for by descriptor, comes before pages.
-            const named = ranked.length > 0 && ranked[0].rank <= 0;
-            const parts = passages(text, new Set(fields.map(shownBy)));
-            const leading = named ? [] : parts.filter(({ leads }) => leads);
-            const others = parts.filter((one) => !leading.includes(one));
-            const packet = index && mip.packetIn(index, text);
-            const inspector = packet ? [element("li", {}, openIn("inspector", "Packet: open in the inspector", packet))] : [];
+            const { groups, instead } = mipSearch.search(index, globalThis.mipText ?? [], text);
             results.replaceChildren(
-                ...list("Tools", inspector),
-                ...list("Pages", leading.map(passageItem)),
-                ...list("Fields", fields.map(fieldItem)),
-                ...list(leading.length ? "In the text" : "Pages", others.map(passageItem)),
+                ...groups.flatMap(({ title, packets = [], codes = [], fields = [], pages = [] }) =>
+                    list(title, [...packets.map(packetItem), ...codes.map(codeItem), ...fields.map(fieldItem), ...pages.map(passageItem)]),
+                ),
             );
-            const counts = [count(inspector.length, "packet"), count(fields.length, "field"), count(parts.length, "passage")].filter(
-                Boolean,
-            );
-            status.textContent = counts.length ? `${counts.join(" and ")} found, the best first.` : "Nothing found.";
+            const sum = (kind) => groups.reduce((all, group) => all + (group[kind]?.length ?? 0), 0);
+            const counts = [count(sum("packets"), "packet"), count(sum("codes"), "code"), count(sum("fields"), "field")];
+            const found = [...counts, count(sum("pages"), "passage")].filter(Boolean);
+            const asked = instead ? `Nothing has these words; searched for “${instead}”. ` : "";
+            status.textContent = found.length ? `${asked}${found.join(" and ")} found, the best first.` : "Nothing found.";
         };
         const begin = async () => {
             if (index !== undefined) return;
-            const of = await protocol();
-            index ??= of && mip.indexOf(of);
+            await load("search.js");
+            index ??= hasTools() ? await load("fields.js").then(() => mipFields.indexOf(new mipFields.Protocol(mipFields.model))) : null;
             show();
             await load("text.js").catch(() => {}); // a site that is built without hooks.py has none
             if (document.activeElement === input) show();
@@ -299,6 +303,8 @@
         if (header) search(header);
         document.querySelectorAll("[data-tool]").forEach(fill);
         linkTools();
+        beside();
+        myDevice();
         new ResizeObserver(reachable).observe(document.querySelector("article") ?? document.body);
     }
 

@@ -1981,7 +1981,7 @@ const CV7_GNSS_INS_1: &Evidence =
 /// # GNSS signals
 ///
 /// Signals that can be enabled together by [`gnss::SignalConfig`](crate::gnss::SignalConfig). GPS
-/// or Galileo must be enabled, and GPS L1 with BeiDou L1 alone is refused.
+/// or Galileo must be enabled, and GPS L1 with BeiDou L1 alone is rejected.
 ///
 /// | Constellation | Choices |
 /// | --- | --- |

@@ -17,7 +17,7 @@ pub const DISPLACEMENT_DATA_SET: u8 = 0x90;
 bitfield! {
     /// Validity of the time of displacement data.
     ///
-    /// Uncertain: That it is a bitfield. MSCL takes the time for valid if the number is 1.
+    /// Uncertain: That it is a bitfield. MSCL considers the time valid if the number is 1.
     TimestampFlags: u8 {
         /// The clock has been set; `time` is valid. Bit 0.
         TIME: bool = 0,

@@ -684,7 +684,7 @@ bitfield! {
 }
 
 bitfield! {
-    /// Properties of a base station, as its RTCM message gives them.
+    /// Properties of a base station, as in its RTCM message.
     BaseStationIndicators: u16 {
         /// GPS is supported. Bit 0.
         GPS: bool = 0,
@@ -1464,7 +1464,7 @@ record! {
     /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GX5-35](crate::devices::GX5_35) and
     /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
-    /// - Clock info 2 replaces it and gives more detail.
+    /// - Clock info 2 replaces it, with more detail.
     ///
     /// Source: mip-sdk-4: Clock Info (0x81,0x0A).
     #[derive(Copy, Default)]
@@ -2748,7 +2748,7 @@ record! {
         ///
         /// Valid if [`valid_flags.epoch_status`](RtkCorrectionsStatusFlags::epoch_status) is set.
         pub epoch_status: RtkEpochStatus,
-        /// Status flags of the RTK dongle; of use only with a dongle.
+        /// Status flags of the RTK dongle, meaningful only if one is connected.
         ///
         /// Valid if [`valid_flags.dongle_status`](RtkCorrectionsStatusFlags::dongle_status) is set.
         ///
@@ -3095,7 +3095,7 @@ record! {
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// - The interface control document of GLONASS explains p and ft.
-    /// - A period of four years has 1461 days; no source says how nt, a u8, counts them.
+    /// - A period of four years has 1461 days; no source states how nt, a u8, counts them.
     ///
     /// Source: 3dm-cv7-gnss-ins: Glonass Ephemeris (0x91,0x62); 3dm-cv7-gnss-ins: Glonass Ephemeris
     /// (0x92,0x62).
@@ -3282,7 +3282,7 @@ record! {
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
-    /// - The layout is that of the GPS ephemeris. No source says what the two inter-signal
+    /// - The layout is that of the GPS ephemeris. No source states what the two inter-signal
     ///   corrections mean here.
     /// - `iodc` changes with the clock data; according to the manual, it rolls over at 4.
     ///
@@ -3546,7 +3546,7 @@ record! {
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
-    /// - The layout is that of the GPS ephemeris. No source says what the two inter-signal
+    /// - The layout is that of the GPS ephemeris. No source states what the two inter-signal
     ///   corrections mean here.
     /// - `iodc` changes with the clock data; according to the manual, it rolls over at 4.
     ///

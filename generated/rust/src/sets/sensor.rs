@@ -607,8 +607,8 @@ record! {
     /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25),
     /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
-    /// - `v_vehicle = m * v_ned`; the sensor frame takes the place of the vehicle frame on the
-    ///   3DM-GX5-15.
+    /// - `v_vehicle = m * v_ned`; the 3DM-GX5-15 uses the sensor frame in place of the vehicle
+    ///   frame.
     ///
     /// Source: 3dm-gx5-15: 5.1.6 CF Orientation Matrix (0x80, 0x09); 3dm-cv7-gnss-ins:
     /// Complementary Filter Orientation Matrix (0x80,0x09).
@@ -666,8 +666,8 @@ record! {
     /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25),
     /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
-    /// - `v_vehicle = q^-1 * v_ned * q`; the sensor frame takes the place of the vehicle frame on
-    ///   the 3DM-GX5-15.
+    /// - `v_vehicle = q^-1 * v_ned * q`; the 3DM-GX5-15 uses the sensor frame in place of the
+    ///   vehicle frame.
     ///
     /// Source: 3dm-gx5-15: 5.1.7 CF Quaternion (0x80, 0x0A); 3dm-cv7-gnss-ins: Complementary Filter
     /// Quaternion (0x80,0x0A).

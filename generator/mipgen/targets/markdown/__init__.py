@@ -31,6 +31,7 @@ from . import (
     related,
     snippets,
     sources,
+    start,
     text,
     tools,
     types,
@@ -41,7 +42,8 @@ from .places import Page, Thing
 
 def files(model: m.Model) -> Iterator[File]:
     index = Index(model)
-    lists = {"comparison": places.COMPARISON if model.devices else {}, "indexes": places.INDEXES}
+    comparisons = places.COMPARISON if model.devices else {}
+    lists = {"comparison": comparisons, "indexes": places.INDEXES, "starts": start.starts(model)}
 
     def page(path: str, template: str, **context: Any) -> File:
         return File(path, template, {"page": Page(path, index), **lists, **context})
@@ -51,8 +53,12 @@ def files(model: m.Model) -> Iterator[File]:
     )  # its paths begin below docs/
     yield page(places.README, "index.md.j2")
     yield page(places.INDEX, "index.md.j2")
+    if lists["starts"]:
+        yield page(places.START, "start.md.j2")
     yield page(places.PACKETS, "packets.md.j2")
     yield page(places.UNITS, "units.md.j2")
+    for name, title, axes in frames.drawn(model):
+        yield File(frames.drawing(name), "frame.svg.j2", {"title": title, "axes": axes, "centre": frames.CENTRE})
     yield page(places.TYPES, "types.md.j2", family=None)
     yield page(places.ERRATA, "errata.md.j2")
     yield page(places.EXAMPLES, "examples.md.j2")
@@ -134,6 +140,7 @@ FILTERS_OF_PAGE: Filters = {
     "relations": fields.relations,
     "on_devices": fields.on_devices,
     "conversions": frames.conversions,
+    "drawings": frames.drawings,
     "changed": fields.changed,
     "call_table": fields.call_table,
     "first_sentence": fields.first_sentence,
@@ -192,6 +199,7 @@ FILTERS_OF_PAGE: Filters = {
     "added": guides.added,
     "fact_table": guides.fact_table,
     "see": guides.named,
+    "start_program": lambda page, x: x.text(page.model),
     "guides_with": guides.with_field,
 }
 

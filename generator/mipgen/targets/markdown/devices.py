@@ -65,14 +65,40 @@ def remarks(page: Page, d: m.Device) -> list[str]:
 
 
 def listed(page: Page) -> str:
-    """All devices; those of which little is known are marked."""
-    rows = []
-    for d in page.model.devices:
-        number = "" if d.model_number is None else str(d.model_number)
-        certain = f"{len(d.certain)}{' (incomplete)' if d.incomplete else ''}"
-        also = ", ".join(map(inline, d.also))
-        rows.append([page.link(d), also, number, certain, str(len(d.probable)), page.prose(d.description)])
-    return table(rows, ["Device", "Also called", "Model number", "Certain fields", "Probable", "Description"])
+    """All devices by what is known of them."""
+    whole = [d for d in page.model.devices if not d.incomplete]
+    part = [d for d in page.model.devices if d.incomplete and d.certain]
+    named = [d for d in page.model.devices if d.incomplete and not d.certain]
+    parts = []
+    if whole:
+        rows = [[*_identity(page, d), str(len(d.certain)), page.prose(d.description)] for d in whole]
+        parts.append("### The whole manual is known\n\n" + table(rows, [*IDENTITY, "Fields", "Description"]))
+    if part:
+        rows = [
+            [*_identity(page, d), str(len(d.certain)), str(len(d.probable)), page.prose(d.description)] for d in part
+        ]
+        headings = [*IDENTITY, "Certain fields", "Probable fields", "Description"]
+        parts.append("### Some fields are known\n\n" + table(rows, headings))
+    if named:
+        parts.append("### Known by name\n\nTheir fields are probable, because devices of the same family have them.\n")
+        for generation in dict.fromkeys(d.generation for d in named):
+            title = "Generation not known" if generation is None else f"Generation {generation}"
+            links = ", ".join(_named(page, d) for d in named if d.generation == generation)
+            parts[-1] += f"\n- {title}: {links}"
+    return "\n\n".join(parts)
+
+
+IDENTITY = ("Device", "Also called", "Model number")
+
+
+def _identity(page: Page, d: m.Device) -> list[str]:
+    return [page.link(d), ", ".join(map(inline, d.also)), "" if d.model_number is None else str(d.model_number)]
+
+
+def _named(page: Page, d: m.Device) -> str:
+    """A device of which nothing is certain: its link, its other names and its number."""
+    more = [*map(inline, d.also), *([] if d.model_number is None else [str(d.model_number)])]
+    return page.link(d) + (f" ({', '.join(more)})" if more else "")
 
 
 def hertz(rate: m.Rate) -> str:

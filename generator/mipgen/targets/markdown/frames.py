@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import dataclass
 
 from mipgen import model as m
 
@@ -31,3 +32,74 @@ def conversions(page: Page, model: m.Model) -> str:
         for c in f.conversions
     ]
     return table(rows, ["From", "To", "x, y, z point", "Elements", "Other values"]) if rows else ""
+
+
+# --------------------------------------------------------------------------- drawings
+
+#: The directions of axes -> where they point on paper, seen from behind, above and the left.
+PAPER = {
+    "forward": (0.8, -0.5), "north": (0.8, -0.5), "prime_meridian": (-0.45, 0.7),
+    "right": (0.8, 0.45), "east": (0.8, 0.45), "east_meridian": (0.45, 0.4),
+    "down": (0.0, 0.9), "north_pole": (0.0, -0.95),
+}  # fmt: skip
+OPPOSITE = {"left": "right", "up": "down", "backward": "forward", "south": "north", "west": "east"}
+CENTRE = (150, 105)
+LENGTH = 80
+
+
+@dataclass(frozen=True, slots=True)
+class Arrow:
+    """An axis of a drawing: where it ends, and what is written there."""
+
+    name: str
+    direction: str
+    x: int
+    y: int
+    text_x: int
+    text_y: int
+    anchor: str  # how the text is aligned
+
+
+def arrows(axes: Iterable[str]) -> list[Arrow]:
+    """The axes of a frame on paper; none if one of them has no direction there."""
+    ends = [_on_paper(axis) for axis in axes]
+    if not all(ends):
+        return []
+    return [_arrow(name, axis, end) for name, axis, end in zip("xyz", axes, ends, strict=False) if end]
+
+
+def _on_paper(axis: str) -> tuple[float, float] | None:
+    opposite = PAPER.get(OPPOSITE.get(axis, ""))
+    return (-opposite[0], -opposite[1]) if opposite else PAPER.get(axis)
+
+
+def _arrow(name: str, axis: str, end: tuple[float, float]) -> Arrow:
+    """
+    >>> _arrow("z", "down", (0.0, 0.9))
+    Arrow(name='z', direction='down', x=150, y=177, text_x=150, text_y=196, anchor='middle')
+    """
+    x, y = (round(centre + LENGTH * part) for centre, part in zip(CENTRE, end, strict=True))
+    anchor = "start" if end[0] > 0 else "end" if end[0] < 0 else "middle"
+    aside = {"start": 8, "end": -8, "middle": 0}[anchor]
+    below = 4 if aside else 19 if end[1] > 0 else -10
+    return Arrow(name, directions([axis]), x, y, x + aside, y + below, anchor)
+
+
+def drawn(model: m.Model) -> list[tuple[str, str, list[Arrow]]]:
+    """The frames that can be drawn, and those of other software: the name of the file, the title, the axes."""
+    frames = [(f.symbol, f.title, f.axes) for f in model.protocol.frames]
+    others = {(c.title, c.axes) for f in model.protocol.frames for c in f.conversions}
+    frames += [("-".join(axes), title, axes) for title, axes in sorted(others)]
+    return [(name, title, found) for name, title, axes in frames if axes and (found := arrows(axes))]
+
+
+def drawings(page: Page, model: m.Model) -> str:
+    """All frames as images, with what they show in words."""
+    return "\n".join(
+        f"![{inline(title)}: " + ", ".join(f"{x.name} {x.direction}" for x in axes) + f"]({page.url(drawing(name))})"
+        for name, title, axes in drawn(model)
+    )
+
+
+def drawing(name: str) -> str:
+    return f"docs/assets/frames/{name}.svg"

@@ -1,0 +1,65 @@
+"""The page with which somebody begins: in each language, what to install and a complete first program."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from mipgen import model as m
+
+
+@dataclass(frozen=True, slots=True)
+class Start:
+    """The steps in an empty folder, beside which is a checkout, `../mipgen`."""
+
+    title: str
+    name: str  # of the anchor, and of the fenced block
+    program: str  # in `programs/` of the specification
+    file: str
+    install: str
+    run: str
+    needs: str
+    readme: str
+
+    def text(self, model: m.Model) -> str:
+        """The program, without what it says of the place of its file."""
+        lines = model.program(self.program).splitlines()
+        begins = next(i for i, line in enumerate(lines) if line.startswith(("#include", "import ", "use ")))
+        return "\n".join(lines[begins:])
+
+
+STARTS = (
+    Start(
+        "Python", "python", "first.py", "first.py", "pip install ../mipgen/generated/python",
+        "python first.py localhost:5005",
+        "Python 3.10 or later. A serial port also needs `pip install pyserial`.", "python",
+    ),
+    Start(
+        "C", "c", "stream.c", "first.c", "cp -r ../mipgen/generated/c mip",
+        "cc -Imip/src -Imip/ports first.c mip/src/mip/*.c mip/ports/*.c -o first\n./first localhost:5005",
+        "A C99 compiler. On Windows, link with `-lws2_32`.", "c",
+    ),
+    Start(
+        "C++", "cpp", "first.cpp", "first.cpp", "cp -r ../mipgen/generated/c mip",
+        "cc -Imip/src -Imip/ports -c mip/src/mip/*.c mip/ports/*.c\n"
+        "c++ -std=c++17 -Imip/src -Imip/ports first.cpp *.o -o first\n./first localhost:5005",
+        "A C++17 compiler; the headers are part of the C library.", "c",
+    ),
+    Start(
+        "Rust", "rust", "stream.rs", "src/main.rs",
+        "cargo init --name first .\ncargo add --path ../mipgen/generated/rust --features open",
+        "cargo run -- tcp:localhost:5005",
+        "Rust 1.65 or later. A serial port is `serial:/dev/ttyACM0`.", "rust",
+    ),
+    Start(
+        "JavaScript", "javascript", "first.mjs", "first.mjs", "npm install ../mipgen/generated/javascript",
+        "node first.mjs localhost:5005",
+        "Node 18 or later. In a browser, `mip-protocol/serial` opens a serial port.", "javascript",
+    ),
+)  # fmt: skip
+
+
+def starts(model: m.Model) -> list[Start]:
+    """Those whose programs the specification has. They use a few of its fields, which a part of it may lack."""
+    used = ("base.get_device_info", "sensor.scaled_accel", "3dm.message_format", "3dm.data_stream_control")
+    there = model.protocol.session is not None and all(map(model.field, used))
+    return [x for x in STARTS if there and model.program(x.program)]

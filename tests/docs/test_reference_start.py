@@ -1,0 +1,81 @@
+"""The page with which people begin: its commands and its programs, in an empty folder, on a virtual device."""
+
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from mipgen.targets.markdown.start import STARTS, Start
+from reference import manual_of
+from support import ROOT, heavy, need
+
+VALUES = re.compile(r"\s*-?\d+\.\d+\s+-?\d+\.\d+\s+-(?:0\.9|1\.0)\d+ g")
+
+
+def section(start: Start) -> dict[str, list[str]]:
+    """The fenced blocks of a language, by what they are in."""
+    page = manual_of("real").pages["docs/start.md"]
+    text = page.partition(f'<a id="start.{start.name}"></a>')[2].partition("\n<a id=")[0]
+    found: dict[str, list[str]] = {}
+    for language, block in re.findall(r"```(\w+)\n(.*?)```", text, re.S):
+        found.setdefault(language, []).append(block)
+    return found
+
+
+@pytest.fixture
+def device() -> Iterator[str]:
+    """A virtual device, started as the page says, at another port; HOST:PORT."""
+    page = manual_of("real").pages["docs/start.md"]
+    command = re.findall(r"^mip (simulate .*) 5005$", page, re.M)[0].split()
+    environment = {**os.environ, "PYTHONPATH": f"{ROOT}/tools{os.pathsep}{ROOT}/generated/python"}
+    running = subprocess.Popen(
+        [sys.executable, "-m", "mip_tools", *command, "0"], stdout=subprocess.PIPE, text=True, env=environment
+    )
+    try:
+        assert running.stdout is not None
+        yield "localhost:" + running.stdout.readline().strip().rpartition(":")[2]
+    finally:
+        running.kill()
+        running.wait()
+
+
+@pytest.mark.parametrize(
+    "start",
+    [pytest.param(x, id=x.name, marks=() if x.name == "python" else heavy("other toolchains")) for x in STARTS],
+)
+def test_get_started(start: Start, device: str, tmp_path: Path) -> None:
+    """Install, save, run: the program prints the model and values of a device at rest."""
+    need({"c": "cc", "cpp": "c++", "rust": "cargo", "javascript": "npm"}.get(start.name, "python3"))
+    folder = tmp_path / "empty"
+    folder.mkdir()
+    (tmp_path / "mipgen").symlink_to(ROOT)
+    blocks = section(start)
+    (program,) = blocks[start.name]
+    install, launch = blocks["sh"]
+    environment = {**os.environ, "CARGO_NET_OFFLINE": "true"}
+    if start.name == "python":  # what is installed is the folder; pip itself is tested with the package
+        environment["PYTHONPATH"] = f"{ROOT}/generated/python"
+        launch = launch.replace("python ", f"{sys.executable} -u ", 1)
+    else:
+        done = subprocess.run(["sh", "-ec", install], cwd=folder, env=environment, capture_output=True, text=True)
+        assert done.returncode == 0, done.stderr
+    place = folder / start.file
+    place.parent.mkdir(exist_ok=True)
+    place.write_text(program)
+    *build, last = launch.replace("localhost:5005", device).strip().splitlines()
+    for command in build:
+        done = subprocess.run(["sh", "-ec", command], cwd=folder, env=environment, capture_output=True, text=True)
+        assert done.returncode == 0, done.stderr
+    with subprocess.Popen(
+        ["sh", "-ec", f"exec {last}"], cwd=folder, env=environment, stdout=subprocess.PIPE, text=True
+    ) as running:
+        assert running.stdout is not None
+        lines = [running.stdout.readline() for _ in range(4)]
+        running.kill()
+    assert lines[0].strip().endswith("3DM-CV7-GNSS/INS"), lines
+    assert all(VALUES.search(line) for line in lines[1:]), lines
