@@ -24,7 +24,8 @@ TOKEN = re.compile(
     r"/\*\*(?P<doc>.*?)\*/|/\*.*?\*/"
     r"|^\#define\s+(?P<macro>\w+)[^\n\\]*(?:\\\n[^\n]*)?|^\#[^\n]*"
     r"|^ +(?P<constant>MIP_\w+)(?: = \d+)?,?$"
-    r"|(?:struct|union|enum)\s*(?:MIP_WORD )?(?P<opened>\w*)\s*(?:MIP_ENUM_\d+ )?\{|(?P<closed>\})|(?P<statement>[^;{}/#]+);",
+    r"|(?:struct|union|enum)\s*(?:MIP_WORD )?(?P<opened>\w*)\s*(?:MIP_ENUM_\d+ )?\{"
+    r"|(?P<closed>\})|(?P<statement>[^;{}/#]+);",
     re.S | re.M,
 )
 
