@@ -96,6 +96,7 @@ nightly: SEED ?= $(shell date +%s)
 nightly: tools-all tools-cross tools-fuzz tools-semver $(VENV)/all.stamp ## all tests, random ones with a seed of their own and many more rounds, and fuzzing: make nightly SEED=2 TIME=600
 	@NIGHTLY=1 $(PYTEST) $(TESTS)
 	@$(MAKE) --no-print-directory fuzz TIME=$(or $(TIME),600)
+	@$(MAKE) --no-print-directory prove
 
 .PHONY: test-cross
 test-cross: tools-cross $(VENV)/development.stamp ## run C on other machines, in emulators: big-endian, strict alignment, 32 bits, Cortex-M, AVR
@@ -119,6 +120,11 @@ mutate: $(VENV)/development.stamp ## change the project at random and report wha
 .PHONY: fuzz
 fuzz: tools-fuzz $(VENV)/development.stamp ## search for inputs that break C, and keep those that reach new code: make fuzz TIME=60 TARGETS="parser client"
 	@$(RUN) tests/c/fuzz/fuzz.py $(addprefix --time ,$(TIME)) $(if $(TARGETS),--targets $(TARGETS))
+
+.PHONY: prove
+prove: tools-prove $(VENV)/development.stamp ## prove properties of C for all inputs: make prove FIELD=base.ping SECONDS=300, make prove PLANT=1
+	@$(RUN) tests/prove/proofs.py $(addprefix --field ,$(FIELD)) $(addprefix --count ,$(COUNT)) $(addprefix --seed ,$(SEED)) \
+	  $(addprefix --seconds ,$(SECONDS)) $(if $(PLANT),--plant)
 
 # The formatter and linter of JavaScript, pinned by its npm lock; people without npm leave it out.
 BIOME := $(BUILD)/biome/node_modules/.bin/biome
@@ -157,6 +163,11 @@ docs: workbench $(VENV)/development.stamp ## build the reference as a searchable
 	@cd $(OUT)/markdown && $(MKDOCS) build --quiet --strict --site-dir $(abspath $(BUILD))/site
 	@echo "$(BUILD)/site/index.html"
 
+.PHONY: release
+release: export SOURCE_DATE_EPOCH = 315532800
+release: docs ## build what people install in dist/: the same bytes each time, with checksums, an SBOM and notes
+	@$(RUN) tools/release/build.py --site $(BUILD)/site
+
 .PHONY: docs-serve
 docs-serve: workbench $(VENV)/development.stamp ## show that site at http://127.0.0.1:8000, and follow changes: make docs-serve ADDRESS=HOST:PORT
 	@cd $(OUT)/markdown && $(MKDOCS) serve $(addprefix --dev-addr ,$(ADDRESS))
@@ -180,7 +191,7 @@ conformance-driver: $(VENV)/generator.stamp ## build a driver and print its comm
 
 # ----------------------------------------------------------------- tools and dirt
 
-.PHONY: tools tools-check tools-all tools-cross tools-fuzz tools-semver
+.PHONY: tools tools-check tools-all tools-cross tools-fuzz tools-prove tools-semver
 tools:
 	@tests/tools.sh test
 
@@ -196,10 +207,13 @@ tools-cross:
 tools-fuzz:
 	@tests/tools.sh fuzz
 
+tools-prove:
+	@tests/tools.sh prove
+
 tools-semver:
 	@tests/tools.sh semver
 
 .PHONY: clean
 clean: ## remove what was built; generated/ stays
-	@rm -rf $(BUILD) .mypy_cache .ruff_cache .pytest_cache
+	@rm -rf $(BUILD) dist .mypy_cache .ruff_cache .pytest_cache
 	@find . -name __pycache__ -type d -not -path './.venv/*' -prune -exec rm -rf {} +

@@ -14,7 +14,7 @@ fn main() -> Result<(), RequestError> {
     while let Some(packet) = parser.next(&mut received) {
         for event in client.receive(&packet) {
             match event.answer(&ticket) {
-                Some(Answer::Acknowledged(Some(response))) => println!("{:?}", response.source),
+                Some(Answer::Acknowledged(response)) => println!("{:?}", response.source),
                 Some(other) => println!("{other:?}"), // refused, with the named code, or undecodable
                 None => {}                            // answers another command
             }

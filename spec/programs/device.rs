@@ -6,7 +6,7 @@ fn run<P: Port>(port: P) -> Result<(), DeviceError<P::Error>> {
     let mut device = Device::new(port);
     let info = device.request(&base::GetDeviceInfo::new())?; // its response, or why there is none
     println!("{}", info.device_info.model_name);
-    device.run(&mip_3dm::DataStreamControl::write(0x80, true))?; // for commands without response
+    device.request(&mip_3dm::DataStreamControl::write(0x80, true))?; // it has none: ()
 
     let (rate, pps) = device.send_all(mip_3dm::MIP_3DM_SET, |request| {
         let rate = request.add(&mip_3dm::GetBaseRate::new(0x80))?;

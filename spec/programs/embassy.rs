@@ -35,12 +35,12 @@ async fn measure(
     let wait = |milliseconds: u32| Timer::after_millis(milliseconds.into());
     let mut device: AsyncDevice<_, _, 1, 1024> = AsyncDevice::with_client(port, wait, client);
 
-    device.run(&base::SetIdle::new()).await?;
+    device.request(&base::SetIdle::new()).await?;
     let rate = device.request(&mip_3dm::GetBaseRate::new(sensor::SENSOR_SET)).await?.rate;
     let accel = DescriptorRate::new(sensor::ScaledAccel::DESCRIPTOR, (rate / 100).max(1));
-    device.run(&mip_3dm::MessageFormat::write(sensor::SENSOR_SET, [accel])).await?;
-    device.run(&mip_3dm::DataStreamControl::write(sensor::SENSOR_SET, true)).await?;
-    device.run(&base::Resume::new()).await?;
+    device.request(&mip_3dm::MessageFormat::write(sensor::SENSOR_SET, [accel])).await?;
+    device.request(&mip_3dm::DataStreamControl::write(sensor::SENSOR_SET, true)).await?;
+    device.request(&base::Resume::new()).await?;
 
     while let Some(packet) = device.next_packet(1000).await? {
         if let Some(Ok(accel)) = packet.find::<sensor::ScaledAccel>() {

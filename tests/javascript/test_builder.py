@@ -297,6 +297,8 @@ def test_what_the_address_cannot_give_is_said(own: browser.Page) -> None:
         start(own, fragment)
         assert own.run("document.querySelector('[role=status].mip-wrong')?.textContent ?? null") == problem, fragment
         assert urllib.parse.unquote(own.run("location.hash.slice(1)")) == fragment
+        nothing = own.run("document.querySelector('.mip-packet-bytes')") is None
+        assert nothing == (problem is not None and "left out" not in problem), "no packet that nobody asked for"
     own.run("put('#mip-add', 'base.set_idle')")
     assert address(own) == f"packet={packet(own).hex().upper()}"
 

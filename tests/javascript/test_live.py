@@ -124,8 +124,7 @@ def test_identify_stream_and_see(page: browser.Page) -> None:
         page.run(f"until(() => {painted}.every(Boolean))")
         assert len(page.run(painted)) == 4
         page.run("press('Stop'); until(() => /device is idle/.test(document.querySelector('#tool').innerText), 5)")
-        link = page.run("location.hash")
-        assert f"device={DEVICE}" in link and "sensor.scaled_accel@100" in link
+        page.run(f"until(() => location.hash.startsWith('#device={DEVICE}&streams=sensor.scaled_accel@100,'))")
         page.run("press('Disconnect'); until(() => text('.mip-status') === 'Not connected.')")
 
 

@@ -278,6 +278,16 @@ test("model numbers have the names of devices", { skip: !real && "of the real on
     assert.equal(fields[0].rows.find(({ path }) => path.endsWith("model_number")).meaning, "3DM-CV7-GNSS/INS");
 });
 
+test("decimations have their rate in Hz on a device", { skip: !real && "of the real one" }, () => {
+    const text = "75650C0B0B0F01800204000A05000AABE8"; // scaled accel and gyro
+    const rates = (device) => {
+        const rows = inspect(protocol, text, device).parts.flatMap(({ fields }) => fields.flatMap((one) => one.rows));
+        return rows.filter(({ path }) => path.endsWith("decimation")).map(({ meaning }) => meaning);
+    };
+    assert.deepEqual(rates("3dm-cv7-gnss-ins"), Array(2).fill("100 Hz on the chosen device"));
+    assert.deepEqual(rates(undefined), [undefined, undefined]);
+});
+
 test("every setting of every device can be read, and written as it was read", { skip: !real && "of the real one" }, () => {
     const { settingsOf, instancesOf } = globalThis.mip;
     for (const device of model.devices) {

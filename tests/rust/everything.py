@@ -318,7 +318,7 @@ class _Writer:
         yield f"let command = {expression};"
         yield f"same(command.clone(), {data_literal(data)});"
         yield f"assert_eq!(command.expects_reply(), {str(replies).lower()});"
-        yield f"assert_eq!(command.expects_response(), {str(bool(wanted)).lower()});"
+        yield f"assert_eq!(command.response_check().is_some(), {str(bool(wanted)).lower()});"
 
     def prefixes(self, f: m.Field, data: bytes) -> list[int]:
         found = []

@@ -112,7 +112,7 @@ fn main() {
         count += 1;
     }
     println!("{count} {}", device.parser().skipped());
-    println!("{}", device.run(&Ping::new()).unwrap_err());
+    println!("{}", device.request(&Ping::new()).unwrap_err());
     println!("{}", device.stream(0x80, &[Rate::of_descriptor(4, 1.0)]).unwrap_err());
 }
 """

@@ -104,13 +104,15 @@ export function builder(root, protocol, options = {}) {
     if (start.entries) begin(start.entries, start.set);
     else if (start.name) choose(protocol, start.name, begin);
     else if (start.search) search.look(start.search);
-    else begin([entryOf(protocol, protocol.field(protocol.model.sets[0].fields[0]))]);
+    else if (!start.problem) begin([entryOf(protocol, protocol.field(protocol.model.sets[0].fields[0]))]);
     note.replaceChildren(...[profileNote(state.device)].filter(Boolean));
     if (start.problem) search.root.before(problem);
     started = true;
     const useDevice = (chosen) => {
         state.device = chosen;
+        started = false; // the packet is the same
         redrawn();
+        started = true;
     };
     return { choose: (name) => choose(protocol, name, begin), state: () => state, useDevice };
 }

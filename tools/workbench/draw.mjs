@@ -59,9 +59,23 @@ export function drawPlot(canvas, series, now) {
     for (const [i, points] of shown.entries()) {
         context.strokeStyle = colour(COLOURS[i % COLOURS.length]);
         context.beginPath();
-        for (const [time, value] of points) context.lineTo(x(time), y(value));
+        for (const [time, value] of thinned(points, width - left)) context.lineTo(x(time), y(value));
         context.stroke();
     }
+}
+
+/** The lowest and the highest point of each column: more than the screen shows takes time only. */
+function thinned(points, columns) {
+    const size = Math.ceil(points.length / columns);
+    if (size < 3) return points;
+    const kept = [];
+    for (let at = 0; at < points.length; at += size) {
+        const column = points.slice(at, at + size);
+        const low = column.reduce((a, b) => (b[1] < a[1] ? b : a));
+        const high = column.reduce((a, b) => (b[1] > a[1] ? b : a));
+        kept.push(...(low[0] < high[0] ? [low, high] : [high, low]));
+    }
+    return kept;
 }
 
 /** Round limits around values, never nothing. */

@@ -134,6 +134,15 @@ export function inspectData(protocol, { set, descriptor, field, data }, device) 
     }
 }
 
+/** The rate in Hz of a field in a message format, if the base rate of the device is known. */
+function rateText(protocol, device, decimation, outer) {
+    const where = outer?.parameter.fields_of;
+    const set = protocol.model.sets.find(({ number, name }) => (outer?.values[where] ?? where) === number || name === where);
+    const rates = protocol.model.devices.find(({ id }) => id === device)?.base_rates;
+    const base = rates?.find((rate) => rate.set === set?.name)?.hertz;
+    return base && decimation ? `${Number((base / decimation).toPrecision(6))} Hz on the chosen device` : undefined;
+}
+
 function inspectValue(protocol, { field, values, data }, part, device) {
     const parameters = parametersAt(protocol, field, part.path);
     const places = part.path.flatMap((step, i) => (typeof step === "number" ? [] : [i])); // of the names in the path
@@ -146,7 +155,9 @@ function inspectValue(protocol, { field, values, data }, part, device) {
         ? choicesOf(protocol, parameter, siblings, outer).get(Number(part.value))
         : parameter.name === "model_number"
           ? deviceWithNumber(protocol, part.value)?.title
-          : undefined;
+          : parameter.name === "decimation"
+            ? rateText(protocol, device, Number(part.value), outer)
+            : undefined;
     const byDevice = (parameter.variants ?? []).some((one) => one.by === "device" && one.type && !one.member);
     return {
         path: pathText([...parameters.slice(0, -1), { parameter }], part.path),

@@ -19,6 +19,9 @@ import { flagText } from "./words.mjs";
 /** Milliseconds between two updates of the numbers. */
 const TURN = 200;
 
+/** Milliseconds between two pictures. */
+const FRAME = 30;
+
 /** Fields that are plotted from the start, if they can be. */
 const PLOTS = 3;
 
@@ -183,13 +186,17 @@ class Live {
         this.#useDevice(deviceOf(this.#protocol, state.get("device")));
         navigator.serial?.addEventListener?.("disconnect", () => say("A serial port was unplugged."));
         this.#timer = setInterval(() => this.#show(), TURN);
-        const frame = () => {
+        let drawn = 0;
+        const frame = (time) => {
             if (!root.isConnected || !root.contains(parts.status)) {
                 clearInterval(this.#timer);
                 this.#device?.close(); // the tool was replaced
                 return;
             }
-            this.#draw();
+            if (time - drawn >= FRAME) {
+                drawn = time;
+                this.#draw();
+            }
             requestAnimationFrame(frame);
         };
         requestAnimationFrame(frame);

@@ -52,7 +52,7 @@ fn run(board: &mut impl Board) {
         }
         match client.take(&rate) {
             None => {}
-            Some(Answer::Acknowledged(Some(response))) => {
+            Some(Answer::Acknowledged(response)) => {
                 board.show(1, response.rate.into());
                 let stream = DataStreamControl::write(sensor::SENSOR_SET, true);
                 if let Ok((ticket, packet)) = client.send(&stream, board.milliseconds()) {

@@ -18,7 +18,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let accel = sensor::ScaledAccel::DESCRIPTOR;
 
     // 2. Settings.
-    device.run(&mip_3dm::LowPassFilter::write(sensor::SENSOR_SET, accel, true, true, CUTOFF))?;
+    let filter = mip_3dm::LowPassFilter::write(sensor::SENSOR_SET, accel, true, true, CUTOFF);
+    device.request(&filter)?;
 
     // 3. What is to be sent, and how often. Several commands may share a packet.
     let base_rate = device.request(&mip_3dm::GetBaseRate::new(sensor::SENSOR_SET))?.rate;
@@ -39,12 +40,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     let format = device.request(&mip_3dm::MessageFormat::read(sensor::SENSOR_SET))?;
 
     // 5. Save, so that it is the same after the next start.
-    device.run(&mip_3dm::LowPassFilter::save(sensor::SENSOR_SET, accel))?;
-    device.run(&mip_3dm::MessageFormat::save(sensor::SENSOR_SET))?;
-    device.run(&mip_3dm::DataStreamControl::save(sensor::SENSOR_SET))?;
+    device.request(&mip_3dm::LowPassFilter::save(sensor::SENSOR_SET, accel))?;
+    device.request(&mip_3dm::MessageFormat::save(sensor::SENSOR_SET))?;
+    device.request(&mip_3dm::DataStreamControl::save(sensor::SENSOR_SET))?;
 
     // 6. Resume: data come.
-    device.run(&base::Resume::new())?;
+    device.request(&base::Resume::new())?;
     let packet = device.next_packet(2000)?.ok_or("no data")?;
 
     // It is shown last: a reader that has gone, as with `setup PORT | head`, stops nothing before.

@@ -100,7 +100,7 @@ impl<C: Command> KindOf<C> {
             Some(timeout_ms) => timeout_ms,
             None => 0,
         },
-        responses: C::Response::DESCRIPTORS,
+        responses: C::RESPONSES,
     };
 }
 
@@ -214,8 +214,8 @@ error!(RequestError);
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Answer<R> {
-    /// The device carried it out; with the response, if the command requests one.
-    Acknowledged(Option<R>),
+    /// The device carried it out. `R` is the response; `()` if the command has none.
+    Acknowledged(R),
     /// The device refused it.
     Refused(AckCode),
     /// No answer arrived in time.
@@ -228,38 +228,31 @@ pub enum Answer<R> {
     Silent,
 }
 
-impl<R> Answer<R> {
-    /// The response, if there is one; an error if the command is not known to be carried out.
+impl<R: Response> Answer<R> {
+    /// The response, `()` for a command without one; an error if it is not known to be carried out.
+    ///
+    /// A command that the device does not answer is no error.
     ///
     /// ```
     /// use mip_protocol::client::{Answer, CommandError};
     ///
-    /// let answer: Answer<u8> = Answer::TimedOut;
+    /// let answer: Answer<()> = Answer::TimedOut;
     /// assert_eq!(answer.into_result(), Err(CommandError::TimedOut));
-    /// assert_eq!(Answer::Acknowledged(Some(7)).into_result(), Ok(Some(7)));
+    /// assert_eq!(Answer::Acknowledged(()).into_result(), Ok(()));
     /// ```
     ///
     /// # Errors
     ///
     /// It was not acknowledged, or its response is not correct.
-    pub fn into_result(self) -> Result<Option<R>, CommandError> {
+    pub fn into_result(self) -> Result<R, CommandError> {
         match self {
             Self::Acknowledged(response) => Ok(response),
-            Self::Silent => Ok(None),
+            Self::Silent => R::absent().ok_or(CommandError::MissingResponse),
             Self::Refused(code) => Err(CommandError::Refused(code)),
             Self::TimedOut => Err(CommandError::TimedOut),
             Self::MissingResponse => Err(CommandError::MissingResponse),
             Self::Undecodable(error) => Err(CommandError::Undecodable(error)),
         }
-    }
-
-    /// The response; an error if there is none.
-    ///
-    /// # Errors
-    ///
-    /// It was not acknowledged, or has no response.
-    pub fn into_response(self) -> Result<R, CommandError> {
-        self.into_result()?.ok_or(CommandError::MissingResponse)
     }
 }
 
@@ -362,21 +355,22 @@ impl Event {
     where
         C::Response: Field + Viewed,
     {
-        (self.id == ticket.id).then(|| self.answered(|field| field.view::<C::Response>()))
+        (self.id == ticket.id).then(|| self.answered(|field| field.view::<C::Response>(), None))
     }
 
     fn decoded<R: Response>(&self) -> Answer<R> {
-        self.answered(|field| R::from_field(&field))
+        self.answered(|field| R::from_field(&field), R::absent())
     }
 
     fn answered<'e, R>(
         &'e self,
         read: impl FnOnce(RawField<'e>) -> Option<Result<R, DecodeError>>,
+        absent: Option<R>,
     ) -> Answer<R> {
         match self.outcome {
             Outcome::Acknowledged | Outcome::Undecodable => match self.response().and_then(read) {
-                None => Answer::Acknowledged(None),
-                Some(Ok(response)) => Answer::Acknowledged(Some(response)),
+                None => absent.map_or(Answer::MissingResponse, Answer::Acknowledged),
+                Some(Ok(response)) => Answer::Acknowledged(response),
                 Some(Err(error)) => Answer::Undecodable(error),
             },
             Outcome::Refused(code) => Answer::Refused(code),
@@ -530,8 +524,8 @@ impl<const N: usize> Client<N> {
     /// them.
     pub fn receive<'p>(&mut self, packet: &Packet<'p>) -> Events<'_, 'p> {
         let (table, mut fields) = (self.table_mut(), packet.fields());
-        if table.passes(packet) {
-            fields = Fields::NONE;
+        if table.passes(&fields) {
+            fields.end();
         }
         table.receive(fields.clone());
         Events { table, fields }
@@ -597,7 +591,7 @@ impl<const N: usize> Client<N> {
     pub fn clear(&mut self) {
         let table = self.table_mut();
         if table.behind > 0 {
-            table.miss(); // it may not have been sent
+            miss(&mut table.missed); // it may not have been sent
         }
         table.free(|_| true);
     }
@@ -669,16 +663,12 @@ impl Slots {
 
     /// Forgets commands. An answer that may still come is missed.
     fn free(&mut self, which: impl Fn(&Slot) -> bool) {
-        let mut missed = 0_u8;
         for slot in self.slots.iter().filter(|slot| which(slot)) {
-            missed = missed.wrapping_add(slot.is(State::Waiting).into());
+            if slot.is(State::Waiting) {
+                miss(&mut self.missed);
+            }
             slot.state.set(State::Free);
         }
-        (0..missed).for_each(|_| self.miss());
-    }
-
-    fn miss(&mut self) {
-        self.missed = if self.missed < BARRIERS { self.missed.wrapping_add(1) } else { 1 };
     }
 
     fn barrier(&mut self) -> Option<Packet<'_>> {
@@ -686,7 +676,9 @@ impl Slots {
         if set == 0 || self.missed == 0 || self.behind == self.missed.wrapping_add(1) {
             return None;
         }
-        (0..self.waiting().count()).for_each(|_| self.miss()); // they may be of its kind
+        for _ in self.slots.iter().filter(|slot| slot.is(State::Waiting)) {
+            miss(&mut self.missed); // it may be of its kind
+        }
         self.behind = self.missed.wrapping_add(1);
         self.packet.start(set);
         (0..self.behind).try_for_each(|_| self.packet.push_raw(descriptor, &[])).ok()?;
@@ -694,16 +686,16 @@ impl Slots {
     }
 
     /// Does the packet answer the last barrier? Then nothing answers any more what was sent before.
-    fn passes(&mut self, packet: &Packet<'_>) -> bool {
+    fn passes(&mut self, fields: &Fields<'_>) -> bool {
         let (size, [set, descriptor]) = (self.behind, BARRIER);
-        let mut fields = packet.payload().chunks(4);
-        let answers = packet.set() == set
-            && packet.payload().len() == 4 * usize::from(size)
-            && fields.all(|field| match *field {
-                [4, kind, of, _] => kind == Acknowledge::DESCRIPTOR && of == descriptor,
-                _ => false,
-            });
-        if size == 0 || !answers {
+        let (mut rest, mut left) = (fields.payload(), size);
+        while let [4, Acknowledge::DESCRIPTOR, of, _, behind @ ..] = rest {
+            if *of != descriptor {
+                return false;
+            }
+            (rest, left) = (behind, left.wrapping_sub(1));
+        }
+        if size == 0 || left > 0 || !rest.is_empty() || fields.set() != set {
             return false;
         }
         let order = self.happened;
@@ -751,18 +743,19 @@ impl Slots {
     /// A response never answers a command that does not ask for it, because it may be the late
     /// answer to another one; an acknowledge without a response first answers commands that ask for none.
     fn answers(&mut self, field: &RawField<'_>, rest: &Fields<'_>) -> u8 {
-        // Not decoded as a whole, which is 100 bytes of code.
-        let (command, code) = match *field.data {
-            [command, code, ..] if field.is::<Acknowledge>() => (command, AckCode(code)),
+        // Not decoded as a whole, which is 100 bytes of code; the set is that of a command.
+        let (command, code) = match (field.descriptor, field.data) {
+            (Acknowledge::DESCRIPTOR, [command, code, ..]) => (*command, AckCode(*code)),
             _ => return 0,
         };
         let behind = rest.clone().sound();
-        let (mut best, mut found) = ((false, 0), None);
+        let (mut best, mut found) = (0, None);
         for slot in &mut self.slots {
             let Some(outcome) = slot.outcome(field.set, command, code, behind.as_ref()) else {
                 continue;
             };
-            let rank = (outcome != Outcome::MissingResponse, self.next.wrapping_sub(slot.event.id));
+            let whole = u32::from(outcome != Outcome::MissingResponse);
+            let rank = whole << 31 | self.next.wrapping_sub(slot.event.id);
             if rank > best {
                 (best, found) = (rank, Some((slot, outcome)));
             }
@@ -797,7 +790,6 @@ impl Slots {
             return Some(parser.packet());
         }
         let order = self.happened; // all at once: in the order of the commands
-        let mut missed = 0_u8;
         for slot in &mut self.slots {
             if slot.is(State::Waiting) && has_passed(slot.deadline, now_ms) {
                 if parser.holds_behind() {
@@ -806,10 +798,9 @@ impl Slots {
                 self.happened = order.wrapping_add(1);
                 slot.event.outcome = Outcome::TimedOut;
                 slot.happens(order);
-                missed = missed.wrapping_add(1);
+                miss(&mut self.missed);
             }
         }
-        (0..missed).for_each(|_| self.miss());
         None
     }
 
@@ -827,6 +818,11 @@ impl Slots {
         slot.state.set(State::Free);
         Some(&slot.event)
     }
+}
+
+/// One more command has no answer.
+fn miss(missed: &mut u8) {
+    *missed = if *missed < BARRIERS { missed.wrapping_add(1) } else { 1 };
 }
 
 impl Slot {

@@ -18,9 +18,9 @@
 //! # Ok(()) }
 //! ```
 //!
-//! **Commands**: [`Device::request`] returns the response of a command, [`Device::run`] is for
-//! commands without one, and [`Device::send_all`] sends several in one packet. A command that the
-//! device refuses, does not answer in time or answers incorrectly is a [`DeviceError::Command`].
+//! **Commands**: [`Device::request`] sends a command and returns its response, and
+//! [`Device::send_all`] sends several in one packet. A command that the device refuses, does not
+//! answer in time or answers incorrectly is a [`DeviceError::Command`].
 //!
 //! **Data that arrives while a command waits for its answer** is kept, and [`Device::next_packet`]
 //! returns it first, in order. There is room for `Q` bytes; if it is full, the oldest packets are
@@ -136,8 +136,6 @@ impl<P: Port + ?Sized> Port for &mut P {
 pub enum DeviceError<E> {
     /// The command was not sent: it cannot be encoded, or too many are waiting.
     Request(RequestError),
-    /// The command was not sent, because with these values it has no response: `run` it.
-    NoResponse,
     /// It was sent, and refused, or not answered correctly.
     Command(CommandError),
     /// The port could not read or write.
@@ -164,7 +162,6 @@ impl<E: fmt::Display> fmt::Display for DeviceError<E> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Request(error) => write!(f, "not sent: {error}"),
-            Self::NoResponse => f.write_str("not sent: the command has no response"),
             Self::Command(error) => error.fmt(f),
             Self::Port(error) => write!(f, "port: {error}"),
             Self::Closed => f.write_str("the port is closed"),
@@ -264,10 +261,7 @@ impl<const N: usize, const Q: usize> Core<N, Q> {
     }
 
     /// The outcome of a command that is no longer waiting.
-    fn result<C: Command, E>(
-        &mut self,
-        ticket: &Ticket<C>,
-    ) -> Result<Option<C::Response>, DeviceError<E>> {
+    fn result<C: Command, E>(&mut self, ticket: &Ticket<C>) -> Result<C::Response, DeviceError<E>> {
         Ok(self.client.take(ticket).unwrap_or(Answer::TimedOut).into_result()?)
     }
 
@@ -396,37 +390,19 @@ impl<P, const N: usize, const Q: usize> Device<P, N, Q> {
 }
 
 impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
-    /// Sends a command, waits for its answer, and returns its response.
+    /// Sends a command, waits until the device has carried it out, and returns its response.
     ///
-    /// # Errors
-    ///
-    /// If the command with these values does not request a response, nothing is sent
-    /// ([`DeviceError::NoResponse`]).
-    pub fn request<C: Command>(
-        &mut self,
-        command: &C,
-    ) -> Result<C::Response, DeviceError<P::Error>> {
-        if !command.expects_response() {
-            return Err(DeviceError::NoResponse);
-        }
-        self.carry_out(command)?.ok_or(CommandError::MissingResponse.into())
-    }
-
-    /// Sends a command, and waits until the device has carried it out. A response is ignored.
-    ///
-    /// It does not wait if devices do not answer the command.
+    /// The type of the command states what that is: `()` for a command without response, and an
+    /// `Option` if its function is known only at run time. If devices do not answer the command, it
+    /// does not wait.
     ///
     /// # Errors
     ///
     /// The command is not sent, refused, not answered, or the port fails.
-    pub fn run<C: Command>(&mut self, command: &C) -> Result<(), DeviceError<P::Error>> {
-        self.carry_out(command).map(drop)
-    }
-
-    fn carry_out<C: Command>(
+    pub fn request<C: Command>(
         &mut self,
         command: &C,
-    ) -> Result<Option<C::Response>, DeviceError<P::Error>> {
+    ) -> Result<C::Response, DeviceError<P::Error>> {
         let now_ms = self.begin()?;
         let (ticket, packet) = self.core.client.send(command, now_ms)?;
         self.port.write(packet.bytes()).map_err(DeviceError::Port)?;

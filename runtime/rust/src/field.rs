@@ -1,10 +1,11 @@
 //! The traits of fields, commands and responses.
 
 use crate::codec::{Reader, Wire, Writer};
-use crate::error::{DecodeError, EncodeError};
+use crate::error::{DecodeError, DecodeErrorKind, EncodeError, EncodeErrorKind, Invalid};
+use crate::protocol::FunctionSelector;
 use crate::view::{self, View, Viewed};
 use core::fmt;
-use core::ops::RangeInclusive;
+use core::ops::{Deref, RangeInclusive};
 
 /// The type of one layout of one field descriptor, in whichever descriptor sets it occurs.
 ///
@@ -84,8 +85,11 @@ pub trait OneSet: Field {
 
 /// A field that a device acknowledges, perhaps with a response after the acknowledge.
 pub trait Command: OneSet {
-    /// Its response: `()`, a field type, or an enumeration of several.
+    /// What a request returns: `()`, the type of the response, or an enumeration of several. If a
+    /// command has a function that is known only at run time, an `Option` of it.
     type Response: Response;
+    /// The descriptors of its responses, whatever its function is.
+    const RESPONSES: &'static [u8] = Self::Response::DESCRIPTORS;
     /// How long a device may take to answer, if longer than usual.
     const TIMEOUT_MS: Option<u32> = None;
 
@@ -95,16 +99,114 @@ pub trait Command: OneSet {
         true
     }
 
-    /// Will a response follow the acknowledge?
-    #[must_use]
-    fn expects_response(&self) -> bool {
-        self.response_check().is_some()
-    }
-
     /// The check for the response that it requests with these values.
     #[must_use]
     fn response_check(&self) -> Option<ResponseCheck> {
         None
+    }
+}
+
+/// A command that has the function `FUNCTION`, from one of its constructors; mostly named as
+/// [`Read`](crate::protocol::Read), [`Write`](crate::protocol::Write) and so on. Its type states what
+/// it is answered with.
+///
+/// Where a field can be sent or searched, so can a call: `field.get::<Read<PpsSourceControl>>()`
+/// is `None` for other functions. Its values can be read as those of the command; to change them,
+/// take the command out, whose function can be any: [`Call::into_command`].
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(transparent))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Call<C, const FUNCTION: u8>(C);
+
+impl<C, const FUNCTION: u8> Call<C, FUNCTION> {
+    /// The function.
+    pub const FUNCTION: FunctionSelector = FunctionSelector(FUNCTION);
+
+    /// From a command with this function.
+    #[allow(dead_code)] // without commands that have one
+    pub(crate) const fn of(command: C) -> Self {
+        Self(command)
+    }
+
+    /// The command, which can be changed.
+    #[must_use]
+    pub fn into_command(self) -> C {
+        self.0
+    }
+}
+
+impl<C, const FUNCTION: u8> Deref for Call<C, FUNCTION> {
+    type Target = C;
+
+    #[inline]
+    fn deref(&self) -> &C {
+        &self.0
+    }
+}
+
+impl<C: fmt::Debug, const FUNCTION: u8> fmt::Debug for Call<C, FUNCTION> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.fmt(f)
+    }
+}
+
+impl<C: Wire, const FUNCTION: u8> Wire for Call<C, FUNCTION> {
+    const SIZE: usize = C::SIZE;
+    const FIXED: bool = C::FIXED;
+
+    #[inline]
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, Invalid> {
+        let function = reader.clone().read::<u8>();
+        match function {
+            Ok(other) if other != FUNCTION => {
+                Err(reader.wrong(DecodeErrorKind::Constant, FUNCTION.into(), other.into()))
+            }
+            _ => reader.read().map(Self),
+        }
+    }
+
+    #[inline]
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeErrorKind> {
+        writer.write(&self.0)
+    }
+}
+
+impl<C: Field, const FUNCTION: u8> Field for Call<C, FUNCTION> {
+    const SETS: &'static [u8] = C::SETS;
+    const DESCRIPTOR: u8 = C::DESCRIPTOR;
+    const NAME: &'static str = C::NAME;
+    const CONSTANTS: &'static [(usize, &'static [u8])] = &[(0, &[FUNCTION])];
+    const SIZES: RangeInclusive<usize> = C::SIZES;
+
+    #[inline]
+    fn occurs_in(set: u8) -> bool {
+        C::occurs_in(set)
+    }
+}
+
+impl<C: OneSet, const FUNCTION: u8> OneSet for Call<C, FUNCTION> {
+    const SET: u8 = C::SET;
+}
+
+/// A command that has the function `FUNCTION`, among others.
+pub trait Takes<const FUNCTION: u8>: Command {
+    /// What it is answered with then.
+    type Response: Response;
+}
+
+impl<C: Takes<FUNCTION>, const FUNCTION: u8> Command for Call<C, FUNCTION> {
+    type Response = <C as Takes<FUNCTION>>::Response;
+    const RESPONSES: &'static [u8] = C::RESPONSES;
+    const TIMEOUT_MS: Option<u32> = C::TIMEOUT_MS;
+
+    #[inline]
+    fn expects_reply(&self) -> bool {
+        self.0.expects_reply()
+    }
+
+    #[inline]
+    fn response_check(&self) -> Option<ResponseCheck> {
+        self.0.response_check()
     }
 }
 
@@ -130,6 +232,13 @@ pub trait Response: Sized {
 
     /// Decodes a field if it is such a response.
     fn from_field(field: &RawField<'_>) -> Option<Result<Self, DecodeError>>;
+
+    /// What stands for an acknowledge without a response; `None` if there has to be one.
+    #[inline]
+    #[must_use]
+    fn absent() -> Option<Self> {
+        None
+    }
 }
 
 impl Response for () {
@@ -137,6 +246,25 @@ impl Response for () {
 
     fn from_field(_: &RawField<'_>) -> Option<Result<Self, DecodeError>> {
         None
+    }
+
+    #[inline]
+    fn absent() -> Option<Self> {
+        Some(())
+    }
+}
+
+impl<R: Response> Response for Option<R> {
+    const DESCRIPTORS: &'static [u8] = R::DESCRIPTORS;
+
+    #[inline]
+    fn from_field(field: &RawField<'_>) -> Option<Result<Self, DecodeError>> {
+        R::from_field(field).map(|found| found.map(Some))
+    }
+
+    #[inline]
+    fn absent() -> Option<Self> {
+        Some(None)
     }
 }
 

@@ -82,7 +82,9 @@ pub use bits::Bits;
 pub use client::{Answer, Client, CommandError, Event, Outcome, RequestError, Ticket};
 pub use codec::{Bool, Reader, Union, Wire, Writer};
 pub use error::{DecodeError, DecodeErrorKind, EncodeError, EncodeErrorKind};
-pub use field::{Command, Field, OneSet, RawField, Response, ResponseCheck, ResponseOf, Role};
+pub use field::{
+    Call, Command, Field, OneSet, RawField, Response, ResponseCheck, ResponseOf, Role, Takes,
+};
 pub use list::{CapacityError, List};
 #[cfg(feature = "alloc")]
 pub use owned::PacketBuf;

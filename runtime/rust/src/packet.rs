@@ -258,6 +258,16 @@ impl<'a> Fields<'a> {
         Self { set, payload }
     }
 
+    /// The descriptor set.
+    pub(crate) const fn set(&self) -> u8 {
+        self.set
+    }
+
+    /// Leaves out all further fields.
+    pub(crate) fn end(&mut self) {
+        self.payload = &[];
+    }
+
     /// The bytes of this and all further fields.
     pub(crate) const fn payload(&self) -> &'a [u8] {
         self.payload

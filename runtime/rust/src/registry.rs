@@ -11,7 +11,7 @@ use core::fmt;
 use crate::client::{Request, RequestError, Ticket};
 use crate::codec::{Reader, Wire as _, Writer};
 use crate::error::{DecodeError, EncodeError};
-use crate::field::{Field, RawField, Role};
+use crate::field::{Call, Field, RawField, Role};
 
 mod fields;
 
@@ -305,6 +305,12 @@ impl Decoded {
     pub fn title(&self) -> &'static str {
         let info = self.field.info();
         info.title_in(self.set).unwrap_or(info.title)
+    }
+}
+
+impl<C: Listed, const FUNCTION: u8> From<Call<C, FUNCTION>> for AnyField {
+    fn from(call: Call<C, FUNCTION>) -> Self {
+        call.into_command().into_any()
     }
 }
 

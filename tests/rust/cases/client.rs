@@ -50,7 +50,7 @@ fn acknowledged() {
     let ticket = sent(&mut client, &tools::Ping, 0);
     assert_eq!(client.pending(), 1);
     let reply = Reply::new().ack(1, AckCode::OK);
-    assert_eq!(only(&mut client, &reply).answer(&ticket), Some(Answer::Acknowledged(None)));
+    assert_eq!(only(&mut client, &reply).answer(&ticket), Some(Answer::Acknowledged(())));
     assert_eq!(client.pending(), 0);
     // The same reply once more concerns nobody.
     assert_eq!(client.receive(&reply.0.packet()).count(), 0);
@@ -63,7 +63,7 @@ fn acknowledged_with_a_response() {
     let response = tools::BiasVector { bias: Vector3f::from([1.0, 2.0, 3.0]) };
     let reply = Reply::new().ack(5, AckCode::OK).field(&response);
     let event = only(&mut client, &reply);
-    assert_eq!(event.answer(&ticket), Some(Answer::Acknowledged(Some(response))));
+    assert_eq!(event.answer(&ticket), Some(Answer::Acknowledged(response)));
     assert_eq!((event.id, event.set, event.descriptor), (ticket.id(), 1, 5));
 }
 
@@ -119,11 +119,11 @@ fn several_commands_in_one_packet() {
         .field(&tools::ListResponse { items: [7].into() });
     let events: Vec<_> = client.receive(&reply.0.packet()).collect();
     assert_eq!(events.len(), 4);
-    assert_eq!(events[0].answer(&ping), Some(Answer::Acknowledged(None)));
+    assert_eq!(events[0].answer(&ping), Some(Answer::Acknowledged(())));
     assert_eq!(events[0].answer(&bias), None);
-    assert_eq!(events[1].answer(&bias), Some(Answer::Acknowledged(Some(response))));
+    assert_eq!(events[1].answer(&bias), Some(Answer::Acknowledged(response)));
     assert_eq!(events[2].answer(&save), Some(Answer::Refused(AckCode::UNKNOWN_COMMAND)));
-    let Some(Answer::Acknowledged(Some(answer))) = events[3].answer(&list) else { panic!() };
+    let Some(Answer::Acknowledged(answer)) = events[3].answer(&list) else { panic!() };
     assert_eq!(*answer.items, [7]);
 }
 
@@ -166,7 +166,7 @@ fn replies_may_come_in_several_packets_with_data_between() {
     assert_eq!(client.receive(&reply.0.packet()).count(), 0);
     let reply = Reply::new().ack(10, AckCode::OK).field(&tools::InventoryResponse::default());
     let answer = only(&mut client, &reply).answer(&second);
-    assert_eq!(answer, Some(Answer::Acknowledged(Some(tools::InventoryResponse::default()))));
+    assert_eq!(answer, Some(Answer::Acknowledged(tools::InventoryResponse::default())));
 }
 
 #[test]
@@ -181,7 +181,7 @@ fn commands_that_nobody_answers_are_not_waited_for() {
     assert_eq!(expire(&mut client, u32::MAX / 2).len(), 0);
     // Who waits for the result of such a command has it at once.
     assert_eq!(client.take(&apply), Some(Answer::Silent));
-    assert_eq!(client.take(&quiet).map(Answer::into_result), Some(Ok(None)));
+    assert_eq!(client.take(&quiet).map(Answer::into_result), Some(Ok(())));
     // Next to others too, and even if the client is full.
     let mut request = client.request(tools::TOOLS_SET);
     let loud = request.add(&tools::Ping).unwrap();
@@ -198,17 +198,17 @@ fn one_of_several_responses() {
     let ticket = sent(&mut client, &tools::SetTime::read(Mode::FAST), 0);
     let reply = Reply::new().ack(3, AckCode::OK).field(&fast);
     let answer = only(&mut client, &reply).answer(&ticket);
-    assert_eq!(answer, Some(Answer::Acknowledged(Some(tools::SetTimeResponses::Fast(fast)))));
+    assert_eq!(answer, Some(Answer::Acknowledged(tools::SetTimeResponses::Fast(fast))));
     let ticket = sent(&mut client, &tools::SetTime::read(Mode::SLOW), 0);
     let reply = Reply::new().ack(3, AckCode::OK).field(&slow);
     let answer = only(&mut client, &reply).answer(&ticket);
-    assert_eq!(answer, Some(Answer::Acknowledged(Some(tools::SetTimeResponses::Slow(slow)))));
+    assert_eq!(answer, Some(Answer::Acknowledged(tools::SetTimeResponses::Slow(slow))));
     // Two layouts of one descriptor.
     let ticket = sent(&mut client, &tools::Status::new(2), 0);
     let long = tools::StatusLong { flags: 1, uptime: 2 };
     let reply = Reply::new().ack(4, AckCode::OK).field(&long);
     let answer = only(&mut client, &reply).answer(&ticket);
-    assert_eq!(answer, Some(Answer::Acknowledged(Some(tools::StatusResponses::Long(long)))));
+    assert_eq!(answer, Some(Answer::Acknowledged(tools::StatusResponses::Long(long))));
 }
 
 #[test]
@@ -267,7 +267,7 @@ fn events_that_are_not_taken_stay() {
     assert!(client.poll(&mut Parser::new(), 1000).is_none());
     let events: Vec<_> = client.events().collect();
     assert_eq!(events.len(), 4);
-    assert_eq!(events[0].answer(&second), Some(Answer::Acknowledged(Some(response))));
+    assert_eq!(events[0].answer(&second), Some(Answer::Acknowledged(response)));
     assert_eq!(events[3].answer(&late), Some(Answer::TimedOut));
     assert_eq!(client.events().count(), 0);
     // A command that was cancelled has no event, not even one that is there already.
@@ -318,9 +318,9 @@ fn answers_as_results() {
         only(&mut client, reply).answer(&ticket).unwrap()
     };
     let good = answer(&Reply::new().ack(5, AckCode::OK).field(&response));
-    assert_eq!((good.into_result(), good.into_response()), (Ok(Some(response)), Ok(response)));
+    assert_eq!(good.into_result(), Ok(response));
     let refused = answer(&Reply::new().ack(5, AckCode::INVALID_PARAMETER));
-    let error = refused.into_response().unwrap_err();
+    let error = refused.into_result().unwrap_err();
     assert_eq!(error, CommandError::Refused(AckCode::INVALID_PARAMETER));
     assert_eq!(error.to_string(), "the device refused the command: invalid parameter (3)");
     let unknown = CommandError::Refused(AckCode(0x77)).to_string();
@@ -332,9 +332,12 @@ fn answers_as_results() {
     assert!(matches!(answer(&short).into_result(), Err(CommandError::Undecodable(_))));
     let late: Answer<()> = Answer::TimedOut;
     assert_eq!(late.into_result(), Err(CommandError::TimedOut));
-    let done: Answer<()> = Answer::Acknowledged(None);
-    assert_eq!(done.into_result(), Ok(None));
-    assert_eq!(done.into_response(), Err(CommandError::MissingResponse));
+    let done: Answer<()> = Answer::Acknowledged(());
+    assert_eq!(done.into_result(), Ok(()));
+    let silent: Answer<Option<tools::BiasVector>> = Answer::Silent;
+    assert_eq!(silent.into_result(), Ok(None));
+    let impossible: Answer<tools::BiasVector> = Answer::Silent;
+    assert_eq!(impossible.into_result(), Err(CommandError::MissingResponse));
 }
 
 #[test]
@@ -382,14 +385,11 @@ fn answers_go_to_the_commands_that_they_fit() {
     let reply = data();
     assert_eq!(client.receive(&reply.0.packet()).others().count(), 2);
     assert!(client.is_pending(&save));
-    assert_eq!(only(&mut client, &bare()).answer(&save), Some(Answer::Acknowledged(None)));
+    assert_eq!(only(&mut client, &bare()).answer(&save), Some(Answer::Acknowledged(())));
     // Of both, each has its own.
     let save = sent(&mut client, &tools::Bias::save(), 0);
     let read = sent(&mut client, &tools::Bias::read(), 0);
-    assert!(matches!(
-        only(&mut client, &data()).answer(&read),
-        Some(Answer::Acknowledged(Some(_)))
-    ));
+    assert!(matches!(only(&mut client, &data()).answer(&read), Some(Answer::Acknowledged(_))));
     assert!(only(&mut client, &bare()).answer(&save).is_some());
     let read = sent(&mut client, &tools::Bias::read(), 0);
     let save = sent(&mut client, &tools::Bias::save(), 0);
@@ -400,7 +400,7 @@ fn answers_go_to_the_commands_that_they_fit() {
     let reply = Reply::new().ack(3, AckCode::OK).field(&tools::SetTimeFastResponse { value: 1 });
     assert_eq!(client.receive(&reply.0.packet()).count(), 0);
     let reply = Reply::new().ack(3, AckCode::OK).field(&tools::SetTimeSlowResponse { value: 1 });
-    assert!(matches!(only(&mut client, &reply).answer(&slow), Some(Answer::Acknowledged(Some(_)))));
+    assert!(matches!(only(&mut client, &reply).answer(&slow), Some(Answer::Acknowledged(_))));
 }
 
 #[test]
@@ -434,7 +434,7 @@ fn refused<C>(added: Result<Ticket<C>, RequestError>) -> EncodeErrorKind {
 fn commands_whose_type_is_known_only_when_the_program_runs() {
     let mut client: Client = Client::new();
     let mut request = client.request(tools::TOOLS_SET);
-    let read = request.add_any(&AnyField::ToolsBias(tools::Bias::read())).unwrap();
+    let read = request.add_any(&AnyField::from(tools::Bias::read())).unwrap();
     let quiet = AnyField::ToolsFormats(tools::Formats::new(true, 0, []));
     assert!(request.add_any(&quiet).unwrap().is_silent());
     let response = AnyField::ToolsBiasVector(tools::BiasVector::default());
@@ -457,7 +457,7 @@ fn a_response_is_lent_from_its_slot() {
     let other = sent(&mut client, &tools::Bias::read(), 0);
     let response = tools::BiasVector { bias: [1.0, 2.0, 3.0].into() };
     let event = only(&mut client, &Reply::new().ack(5, AckCode::OK).field(&response));
-    let Some(Answer::Acknowledged(Some(view))) = event.view(&ticket) else { panic!("{event:?}") };
+    let Some(Answer::Acknowledged(view)) = event.view(&ticket) else { panic!("{event:?}") };
     assert_eq!(view.bias(), response.bias);
     assert!(event.view(&other).is_none());
     let event = only(&mut client, &Reply::new().ack(5, AckCode(3)));

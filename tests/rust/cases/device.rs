@@ -148,7 +148,7 @@ fn what_can_become_of_a_command() {
         vec![vec![]],
         vec![answered(5, &BIAS)],
     ]);
-    assert_eq!(device.run(&tools::Ping), Ok(()));
+    assert_eq!(device.request(&tools::Ping), Ok(()));
     let refused = device.request(&tools::Bias::read()).unwrap_err();
     let code = CommandError::Refused(AckCode::INVALID_PARAMETER);
     assert_eq!(refused, DeviceError::Command(code));
@@ -160,7 +160,7 @@ fn what_can_become_of_a_command() {
     assert!(matches!(device.request(&tools::Status::new(1)), Err(e) if e == late));
     assert_eq!(device.port().now, 3500); // this one may take 2.5 s
     assert_eq!(device.port().barriers, 1);
-    assert_eq!(device.run(&tools::Ping), Err(DeviceError::Port(Gone)));
+    assert_eq!(device.request(&tools::Ping), Err(DeviceError::Port(Gone)));
     assert_eq!(device.request(&tools::Bias::read()), Ok(BIAS));
     assert_eq!(next(&mut device), None);
 }
@@ -168,10 +168,9 @@ fn what_can_become_of_a_command() {
 #[test]
 fn what_is_not_sent() {
     let mut device = device([]);
-    // It would be carried out, and then nothing could be returned.
-    assert_eq!(device.request(&tools::Bias::save()), Err(DeviceError::NoResponse));
-    let no_value = tools::Bias { bias: None, ..tools::Bias::write(Vector3f::default()) };
-    let Err(DeviceError::Request(RequestError::Encode(error))) = device.run(&no_value) else {
+    let mut no_value = tools::Bias::write(Vector3f::default()).into_command();
+    no_value.bias = None;
+    let Err(DeviceError::Request(RequestError::Encode(error))) = device.request(&no_value) else {
         panic!()
     };
     assert_eq!(error.kind, EncodeErrorKind::Missing);
@@ -193,7 +192,7 @@ fn error_of(error: mip_protocol::EncodeError) -> RequestError {
 #[test]
 fn a_command_that_is_not_answered_is_not_waited_for() {
     let mut device = device([]);
-    assert_eq!(device.run(&tools::Settings::apply(1, Mode::FAST, 1)), Ok(()));
+    assert_eq!(device.request(&tools::Settings::apply(1, Mode::FAST, 1)), Ok(()));
     assert_eq!((device.port().sent.len(), device.port().now), (1, 0));
 }
 
@@ -210,12 +209,12 @@ fn several_commands_in_one_packet_and_their_answers_in_several() {
     });
     let (first, second, third) = tickets.unwrap();
     assert_eq!((device.port().sent.len(), device.port().now), (1, 1000));
-    assert_eq!(device.answer(&second), Answer::Acknowledged(Some(BIAS)));
+    assert_eq!(device.answer(&second), Answer::Acknowledged(BIAS));
     assert_eq!(device.answer(&third).into_result(), Err(CommandError::TimedOut));
     assert_eq!(next(&mut device), Some(data(1.0)));
     // An answer that nobody asked for takes no place from the next.
     for _ in 0..2 {
-        assert_eq!(device.run(&tools::Ping), Ok(()));
+        assert_eq!(device.request(&tools::Ping), Ok(()));
     }
     assert_eq!(device.answer(&first), Answer::TimedOut);
     assert_eq!(next(&mut device), Some(data(2.0)));
@@ -226,7 +225,7 @@ fn several_commands_in_one_packet_and_their_answers_in_several() {
     });
     assert_eq!(busy.unwrap_err(), DeviceError::Request(RequestError::Busy));
     assert!(small.port().sent.is_empty());
-    assert_eq!(small.run(&tools::Ping), Err(DeviceError::Command(CommandError::TimedOut)));
+    assert_eq!(small.request(&tools::Ping), Err(DeviceError::Command(CommandError::TimedOut)));
     assert_eq!(small.port().now, 50);
 }
 
@@ -248,7 +247,7 @@ fn data_are_kept_as_far_as_there_is_room() {
     let chunks: Vec<_> = (0..1000).map(|n| data(n as f32)).chain([ack(1, AckCode::OK)]).collect();
     let port = Played { replies: [chunks].into(), ..Default::default() };
     let mut device: Device<_, 1, 600> = Device::with_client(port, Client::new());
-    device.run(&tools::Ping).unwrap();
+    device.request(&tools::Ping).unwrap();
     let kept = 600 / size;
     assert_eq!(device.dropped() as usize, 1000 - kept);
     for n in 1000 - kept..1000 {
@@ -266,7 +265,7 @@ fn data_are_kept_as_far_as_there_is_room() {
     let replies = [vec![data(1.0), ack(1, AckCode::OK)]].into();
     let port = Played { replies, ..Default::default() };
     let mut device: Device<_, 1, 0> = Device::with_client(port, Client::new());
-    assert_eq!((device.run(&tools::Ping), device.dropped()), (Ok(()), 1));
+    assert_eq!((device.request(&tools::Ping), device.dropped()), (Ok(()), 1));
 }
 
 #[test]
@@ -391,14 +390,14 @@ fn ports_of_the_standard_library() {
         let stream = Stream { nothing, coming: VecDeque::new(), sent: Vec::new() };
         let client = Client::with_timeout(20_000);
         let mut device: Device<_> = Device::with_client(StdPort::new(stream), client);
-        device.run(&tools::Ping).unwrap();
+        device.request(&tools::Ping).unwrap();
         assert_eq!(device.port().get_ref().sent, packet(&tools::Ping));
         assert!(device.next_packet(5).unwrap().is_none());
     }
     let nothing = || Err(ErrorKind::BrokenPipe.into());
     let stream = Stream { nothing, coming: VecDeque::new(), sent: Vec::new() };
     let mut device = Device::new(StdPort::new(stream));
-    let error = device.run(&tools::Ping).unwrap_err();
+    let error = device.request(&tools::Ping).unwrap_err();
     assert!(matches!(&error, DeviceError::Port(e) if e.kind() == ErrorKind::BrokenPipe));
     let error: Box<dyn std::error::Error> = error.into();
     assert!(error.to_string().starts_with("port: "));
@@ -408,7 +407,7 @@ fn ports_of_the_standard_library() {
     let client = Client::with_timeout(20);
     let mut device: Device<_, 1> = Device::with_client(StdPort::new(stream), client);
     let start = std::time::Instant::now();
-    let error = device.run(&tools::Ping).unwrap_err();
+    let error = device.request(&tools::Ping).unwrap_err();
     assert!(matches!(error, DeviceError::Command(CommandError::TimedOut)));
     assert!(start.elapsed().as_millis() >= 20);
 }
@@ -416,7 +415,7 @@ fn ports_of_the_standard_library() {
 #[test]
 fn an_answer_that_comes_after_a_failure_is_data() {
     let mut device = device([vec![vec![], ack(1, AckCode::OK)]]);
-    assert_eq!(device.run(&tools::Ping), Err(DeviceError::Port(Gone)));
+    assert_eq!(device.request(&tools::Ping), Err(DeviceError::Port(Gone)));
     assert_eq!(next(&mut device), Some(ack(1, AckCode::OK)));
 }
 
@@ -425,11 +424,11 @@ fn an_answer_is_known_until_the_next_command() {
     let mut device = device([vec![ack(1, AckCode::OK)], vec![ack(1, AckCode::OK)]]);
     let ping = device.send_all(tools::TOOLS_SET, |request| request.add(&tools::Ping)).unwrap();
     for _ in 0..2 {
-        assert_eq!(device.answer(&ping), Answer::Acknowledged(None));
+        assert_eq!(device.answer(&ping), Answer::Acknowledged(()));
     }
     assert_eq!(next(&mut device), None);
-    assert_eq!(device.answer(&ping), Answer::Acknowledged(None));
-    assert_eq!(device.run(&tools::Ping), Ok(()));
+    assert_eq!(device.answer(&ping), Answer::Acknowledged(()));
+    assert_eq!(device.request(&tools::Ping), Ok(()));
     assert_eq!(device.answer(&ping), Answer::TimedOut);
 }
 
@@ -440,7 +439,7 @@ fn a_packet_longer_than_the_queue_leaves_the_others_in_it() {
     let replies = vec![data(1.0), data(2.0), large.bytes().to_vec(), ack(1, AckCode::OK)];
     let port = Played { replies: [replies].into(), ..Default::default() };
     let mut device: Device<Played, 1, 100> = Device::with_client(port, Client::new());
-    assert_eq!(device.run(&tools::Ping), Ok(()));
+    assert_eq!(device.request(&tools::Ping), Ok(()));
     assert_eq!(device.dropped(), 1);
     assert_eq!((next(&mut device), next(&mut device)), (Some(data(1.0)), Some(data(2.0))));
 }
@@ -458,11 +457,11 @@ fn a_late_answer_is_not_that_of_the_next_command() {
     assert_eq!(next(&mut device), Some(data(1.0)));
     assert_eq!(next(&mut device), Some(answered(5, &other)));
     // A ping that nobody has answered, and a device that talks without end.
-    assert_eq!(device.run(&tools::Ping), Err(late));
+    assert_eq!(device.request(&tools::Ping), Err(late));
     assert_eq!(next(&mut device), None);
     device.port_mut().coming.push_back(ack(1, AckCode::OK));
     device.port_mut().coming.extend(vec![vec![0]; 1000]);
-    assert_eq!(device.run(&tools::Ping), Err(late));
+    assert_eq!(device.request(&tools::Ping), Err(late));
     assert_eq!(device.port().sent.len(), 4);
 }
 
@@ -472,16 +471,16 @@ fn only_after_a_missing_answer_is_there_a_barrier() {
     let answered = |device: &mut Device<Played>| {
         device.port_mut().replies = [vec![ack(1, AckCode::OK)]].into();
         let before = device.port().barriers;
-        assert_eq!(device.run(&tools::Ping), Ok(()));
+        assert_eq!(device.request(&tools::Ping), Ok(()));
         device.port().barriers - before
     };
     assert_eq!(answered(&mut device), 0);
     let late = DeviceError::Command(CommandError::TimedOut);
-    assert_eq!(device.run(&tools::Ping), Err(late));
+    assert_eq!(device.request(&tools::Ping), Err(late));
     assert_eq!((answered(&mut device), answered(&mut device)), (1, 0));
     // A failed port is such a case, too, also with data in between.
     device.port_mut().replies = [vec![vec![], ack(1, AckCode::OK)]].into();
-    assert_eq!(device.run(&tools::Ping), Err(DeviceError::Port(Gone)));
+    assert_eq!(device.request(&tools::Ping), Err(DeviceError::Port(Gone)));
     assert_eq!(next(&mut device), Some(ack(1, AckCode::OK)));
     assert_eq!(answered(&mut device), 1);
 }
@@ -527,7 +526,7 @@ fn a_command_whose_type_is_known_at_run_time() {
 #[test]
 fn a_port_can_be_lent() {
     let mut port = Played { replies: [vec![ack(1, AckCode::OK)]].into(), ..Default::default() };
-    assert_eq!(Device::new(&mut port).run(&tools::Ping), Ok(()));
+    assert_eq!(Device::new(&mut port).request(&tools::Ping), Ok(()));
     assert_eq!(port.sent, [packet(&tools::Ping)]);
 }
 

@@ -9,7 +9,7 @@ fn record<const N: usize>(values: [(&str, Value); N]) -> Value {
 
 #[test]
 fn a_field_becomes_a_tree_and_comes_back() {
-    let settings = tools::Settings::write(1, types::Mode::SLOW, 9600);
+    let settings = tools::Settings::write(1, types::Mode::SLOW, 9600).into_command();
     let value = settings.to_value();
     let fields = value.as_record().unwrap();
     assert_eq!(fields.names().collect::<Vec<_>>(), ["function", "port", "mode", "baud"]);
@@ -93,7 +93,7 @@ fn counters_and_unions_must_agree_with_what_they_speak_of() {
         }
         tools::List::from_value(&Value::Record(record))
     };
-    assert_eq!(list(Some(1), Some(one.clone())), Ok(tools::List::write([1])));
+    assert_eq!(list(Some(1), Some(one.clone())), Ok(tools::List::write([1]).into()));
     assert_eq!(list(Some(2), Some(one.clone())), Err(ValueError::Count));
     assert_eq!(list(Some(-1), Some(one.clone())), Err(ValueError::Count));
     assert_eq!(list(None, Some(one)), Err(ValueError::Missing));
@@ -118,5 +118,5 @@ fn counters_and_unions_must_agree_with_what_they_speak_of() {
     assert_eq!(choice(None, label()), Err(ValueError::Missing));
     assert_eq!(choice(Some(4), Value::Integer(1)), Err(ValueError::Kind));
     let other = tools::Choice::write(1, tools::ChoiceParameters::Other(tools::Shape(99)));
-    assert_eq!(choice(Some(99), record([])), Ok(other));
+    assert_eq!(choice(Some(99), record([])), Ok(other.into()));
 }

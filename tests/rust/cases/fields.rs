@@ -2,6 +2,7 @@
 
 #![allow(deprecated)] // of the fields that are tested here
 
+use mip_protocol::protocol::{Read, Save, Write};
 use mip_protocol::types::{FunctionSelector, Mode, Point, Quatf, StateFlags, Vector3f};
 use mip_protocol::{
     devices, dispatch, measurements, mip_3d, protocol, registry, shared, tools, AnyField, Bool,
@@ -36,11 +37,11 @@ fn optional_parameters_can_be_set_in_order() {
     assert_eq!(bytes(&command.with_reserved(1))[9..], [1]);
     let gap = tools::Settings::write(3, Mode::SLOW, 1).with_reserved(1);
     assert_eq!(gap.to_vec().map_err(|e| e.kind), Err(EncodeErrorKind::Missing));
-    let mut short = tools::Settings::write(3, Mode::SLOW, 1);
+    let mut short = tools::Settings::write(3, Mode::SLOW, 1).into_command();
     short.baud = None;
     assert_eq!(short.to_vec().map_err(|e| e.kind), Err(EncodeErrorKind::Missing));
     // A dummy value behind what the function needs is permitted, but no gap.
-    let mut read = tools::Settings::read(3, Mode::SLOW);
+    let mut read = tools::Settings::read(3, Mode::SLOW).into_command();
     read.baud = Some(5);
     assert_eq!(bytes(&read), [2, 3, 2, 0, 0, 0, 5]);
     read.mode = None;
@@ -113,7 +114,7 @@ fn a_union_knows_its_tag() {
     let command = tools::Choice::write(1, tools::ChoiceParameters::Circle(circle));
     assert_eq!(command.shape, Some(tools::Shape::CIRCLE));
     assert_eq!(bytes(&command), [1, 1, 1, 0, 1, 0xFF, 0xFE, 1, 0, 0, 0, 255]);
-    assert_eq!(tools::Choice::decode(&bytes(&command)), Ok(command));
+    assert_eq!(tools::Choice::decode(&bytes(&command)), Ok(command.into()));
 
     let turn = tools::ChoiceParameters::Turn(Quatf { w: 1.0, ..Quatf::default() });
     assert_eq!(bytes(&tools::Choice::write(1, turn)).len(), 19);
@@ -129,7 +130,7 @@ fn a_union_knows_its_tag() {
 
 #[test]
 fn a_union_must_be_what_its_tag_says() {
-    let mut command = tools::Choice::write(1, tools::ChoiceParameters::None);
+    let mut command = tools::Choice::write(1, tools::ChoiceParameters::None).into_command();
     for parameters in [
         tools::ChoiceParameters::Turn(Quatf::default()),
         tools::ChoiceParameters::Other(tools::Shape::NONE),
@@ -281,7 +282,7 @@ fn constants_are_sent_and_demanded() {
 
 #[test]
 fn reserved_parameters_default_to_what_is_to_be_sent() {
-    let mut settings = tools::Settings::write(0, Mode::FAST, 1).with_limit(1);
+    let mut settings = tools::Settings::write(0, Mode::FAST, 1).with_limit(1).into_command();
     assert_eq!(settings.reserved, None);
     settings.reserved = Some(3);
     assert_eq!(bytes(&settings).last(), Some(&3));
@@ -391,10 +392,9 @@ fn answered<C: Command<Response = R>, R: Response>() {}
 #[test]
 fn commands_and_responses_know_each_other() {
     answered::<tools::Ping, ()>();
-    answered::<tools::Settings, tools::SettingsResponse>();
     answered::<tools::CaptureBias, tools::BiasVector>();
-    answered::<tools::Bias, tools::BiasVector>();
-    answered::<tools::SetTime, tools::SetTimeResponses>();
+    answered::<tools::Bias, Option<tools::BiasVector>>();
+    answered::<Read<tools::Bias>, tools::BiasVector>();
     assert_eq!(answers::<tools::Bias, tools::BiasVector>(), ("tools.bias", "tools.bias_vector"));
     assert_eq!(answers::<tools::CaptureBias, tools::BiasVector>().0, "tools.capture_bias");
     answers::<tools::SetTime, tools::SetTimeFastResponse>();
@@ -410,17 +410,52 @@ fn commands_and_responses_know_each_other() {
 
 #[test]
 fn commands_tell_what_to_expect() {
-    assert!(tools::Ping.expects_reply() && !tools::Ping.expects_response());
+    assert!(tools::Ping.expects_reply() && tools::Ping.response_check().is_none());
     let write = tools::Settings::write(1, Mode::FAST, 1);
-    assert!(write.expects_reply() && !write.expects_response());
+    assert!(write.expects_reply() && write.response_check().is_none());
     let read = tools::Settings::read(1, Mode::FAST);
-    assert!(read.expects_reply() && read.expects_response());
+    assert!(read.expects_reply() && read.response_check().is_some());
     let apply = tools::Settings::apply(1, Mode::FAST, 1);
-    assert!(!apply.expects_reply() && !apply.expects_response());
+    assert!(!apply.expects_reply() && apply.response_check().is_none());
     assert!(!tools::Formats::new(true, 0, []).expects_reply());
     assert!(tools::Formats::new(false, 0, []).expects_reply());
-    assert!(tools::Inventory.expects_response());
+    assert!(tools::Inventory.response_check().is_some());
     assert_eq!((tools::Ping::TIMEOUT_MS, tools::Status::TIMEOUT_MS), (None, Some(2500)));
+}
+
+/// What a request returns is known when it is compiled.
+fn returns<R>(_: &impl Command<Response = R>) {}
+
+#[test]
+fn the_type_of_a_command_states_its_answer() {
+    returns::<()>(&tools::Ping);
+    returns::<tools::InventoryResponse>(&tools::Inventory);
+    returns::<tools::SettingsResponse>(&tools::Settings::read(1, Mode::FAST));
+    returns::<tools::SetTimeResponses>(&tools::SetTime::read(Mode::FAST));
+    returns::<()>(&tools::Settings::write(1, Mode::FAST, 1).with_limit(2));
+    returns::<()>(&tools::Settings::apply(1, Mode::FAST, 1));
+    // Of a function that is known only at run time, there may be one.
+    let read: tools::Settings = tools::Settings::read(1, Mode::FAST).into();
+    returns::<Option<tools::SettingsResponse>>(&read);
+    // Its response never answers another function.
+    assert_eq!(tools::Settings::save(1).function, FunctionSelector::SAVE);
+    assert_eq!(<Save<tools::Settings> as Command>::RESPONSES, [0x82]);
+}
+
+#[test]
+fn a_call_is_a_field_with_one_function() {
+    let read = tools::Settings::read(1, Mode::FAST);
+    assert_eq!(read.function, Read::<tools::Settings>::FUNCTION);
+    assert_eq!(format!("{read:?}"), format!("{:?}", *read));
+    let packet = PacketBuilder::with(&read).unwrap();
+    assert_eq!(packet.packet().find::<Read<tools::Settings>>(), Some(Ok(read)));
+    assert_eq!(packet.packet().find::<Write<tools::Settings>>(), None);
+    assert_eq!(packet.packet().find::<tools::Settings>(), Some(Ok(read.into())));
+    assert_eq!(AnyField::from(read), AnyField::from(read.into_command()));
+    let other = Write::<tools::Settings>::decode(&bytes(&read)).unwrap_err();
+    assert_eq!((other.kind, other.need, other.got), (DecodeErrorKind::Constant, 1, 2));
+    let empty = Write::<tools::Settings>::decode(&[]).unwrap_err();
+    assert_eq!(empty.kind, DecodeErrorKind::Truncated);
 }
 
 #[test]

@@ -158,7 +158,7 @@ fn a_builder_refuses_what_does_not_fit_and_stays_valid() {
         assert!(Packet::new(packet.bytes()).is_ok());
     }
     // A field that fails half-way.
-    let mut broken = tools::Settings::write(1, types::Mode::FAST, 9600);
+    let mut broken = tools::Settings::write(1, types::Mode::FAST, 9600).into_command();
     broken.mode = None;
     assert_eq!(packet.push(&broken).map_err(kind), Err(EncodeErrorKind::Missing));
     assert_eq!(packet.bytes(), before);

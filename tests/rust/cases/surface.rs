@@ -5,6 +5,7 @@ use std::collections::HashSet;
 use std::hash::{Hash, Hasher};
 
 use mip_protocol::device::DeviceError;
+use mip_protocol::protocol::Read;
 use mip_protocol::registry::{visit, Listed, Visitor};
 use mip_protocol::types::{Health, Mode, StateFlags};
 use mip_protocol::{
@@ -42,7 +43,7 @@ fn lists_are_made_of_vectors_and_compared_with_them() {
     let items = vec![1_u16, 2];
     let command = tools::List::write(&items);
     assert_eq!(command, tools::List::write(items.clone()));
-    let list = command.items.unwrap();
+    let list = command.into_command().items.unwrap();
     assert!(list == items && items == list && list == [1, 2] && [1, 2] == list);
     assert!(items[..] == list && items.as_slice() == list && list != vec![1] && vec![1] != list);
     let (all, first): (List<u8, 4>, List<u8, 4>) = (vec![7; 5].into(), (&vec![7; 4]).into());
@@ -72,10 +73,10 @@ fn a_list_that_overflowed_is_never_encoded() {
     assert_eq!(error.to_string(), "5 items were given, the list can hold 4");
     five.clear();
     assert!(!five.overflowed() && five.push(7).is_ok() && five == [7]);
-    let mut items = tools::List::write([7; 300].as_slice());
+    let mut items = tools::List::write([7; 300].as_slice()).into_command();
     items.items.as_mut().unwrap().pop();
     assert_eq!(items.to_vec().unwrap_err().kind, EncodeErrorKind::Count);
-    let most = tools::List::write([0; 0]).items.unwrap().capacity();
+    let most = tools::List::write([0; 0]).into_command().items.unwrap().capacity();
     for length in 0..=300 {
         let command = tools::List::write(vec![7; length].as_slice());
         match command.to_vec() {
@@ -202,12 +203,15 @@ fn whatever_is_not_zero_is_true() {
 
 #[test]
 fn values_without_floats_are_keys() {
-    let commands = [tools::Settings::write(1, Mode::FAST, 9600), tools::Settings::read(1, Mode(9))];
+    let commands: [tools::Settings; 2] = [
+        tools::Settings::write(1, Mode::FAST, 9600).into(),
+        tools::Settings::read(1, Mode(9)).into(),
+    ];
     assert_eq!(commands.into_iter().chain(commands).collect::<HashSet<_>>().len(), 2);
     assert_ne!(hash(&tools::List::write([1])), hash(&tools::List::write([2])));
 }
 
-static COMMANDS: (tools::Ping, tools::Bias) = (tools::Ping::new(), tools::Bias::read());
+static COMMANDS: (tools::Ping, Read<tools::Bias>) = (tools::Ping::new(), tools::Bias::read());
 
 #[test]
 fn commands_without_arguments_are_constants() {
@@ -220,7 +224,7 @@ fn answers_and_their_errors_are_keys() {
     let full = PacketBuilder::new(0).push_raw(1, &[]).unwrap_err();
     let errors: HashSet<_> = [RequestError::Busy, full.into(), RequestError::Busy].into();
     assert_eq!((errors.len(), full.kind == error), (2, false));
-    let answers: HashSet<_> = [Answer::Acknowledged(Some(1_u8)), Answer::TimedOut].into();
+    let answers: HashSet<_> = [Answer::Acknowledged(1_u8), Answer::TimedOut].into();
     assert!(answers.contains(&Answer::TimedOut) && !answers.contains(&Answer::Silent));
     let failed: HashSet<_> = [DeviceError::<u8>::Closed, CommandError::TimedOut.into()].into();
     assert!(failed.contains(&DeviceError::Command(CommandError::TimedOut)));
@@ -266,7 +270,7 @@ trait DefaultWrite {
 
 impl DefaultWrite for tools::Settings {
     fn default_write() -> Self {
-        let mut settings = Self::write(1, Mode::FAST, 1);
+        let mut settings = Self::write(1, Mode::FAST, 1).into_command();
         settings.port = None;
         settings
     }

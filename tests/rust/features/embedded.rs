@@ -206,30 +206,27 @@ fn a_device_that_is_awaited() {
         let before = uart.now();
         assert!(device.next_packet(50).await.unwrap().is_none());
         assert_eq!(uart.now() - before, 50);
-        assert_eq!(device.run(&read).await, Err(DeviceError::Command(REFUSED)));
+        assert_eq!(device.request(&read).await, Err(DeviceError::Command(REFUSED)));
         let before = uart.now();
         let late = DeviceError::Command(CommandError::TimedOut);
         assert_eq!(device.request(&read).await, Err(late));
         assert_eq!(uart.now() - before, 1000);
         assert_eq!(device.request(&read).await, Ok(BIAS)); // behind noise
         assert_eq!(device.parser().skipped(), 4);
-        // Not sent, and not waited for.
-        let nothing = device.request(&tools::Bias::save()).await;
-        assert_eq!(nothing, Err(DeviceError::NoResponse));
         let answers = device.send_all(tools::TOOLS_SET, |request| {
             Ok((request.add(&tools::Ping)?, request.add(&read)?, request.add(&read)?))
         });
         let before = uart.now();
         let (ping, first, second) = answers.await.unwrap();
         assert_eq!(uart.now() - before, 1000);
-        assert_eq!(device.answer(&ping), Answer::Acknowledged(None));
-        assert_eq!(device.answer(&first), Answer::Acknowledged(Some(BIAS)));
+        assert_eq!(device.answer(&ping), Answer::Acknowledged(()));
+        assert_eq!(device.answer(&first), Answer::Acknowledged(BIAS));
         assert_eq!(device.answer(&second), Answer::TimedOut);
         for _ in 0..2 {
             assert!(device.next_packet(50).await.unwrap().is_some());
         }
         let before = uart.now();
-        assert_eq!(device.run(&tools::Settings::apply(1, Mode::FAST, 1)).await, Ok(()));
+        assert_eq!(device.request(&tools::Settings::apply(1, Mode::FAST, 1)).await, Ok(()));
         assert_eq!(uart.now(), before);
         // Commands that may take different times.
         let slow = tools::Status::new(1);
@@ -243,7 +240,7 @@ fn a_device_that_is_awaited() {
         // Of two barriers, the first answers nothing.
         assert!(device.next_packet(50).await.unwrap().is_some());
         uart.0.borrow_mut().closed = true;
-        assert_eq!(device.run(&tools::Ping).await, Err(DeviceError::Closed));
+        assert_eq!(device.request(&tools::Ping).await, Err(DeviceError::Closed));
         assert_eq!(device.next_packet(50).await.unwrap_err(), DeviceError::Closed);
     });
 }
@@ -278,7 +275,7 @@ fn an_answer_that_comes_after_its_future_was_dropped_is_data() {
     let mut device = AsyncDevice::new(uart.clone(), |ms| sleep(&clock, ms));
     {
         let waker = Waker::from(Arc::new(Nobody));
-        let mut request = pin!(device.run(&tools::Ping));
+        let mut request = pin!(device.request(&tools::Ping));
         assert!(request.as_mut().poll(&mut Context::from_waker(&waker)).is_pending());
     }
     uart.0.borrow_mut().coming.extend(ack(1, AckCode::OK).bytes());
@@ -306,7 +303,7 @@ fn a_late_answer_is_not_that_of_the_next_command() {
     assert_eq!(packet.as_deref(), Some(theirs.bytes()));
     // Reading what has arrived ends, even if bytes arrive all the time.
     uart.0.borrow_mut().flooded = true;
-    assert_eq!(block_on(&uart, device.run(&tools::Ping)), Err(late));
+    assert_eq!(block_on(&uart, device.request(&tools::Ping)), Err(late));
 
     let uart = Uart::answering(&[vec![], ours.bytes().to_vec()]);
     let clock = uart.clone();
@@ -334,7 +331,7 @@ fn a_program_that_was_stopped_finds_what_came_in_time() {
     assert!(block_on(&uart, device.next_packet(50)).unwrap().is_some());
     uart.0.borrow_mut().stopped = 5000;
     let late = DeviceError::Command(CommandError::TimedOut);
-    assert_eq!(block_on(&uart, device.run(&tools::Ping)), Err(late));
+    assert_eq!(block_on(&uart, device.request(&tools::Ping)), Err(late));
 }
 
 #[test]
@@ -344,7 +341,7 @@ fn time_goes_on_while_noise_comes_without_end() {
     let clock = uart.clone();
     let mut device = AsyncDevice::new(uart.clone(), |ms| sleep(&clock, ms));
     let late = DeviceError::Command(CommandError::TimedOut);
-    assert_eq!(block_on(&uart, device.run(&tools::Ping)), Err(late));
+    assert_eq!(block_on(&uart, device.request(&tools::Ping)), Err(late));
     assert_eq!(uart.now(), 1000 + 64); // and what could have come in time
     assert!(block_on(&uart, device.next_packet(50)).unwrap().is_none());
     assert_eq!(uart.now(), 1115 + 63);
@@ -359,7 +356,7 @@ fn packets_behind_noise_are_found_before_a_port_is_closed() {
     uart.0.borrow_mut().closed = true;
     let clock = uart.clone();
     let mut device = AsyncDevice::new(uart.clone(), |ms| sleep(&clock, ms));
-    assert_eq!(block_on(&uart, device.run(&tools::Ping)), Ok(()));
+    assert_eq!(block_on(&uart, device.request(&tools::Ping)), Ok(()));
     uart.0.borrow_mut().coming.extend([noise, data.bytes()].concat());
     let packet = block_on(&uart, device.next_packet(50)).unwrap().map(|p| p.bytes().to_vec());
     assert_eq!(packet.as_deref(), Some(data.bytes()));
@@ -473,14 +470,14 @@ fn at<P>(port: &Shaky, of: impl FnOnce(Shaky, Uart) -> P) -> P {
 
 fn blocking(port: &Shaky) -> Result<(), DeviceError<EmbeddedError<Failed>>> {
     at(port, |port, uart| {
-        Device::new(EmbeddedPort::new(port, move || uart.now())).run(&tools::Ping)
+        Device::new(EmbeddedPort::new(port, move || uart.now())).request(&tools::Ping)
     })
 }
 
 fn awaited(port: &Shaky) -> Result<(), DeviceError<Failed>> {
     at(port, |port, uart| {
         let mut device = AsyncDevice::new(port, |ms| sleep(&uart, ms));
-        block_on(&uart, device.run(&tools::Ping))
+        block_on(&uart, device.request(&tools::Ping))
     })
 }
 
@@ -530,15 +527,15 @@ fn an_interruption_hides_no_late_answer() {
     let port = Shaky::new(ErrorKind::Interrupted, ErrorKind::Interrupted, 0);
     let clock = port.uart.clone();
     let mut device = Device::new(EmbeddedPort::new(port.clone(), move || clock.now()));
-    assert!(device.run(&tools::Ping).is_err());
+    assert!(device.request(&tools::Ping).is_err());
     late(device.port_mut().get_mut());
-    assert_eq!(device.run(&tools::Ping), Ok(()));
+    assert_eq!(device.request(&tools::Ping), Ok(()));
 
     let port = Shaky::new(ErrorKind::Interrupted, ErrorKind::Interrupted, 0);
     let mut device = AsyncDevice::new(port.clone(), |ms| sleep(&port.uart, ms));
-    assert!(block_on(&port.uart, device.run(&tools::Ping)).is_err());
+    assert!(block_on(&port.uart, device.request(&tools::Ping)).is_err());
     late(device.port_mut());
-    assert_eq!(block_on(&port.uart, device.run(&tools::Ping)), Ok(()));
+    assert_eq!(block_on(&port.uart, device.request(&tools::Ping)), Ok(()));
 }
 
 #[test]

@@ -14,10 +14,12 @@ fn json<T: Serialize + DeserializeOwned + PartialEq + std::fmt::Debug>(value: &T
 
 #[test]
 fn fields_go_to_json_and_come_back() {
-    let settings = tools::Settings::write(1, Mode::SLOW, 9600);
+    let call = tools::Settings::write(1, Mode::SLOW, 9600);
+    let settings = call.into_command();
     let text =
         r#"{"function":"write","port":1,"mode":"slow","baud":9600,"limit":null,"reserved":null}"#;
     assert_eq!(json(&settings), text);
+    assert_eq!(serde_json::to_string(&call).unwrap(), text);
     let accel = measurements::Accel {
         scaled_accel: Vector3f::from([1.0, 2.0, 3.0]),
         valid_flags: StateFlags::READY,

@@ -6,7 +6,7 @@ use core::task::Poll;
 
 use embedded_io_async::{Error, ErrorKind, Read, Write};
 
-use super::{is_over, Answer, Client, Command, CommandError, Core, DeviceError, RequestError};
+use super::{is_over, Answer, Client, Command, Core, DeviceError, RequestError};
 use super::{BACKLOG, CHUNK};
 use crate::client::{Event, Request, Ticket};
 use crate::packet::Packet;
@@ -80,37 +80,19 @@ where
     S: FnMut(u32) -> F,
     F: Future<Output = ()>,
 {
-    /// Sends a command, waits for its answer, and returns its response.
+    /// Sends a command, waits until the device has carried it out, and returns its response.
     ///
-    /// # Errors
-    ///
-    /// If the command with these values does not request a response, nothing is sent
-    /// ([`DeviceError::NoResponse`]).
-    pub async fn request<C: Command>(
-        &mut self,
-        command: &C,
-    ) -> Result<C::Response, DeviceError<P::Error>> {
-        if !command.expects_response() {
-            return Err(DeviceError::NoResponse);
-        }
-        self.carry_out(command).await?.ok_or(CommandError::MissingResponse.into())
-    }
-
-    /// Sends a command, and waits until the device has carried it out. A response is ignored.
-    ///
-    /// It does not wait if devices do not answer the command.
+    /// The type of the command states what that is: `()` for a command without response, and an
+    /// `Option` if its function is known only at run time. If devices do not answer the command, it
+    /// does not wait.
     ///
     /// # Errors
     ///
     /// The command is not sent, refused, not answered, or the port fails.
-    pub async fn run<C: Command>(&mut self, command: &C) -> Result<(), DeviceError<P::Error>> {
-        self.carry_out(command).await.map(drop)
-    }
-
-    async fn carry_out<C: Command>(
+    pub async fn request<C: Command>(
         &mut self,
         command: &C,
-    ) -> Result<Option<C::Response>, DeviceError<P::Error>> {
+    ) -> Result<C::Response, DeviceError<P::Error>> {
         let ticket = self.send_all(C::SET, |request| request.add(command)).await?;
         self.core.result(&ticket)
     }

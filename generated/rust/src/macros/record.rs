@@ -140,17 +140,17 @@ macro_rules! wire {
 
 /// Constructors: their arguments, and the values of other members that follow from them.
 ///
-/// Those of a command with a function selector say what the selector is.
+/// Those of a command with a function selector return a [`Call`](crate::Call) of that function.
 macro_rules! constructors {
     (
         $name:ident
         $(
             $(#[$meta:meta])*
-            fn $new:ident($($given:tt)*) $(= $selector:ident)? $(, $set:ident: $value:expr)*;
+            fn $new:ident($($given:tt)*) $(-> $call:ident)? $(, $set:ident: $value:expr)*;
         )*
     ) => {
         impl $name {
-            $(constructor!($(#[$meta])* $new($($given)*) $($selector)?; $($set: $value,)*);)*
+            $(constructor!($(#[$meta])* $new($($given)*) $($call)?; $($set: $value,)*);)*
         }
     };
 }
@@ -165,16 +165,16 @@ macro_rules! constructor {
             Self { $($set: $value,)* }
         }
     };
-    ($(#[$meta:meta])* $new:ident() $selector:ident; $($set:ident: $value:expr,)*) => {
+    ($(#[$meta:meta])* $new:ident() $call:ident; $($set:ident: $value:expr,)*) => {
         $(#[$meta])*
         #[inline]
         #[must_use]
         #[allow(clippy::needless_update)]
-        pub const fn $new() -> Self {
-            Self {
+        pub const fn $new() -> $crate::protocol::$call<Self> {
+            $crate::Call::of(Self {
                 $($set: Some($value),)*
-                ..Self::bare($crate::protocol::FunctionSelector::$selector)
-            }
+                ..Self::bare($crate::protocol::$call::<Self>::FUNCTION)
+            })
         }
     };
     (
@@ -191,18 +191,18 @@ macro_rules! constructor {
     };
     (
         $(#[$meta:meta])*
-        $new:ident($($given:ident: $type:ty),+ $(,)?) $selector:ident; $($set:ident: $value:expr,)*
+        $new:ident($($given:ident: $type:ty),+ $(,)?) $call:ident; $($set:ident: $value:expr,)*
     ) => {
         $(#[$meta])*
         #[inline]
         #[must_use]
         #[allow(clippy::too_many_arguments, clippy::needless_update)]
-        pub fn $new($($given: $type),+) -> Self {
-            Self {
+        pub fn $new($($given: $type),+) -> $crate::protocol::$call<Self> {
+            $crate::Call::of(Self {
                 $($set: Some($value),)*
                 $($given: Some($given.into()),)+
-                ..Self::bare($crate::protocol::FunctionSelector::$selector)
-            }
+                ..Self::bare($crate::protocol::$call::<Self>::FUNCTION)
+            })
         }
     };
 }
@@ -219,7 +219,7 @@ macro_rules! tuple {
     };
 }
 
-/// Methods that add an optional value to a command.
+/// Methods that add an optional value to a command, or to a call of any of its functions.
 macro_rules! setters {
     ($name:ident $(fn $with:ident($member:ident: $type:ty);)*) => {
         impl $name {
@@ -230,6 +230,18 @@ macro_rules! setters {
                 pub fn $with(mut self, $member: $type) -> Self {
                     self.$member = Some($member);
                     self
+                }
+            )*
+        }
+    };
+    (call $name:ident $(fn $with:ident($member:ident: $type:ty);)*) => {
+        impl<const FUNCTION: u8> $crate::Call<$name, FUNCTION> {
+            $(
+                #[doc = concat!("With `", stringify!($member), "`, which is optional.")]
+                #[inline]
+                #[must_use]
+                pub fn $with(self, $member: $type) -> Self {
+                    Self::of($name { $member: Some($member), ..self.into_command() })
                 }
             )*
         }

@@ -215,19 +215,19 @@ constructors! {
         tracking_enabled: bool,
         translation: impl Into<types::Vector3f>,
         rotation: FrameConfigRotation,
-    ) = WRITE, format: rotation.tag();
+    ) -> Write, format: rotation.tag();
 
     /// Return the current setting in a response.
-    fn read(frame_id: u8, format: AidingFrameFormat) = READ;
+    fn read(frame_id: u8, format: AidingFrameFormat) -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save(frame_id: u8) = SAVE;
+    fn save(frame_id: u8) -> Save;
 
     /// Load the saved setting.
-    fn load(frame_id: u8) = LOAD;
+    fn load(frame_id: u8) -> Load;
 
     /// Load the factory default setting.
-    fn load_default(frame_id: u8) = DEFAULT;
+    fn load_default(frame_id: u8) -> LoadDefault;
 }
 
 field! {
@@ -236,7 +236,9 @@ field! {
 }
 
 command! {
-    FrameConfig -> FrameConfigResponse;
+    FrameConfig -> Option<FrameConfigResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> FrameConfigResponse;
     responds FrameConfigResponse for READ;
 }
 
@@ -278,19 +280,19 @@ constructors! {
     EchoControl
 
     /// Apply the new setting.
-    fn write(mode: AidingEchoMode) = WRITE;
+    fn write(mode: AidingEchoMode) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -299,7 +301,9 @@ field! {
 }
 
 command! {
-    EchoControl -> EchoControlResponse;
+    EchoControl -> Option<EchoControlResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> EchoControlResponse;
     responds EchoControlResponse for READ;
 }
 

@@ -542,19 +542,19 @@ constructors! {
     CommSpeed
 
     /// Apply the new setting.
-    fn write(port: u8, baud: u32) = WRITE;
+    fn write(port: u8, baud: u32) -> Write;
 
     /// Return the current setting in a response.
-    fn read(port: u8) = READ;
+    fn read(port: u8) -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save(port: u8) = SAVE;
+    fn save(port: u8) -> Save;
 
     /// Load the saved setting.
-    fn load(port: u8) = LOAD;
+    fn load(port: u8) -> Load;
 
     /// Load the factory default setting.
-    fn load_default(port: u8) = DEFAULT;
+    fn load_default(port: u8) -> LoadDefault;
 }
 
 #[rustfmt::skip]
@@ -587,7 +587,9 @@ field! {
 }
 
 command! {
-    CommSpeed -> CommSpeedResponse;
+    CommSpeed -> Option<CommSpeedResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> CommSpeedResponse;
     responds CommSpeedResponse for READ;
 }
 
@@ -661,13 +663,13 @@ constructors! {
     GpsTimeUpdate
 
     /// Apply the new setting.
-    fn write(field_id: GpsTimeField, value: u32) = WRITE;
+    fn write(field_id: GpsTimeField, value: u32) -> Write;
 
     /// Return the current setting in a response.
-    fn read(field_id: GpsTimeField) = READ;
+    fn read(field_id: GpsTimeField) -> Read;
 
     /// Apply the new setting and send no acknowledge (5-series devices).
-    fn apply(field_id: GpsTimeField, value: u32) = APPLY;
+    fn apply(field_id: GpsTimeField, value: u32) -> Apply;
 }
 
 field! {
@@ -676,7 +678,9 @@ field! {
 }
 
 command! {
-    GpsTimeUpdate -> GpsTimeUpdateResponses;
+    GpsTimeUpdate -> Option<GpsTimeUpdateResponses>;
+    for WRITE APPLY -> ();
+    for READ -> GpsTimeUpdateResponses;
     responds GpsTimeUpdateWeekNumberResponse for READ, if field_id = Some(GpsTimeField::WEEK_NUMBER);
     responds GpsTimeUpdateTowResponse for READ, if field_id = Some(GpsTimeField::TOW);
     silent for APPLY;

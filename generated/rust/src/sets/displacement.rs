@@ -70,7 +70,7 @@ constructors! {
     OutputRate
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 }
 
 field! {
@@ -79,7 +79,8 @@ field! {
 }
 
 command! {
-    OutputRate -> OutputRateResponse;
+    OutputRate -> Option<OutputRateResponse>;
+    for READ -> OutputRateResponse;
     responds OutputRateResponse for READ;
 }
 
@@ -114,7 +115,7 @@ constructors! {
     DeviceTime
 
     /// Apply the new setting.
-    fn write(time: u64) = WRITE;
+    fn write(time: u64) -> Write;
 }
 
 field! {
@@ -124,6 +125,7 @@ field! {
 
 command! {
     DeviceTime -> ();
+    for WRITE -> ();
 }
 
 record! {

@@ -618,19 +618,19 @@ constructors! {
     VehicleDynamicsMode
 
     /// Apply the new setting.
-    fn write(mode: DynamicsMode) = WRITE;
+    fn write(mode: DynamicsMode) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -639,7 +639,9 @@ field! {
 }
 
 command! {
-    VehicleDynamicsMode -> VehicleDynamicsModeResponse;
+    VehicleDynamicsMode -> Option<VehicleDynamicsModeResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> VehicleDynamicsModeResponse;
     responds VehicleDynamicsModeResponse for READ;
 }
 
@@ -718,19 +720,19 @@ constructors! {
         roll: f32,
         pitch: f32,
         yaw: f32,
-    ) = WRITE;
+    ) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -739,7 +741,9 @@ field! {
 }
 
 command! {
-    SensorToVehicleRotationEuler -> SensorToVehicleRotationEulerResponse;
+    SensorToVehicleRotationEuler -> Option<SensorToVehicleRotationEulerResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> SensorToVehicleRotationEulerResponse;
     responds SensorToVehicleRotationEulerResponse for READ;
 }
 
@@ -783,19 +787,19 @@ constructors! {
     SensorToVehicleOffset
 
     /// Apply the new setting.
-    fn write(offset: impl Into<types::Vector3f>) = WRITE;
+    fn write(offset: impl Into<types::Vector3f>) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -804,7 +808,9 @@ field! {
 }
 
 command! {
-    SensorToVehicleOffset -> SensorToVehicleOffsetResponse;
+    SensorToVehicleOffset -> Option<SensorToVehicleOffsetResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> SensorToVehicleOffsetResponse;
     responds SensorToVehicleOffsetResponse for READ;
 }
 
@@ -858,19 +864,19 @@ constructors! {
     AntennaOffset
 
     /// Apply the new setting.
-    fn write(offset: impl Into<types::Vector3f>) = WRITE;
+    fn write(offset: impl Into<types::Vector3f>) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -879,7 +885,9 @@ field! {
 }
 
 command! {
-    AntennaOffset -> AntennaOffsetResponse;
+    AntennaOffset -> Option<AntennaOffsetResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> AntennaOffsetResponse;
     responds AntennaOffsetResponse for READ;
 }
 
@@ -958,19 +966,19 @@ constructors! {
     EstimationControl
 
     /// Apply the new setting.
-    fn write(flags: EstimatedStates) = WRITE;
+    fn write(flags: EstimatedStates) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -979,7 +987,9 @@ field! {
 }
 
 command! {
-    EstimationControl -> EstimationControlResponse;
+    EstimationControl -> Option<EstimationControlResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> EstimationControlResponse;
     responds EstimationControlResponse for READ;
 }
 
@@ -1029,19 +1039,19 @@ constructors! {
     GnssSource
 
     /// Apply the new setting.
-    fn write(source: GnssAidingSource) = WRITE;
+    fn write(source: GnssAidingSource) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -1050,7 +1060,9 @@ field! {
 }
 
 command! {
-    GnssSource -> GnssSourceResponse;
+    GnssSource -> Option<GnssSourceResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> GnssSourceResponse;
     responds GnssSourceResponse for READ;
 }
 
@@ -1264,19 +1276,19 @@ constructors! {
     HeadingSource
 
     /// Apply the new setting.
-    fn write(source: HeadingUpdateSource) = WRITE;
+    fn write(source: HeadingUpdateSource) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -1285,7 +1297,9 @@ field! {
 }
 
 command! {
-    HeadingSource -> HeadingSourceResponse;
+    HeadingSource -> Option<HeadingSourceResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> HeadingSourceResponse;
     responds HeadingSourceResponse for READ;
 }
 
@@ -1331,19 +1345,19 @@ constructors! {
     AutoInitializationControl
 
     /// Apply the new setting.
-    fn write(enable: u8) = WRITE;
+    fn write(enable: u8) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -1352,7 +1366,9 @@ field! {
 }
 
 command! {
-    AutoInitializationControl -> AutoInitializationControlResponse;
+    AutoInitializationControl -> Option<AutoInitializationControlResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> AutoInitializationControlResponse;
     responds AutoInitializationControlResponse for READ;
 }
 
@@ -1410,19 +1426,19 @@ constructors! {
     AccelNoise
 
     /// Apply the new setting.
-    fn write(noise: impl Into<types::Vector3f>) = WRITE;
+    fn write(noise: impl Into<types::Vector3f>) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -1431,7 +1447,9 @@ field! {
 }
 
 command! {
-    AccelNoise -> AccelNoiseResponse;
+    AccelNoise -> Option<AccelNoiseResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> AccelNoiseResponse;
     responds AccelNoiseResponse for READ;
 }
 
@@ -1486,19 +1504,19 @@ constructors! {
     GyroNoise
 
     /// Apply the new setting.
-    fn write(noise: impl Into<types::Vector3f>) = WRITE;
+    fn write(noise: impl Into<types::Vector3f>) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -1507,7 +1525,9 @@ field! {
 }
 
 command! {
-    GyroNoise -> GyroNoiseResponse;
+    GyroNoise -> Option<GyroNoiseResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> GyroNoiseResponse;
     responds GyroNoiseResponse for READ;
 }
 
@@ -1555,19 +1575,19 @@ constructors! {
     AccelBiasModel
 
     /// Apply the new setting.
-    fn write(beta: impl Into<types::Vector3f>, noise: impl Into<types::Vector3f>) = WRITE;
+    fn write(beta: impl Into<types::Vector3f>, noise: impl Into<types::Vector3f>) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -1576,7 +1596,9 @@ field! {
 }
 
 command! {
-    AccelBiasModel -> AccelBiasModelResponse;
+    AccelBiasModel -> Option<AccelBiasModelResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> AccelBiasModelResponse;
     responds AccelBiasModelResponse for READ;
 }
 
@@ -1633,19 +1655,19 @@ constructors! {
     GyroBiasModel
 
     /// Apply the new setting.
-    fn write(beta: impl Into<types::Vector3f>, noise: impl Into<types::Vector3f>) = WRITE;
+    fn write(beta: impl Into<types::Vector3f>, noise: impl Into<types::Vector3f>) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -1654,7 +1676,9 @@ field! {
 }
 
 command! {
-    GyroBiasModel -> GyroBiasModelResponse;
+    GyroBiasModel -> Option<GyroBiasModelResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> GyroBiasModelResponse;
     responds GyroBiasModelResponse for READ;
 }
 
@@ -1706,19 +1730,19 @@ constructors! {
     AutoZupt
 
     /// Apply the new setting.
-    fn write(enable: u8, threshold: f32) = WRITE;
+    fn write(enable: u8, threshold: f32) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -1727,7 +1751,9 @@ field! {
 }
 
 command! {
-    AutoZupt -> AutoZuptResponse;
+    AutoZupt -> Option<AutoZuptResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> AutoZuptResponse;
     responds AutoZuptResponse for READ;
 }
 
@@ -1875,19 +1901,19 @@ constructors! {
     AutoAngularZupt
 
     /// Apply the new setting.
-    fn write(enable: u8, threshold: f32) = WRITE;
+    fn write(enable: u8, threshold: f32) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -1896,7 +1922,9 @@ field! {
 }
 
 command! {
-    AutoAngularZupt -> AutoAngularZuptResponse;
+    AutoAngularZupt -> Option<AutoAngularZuptResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> AutoAngularZuptResponse;
     responds AutoAngularZuptResponse for READ;
 }
 
@@ -1958,19 +1986,19 @@ constructors! {
     TareOrientation
 
     /// Apply the new setting.
-    fn write(axes: TareAxes) = WRITE;
+    fn write(axes: TareAxes) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -1979,7 +2007,9 @@ field! {
 }
 
 command! {
-    TareOrientation -> TareOrientationResponse;
+    TareOrientation -> Option<TareOrientationResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> TareOrientationResponse;
     responds TareOrientationResponse for READ;
 }
 
@@ -2130,19 +2160,19 @@ constructors! {
         latitude: f64,
         longitude: f64,
         altitude: f64,
-    ) = WRITE;
+    ) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -2151,7 +2181,9 @@ field! {
 }
 
 command! {
-    ReferencePosition -> ReferencePositionResponse;
+    ReferencePosition -> Option<ReferencePositionResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> ReferencePositionResponse;
     responds ReferencePositionResponse for READ;
 }
 
@@ -2191,10 +2223,10 @@ constructors! {
     MagCaptureAutoCalibration
 
     /// Apply the new setting.
-    fn write() = WRITE;
+    fn write() -> Write;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 }
 
 field! {
@@ -2204,6 +2236,7 @@ field! {
 
 command! {
     MagCaptureAutoCalibration -> ();
+    for WRITE SAVE -> ();
 }
 
 record! {
@@ -2254,19 +2287,19 @@ constructors! {
     GravityNoise
 
     /// Apply the new setting.
-    fn write(noise: impl Into<types::Vector3f>) = WRITE;
+    fn write(noise: impl Into<types::Vector3f>) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -2275,7 +2308,9 @@ field! {
 }
 
 command! {
-    GravityNoise -> GravityNoiseResponse;
+    GravityNoise -> Option<GravityNoiseResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> GravityNoiseResponse;
     responds GravityNoiseResponse for READ;
 }
 
@@ -2320,19 +2355,19 @@ constructors! {
     PressureAltitudeNoise
 
     /// Apply the new setting.
-    fn write(noise: f32) = WRITE;
+    fn write(noise: f32) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -2341,7 +2376,9 @@ field! {
 }
 
 command! {
-    PressureAltitudeNoise -> PressureAltitudeNoiseResponse;
+    PressureAltitudeNoise -> Option<PressureAltitudeNoiseResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> PressureAltitudeNoiseResponse;
     responds PressureAltitudeNoiseResponse for READ;
 }
 
@@ -2382,19 +2419,19 @@ constructors! {
     HardIronOffsetNoise
 
     /// Apply the new setting.
-    fn write(noise: impl Into<types::Vector3f>) = WRITE;
+    fn write(noise: impl Into<types::Vector3f>) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -2403,7 +2440,9 @@ field! {
 }
 
 command! {
-    HardIronOffsetNoise -> HardIronOffsetNoiseResponse;
+    HardIronOffsetNoise -> Option<HardIronOffsetNoiseResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> HardIronOffsetNoiseResponse;
     responds HardIronOffsetNoiseResponse for READ;
 }
 
@@ -2444,19 +2483,19 @@ constructors! {
     SoftIronMatrixNoise
 
     /// Apply the new setting.
-    fn write(noise: impl Into<types::Matrix3f>) = WRITE;
+    fn write(noise: impl Into<types::Matrix3f>) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -2465,7 +2504,9 @@ field! {
 }
 
 command! {
-    SoftIronMatrixNoise -> SoftIronMatrixNoiseResponse;
+    SoftIronMatrixNoise -> Option<SoftIronMatrixNoiseResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> SoftIronMatrixNoiseResponse;
     responds SoftIronMatrixNoiseResponse for READ;
 }
 
@@ -2510,19 +2551,19 @@ constructors! {
     EnableMeasurements
 
     /// Apply the new setting.
-    fn write(control: MeasurementFlags) = WRITE;
+    fn write(control: MeasurementFlags) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -2531,7 +2572,9 @@ field! {
 }
 
 command! {
-    EnableMeasurements -> EnableMeasurementsResponse;
+    EnableMeasurements -> Option<EnableMeasurementsResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> EnableMeasurementsResponse;
     responds EnableMeasurementsResponse for READ;
 }
 
@@ -2576,19 +2619,19 @@ constructors! {
     MagNoise
 
     /// Apply the new setting.
-    fn write(noise: impl Into<types::Vector3f>) = WRITE;
+    fn write(noise: impl Into<types::Vector3f>) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -2597,7 +2640,9 @@ field! {
 }
 
 command! {
-    MagNoise -> MagNoiseResponse;
+    MagNoise -> Option<MagNoiseResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> MagNoiseResponse;
     responds MagNoiseResponse for READ;
 }
 
@@ -2664,19 +2709,19 @@ constructors! {
     MagneticDeclinationSource
 
     /// Apply the new setting.
-    fn write(source: MagParameterSource, declination: f32) = WRITE;
+    fn write(source: MagParameterSource, declination: f32) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -2685,7 +2730,9 @@ field! {
 }
 
 command! {
-    MagneticDeclinationSource -> MagneticDeclinationSourceResponse;
+    MagneticDeclinationSource -> Option<MagneticDeclinationSourceResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> MagneticDeclinationSourceResponse;
     responds MagneticDeclinationSourceResponse for READ;
 }
 
@@ -2782,23 +2829,23 @@ constructors! {
     AccelMagnitudeErrorAdaptiveMeasurement
 
     /// Apply the new setting.
-    fn write(adaptive_measurement: AdaptiveMeasurementSelector) = WRITE;
+    fn write(adaptive_measurement: AdaptiveMeasurementSelector) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 setters! {
-    AccelMagnitudeErrorAdaptiveMeasurement
+    call AccelMagnitudeErrorAdaptiveMeasurement
     fn with_frequency(frequency: f32);
     fn with_low_limit(low_limit: f32);
     fn with_high_limit(high_limit: f32);
@@ -2813,7 +2860,9 @@ field! {
 }
 
 command! {
-    AccelMagnitudeErrorAdaptiveMeasurement -> AccelMagnitudeErrorAdaptiveMeasurementResponse;
+    AccelMagnitudeErrorAdaptiveMeasurement -> Option<AccelMagnitudeErrorAdaptiveMeasurementResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> AccelMagnitudeErrorAdaptiveMeasurementResponse;
     responds AccelMagnitudeErrorAdaptiveMeasurementResponse for READ;
 }
 
@@ -2926,19 +2975,19 @@ constructors! {
         low_limit_uncertainty: f32,
         high_limit_uncertainty: f32,
         minimum_uncertainty: f32,
-    ) = WRITE;
+    ) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -2947,7 +2996,9 @@ field! {
 }
 
 command! {
-    MagMagnitudeErrorAdaptiveMeasurement -> MagMagnitudeErrorAdaptiveMeasurementResponse;
+    MagMagnitudeErrorAdaptiveMeasurement -> Option<MagMagnitudeErrorAdaptiveMeasurementResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> MagMagnitudeErrorAdaptiveMeasurementResponse;
     responds MagMagnitudeErrorAdaptiveMeasurementResponse for READ;
 }
 
@@ -3031,19 +3082,19 @@ constructors! {
         high_limit: f32,
         high_limit_uncertainty: f32,
         minimum_uncertainty: f32,
-    ) = WRITE;
+    ) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -3052,7 +3103,9 @@ field! {
 }
 
 command! {
-    MagDipAngleErrorAdaptiveMeasurement -> MagDipAngleErrorAdaptiveMeasurementResponse;
+    MagDipAngleErrorAdaptiveMeasurement -> Option<MagDipAngleErrorAdaptiveMeasurementResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> MagDipAngleErrorAdaptiveMeasurementResponse;
     responds MagDipAngleErrorAdaptiveMeasurementResponse for READ;
 }
 
@@ -3095,19 +3148,19 @@ constructors! {
     AltitudeAiding
 
     /// Apply the new setting.
-    fn write(selector: AltitudeAidingSource) = WRITE;
+    fn write(selector: AltitudeAidingSource) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -3116,7 +3169,9 @@ field! {
 }
 
 command! {
-    AltitudeAiding -> AltitudeAidingResponse;
+    AltitudeAiding -> Option<AltitudeAidingResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> AltitudeAidingResponse;
     responds AltitudeAidingResponse for READ;
 }
 
@@ -3162,19 +3217,19 @@ constructors! {
     PitchRollAiding
 
     /// Apply the new setting.
-    fn write(aiding: PitchRollAidingSource) = WRITE;
+    fn write(aiding: PitchRollAidingSource) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -3183,7 +3238,9 @@ field! {
 }
 
 command! {
-    PitchRollAiding -> PitchRollAidingResponse;
+    PitchRollAiding -> Option<PitchRollAidingResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> PitchRollAidingResponse;
     responds PitchRollAidingResponse for READ;
 }
 
@@ -3232,19 +3289,19 @@ constructors! {
     MagneticInclinationSource
 
     /// Apply the new setting.
-    fn write(source: MagParameterSource, inclination: f32) = WRITE;
+    fn write(source: MagParameterSource, inclination: f32) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -3253,7 +3310,9 @@ field! {
 }
 
 command! {
-    MagneticInclinationSource -> MagneticInclinationSourceResponse;
+    MagneticInclinationSource -> Option<MagneticInclinationSourceResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> MagneticInclinationSourceResponse;
     responds MagneticInclinationSourceResponse for READ;
 }
 
@@ -3303,19 +3362,19 @@ constructors! {
     MagneticMagnitudeSource
 
     /// Apply the new setting.
-    fn write(source: MagParameterSource, magnitude: f32) = WRITE;
+    fn write(source: MagParameterSource, magnitude: f32) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -3324,7 +3383,9 @@ field! {
 }
 
 command! {
-    MagneticMagnitudeSource -> MagneticMagnitudeSourceResponse;
+    MagneticMagnitudeSource -> Option<MagneticMagnitudeSourceResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> MagneticMagnitudeSourceResponse;
     responds MagneticMagnitudeSourceResponse for READ;
 }
 
@@ -3379,19 +3440,19 @@ constructors! {
     SensorToVehicleRotationDcm
 
     /// Apply the new setting.
-    fn write(dcm: impl Into<types::Matrix3f>) = WRITE;
+    fn write(dcm: impl Into<types::Matrix3f>) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -3400,7 +3461,9 @@ field! {
 }
 
 command! {
-    SensorToVehicleRotationDcm -> SensorToVehicleRotationDcmResponse;
+    SensorToVehicleRotationDcm -> Option<SensorToVehicleRotationDcmResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> SensorToVehicleRotationDcmResponse;
     responds SensorToVehicleRotationDcmResponse for READ;
 }
 
@@ -3454,19 +3517,19 @@ constructors! {
     SensorToVehicleRotationQuaternion
 
     /// Apply the new setting.
-    fn write(q: impl Into<types::Quatf>) = WRITE;
+    fn write(q: impl Into<types::Quatf>) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -3475,7 +3538,9 @@ field! {
 }
 
 command! {
-    SensorToVehicleRotationQuaternion -> SensorToVehicleRotationQuaternionResponse;
+    SensorToVehicleRotationQuaternion -> Option<SensorToVehicleRotationQuaternionResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> SensorToVehicleRotationQuaternionResponse;
     responds SensorToVehicleRotationQuaternionResponse for READ;
 }
 
@@ -3535,19 +3600,19 @@ constructors! {
     AidingMeasurementEnable
 
     /// Apply the new setting.
-    fn write(aiding_source: AidingSource, enable: bool) = WRITE;
+    fn write(aiding_source: AidingSource, enable: bool) -> Write;
 
     /// Return the current setting in a response.
-    fn read(aiding_source: AidingSource) = READ;
+    fn read(aiding_source: AidingSource) -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save(aiding_source: AidingSource) = SAVE;
+    fn save(aiding_source: AidingSource) -> Save;
 
     /// Load the saved setting.
-    fn load(aiding_source: AidingSource) = LOAD;
+    fn load(aiding_source: AidingSource) -> Load;
 
     /// Load the factory default setting.
-    fn load_default(aiding_source: AidingSource) = DEFAULT;
+    fn load_default(aiding_source: AidingSource) -> LoadDefault;
 }
 
 field! {
@@ -3556,7 +3621,9 @@ field! {
 }
 
 command! {
-    AidingMeasurementEnable -> AidingMeasurementEnableResponse;
+    AidingMeasurementEnable -> Option<AidingMeasurementEnableResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> AidingMeasurementEnableResponse;
     responds AidingMeasurementEnableResponse for READ;
 }
 
@@ -3613,19 +3680,19 @@ constructors! {
         accel_constraint: AccelConstraint,
         velocity_constraint: VelocityConstraint,
         angular_constraint: AngularConstraint,
-    ) = WRITE;
+    ) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -3634,7 +3701,9 @@ field! {
 }
 
 command! {
-    KinematicConstraint -> KinematicConstraintResponse;
+    KinematicConstraint -> Option<KinematicConstraintResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> KinematicConstraintResponse;
     responds KinematicConstraintResponse for READ;
 }
 
@@ -3752,19 +3821,19 @@ constructors! {
         initial_position: impl Into<types::Vector3f>,
         initial_velocity: impl Into<types::Vector3f>,
         reference_frame_selector: ReferenceFrame,
-    ) = WRITE;
+    ) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -3773,7 +3842,9 @@ field! {
 }
 
 command! {
-    InitializationConfig -> InitializationConfigResponse;
+    InitializationConfig -> Option<InitializationConfigResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> InitializationConfigResponse;
     responds InitializationConfigResponse for READ;
 }
 
@@ -3822,19 +3893,19 @@ constructors! {
     AdaptiveFilterOptions
 
     /// Apply the new setting.
-    fn write(level: AdaptiveLevel, time_limit: u16) = WRITE;
+    fn write(level: AdaptiveLevel, time_limit: u16) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -3843,7 +3914,9 @@ field! {
 }
 
 command! {
-    AdaptiveFilterOptions -> AdaptiveFilterOptionsResponse;
+    AdaptiveFilterOptions -> Option<AdaptiveFilterOptionsResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> AdaptiveFilterOptionsResponse;
     responds AdaptiveFilterOptionsResponse for READ;
 }
 
@@ -3896,19 +3969,19 @@ constructors! {
     MultiAntennaOffset
 
     /// Apply the new setting.
-    fn write(receiver_id: u8, antenna_offset: impl Into<types::Vector3f>) = WRITE;
+    fn write(receiver_id: u8, antenna_offset: impl Into<types::Vector3f>) -> Write;
 
     /// Return the current setting in a response.
-    fn read(receiver_id: u8) = READ;
+    fn read(receiver_id: u8) -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save(receiver_id: u8) = SAVE;
+    fn save(receiver_id: u8) -> Save;
 
     /// Load the saved setting.
-    fn load(receiver_id: u8) = LOAD;
+    fn load(receiver_id: u8) -> Load;
 
     /// Load the factory default setting.
-    fn load_default(receiver_id: u8) = DEFAULT;
+    fn load_default(receiver_id: u8) -> LoadDefault;
 }
 
 field! {
@@ -3917,7 +3990,9 @@ field! {
 }
 
 command! {
-    MultiAntennaOffset -> MultiAntennaOffsetResponse;
+    MultiAntennaOffset -> Option<MultiAntennaOffsetResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> MultiAntennaOffsetResponse;
     responds MultiAntennaOffsetResponse for READ;
 }
 
@@ -3974,19 +4049,19 @@ constructors! {
         source: RelativePositionSource,
         reference_frame_selector: ReferenceFrame,
         reference_coordinates: impl Into<types::Vector3d>,
-    ) = WRITE;
+    ) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -3995,7 +4070,9 @@ field! {
 }
 
 command! {
-    RelativePositionConfig -> RelativePositionConfigResponse;
+    RelativePositionConfig -> Option<RelativePositionConfigResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> RelativePositionConfigResponse;
     responds RelativePositionConfigResponse for READ;
 }
 
@@ -4046,19 +4123,19 @@ constructors! {
     ReferencePointLeverArm
 
     /// Apply the new setting.
-    fn write(reference_point: ReferencePoint, lever_arm_offset: impl Into<types::Vector3f>) = WRITE;
+    fn write(reference_point: ReferencePoint, lever_arm_offset: impl Into<types::Vector3f>) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -4067,7 +4144,9 @@ field! {
 }
 
 command! {
-    ReferencePointLeverArm -> ReferencePointLeverArmResponse;
+    ReferencePointLeverArm -> Option<ReferencePointLeverArmResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> ReferencePointLeverArmResponse;
     responds ReferencePointLeverArmResponse for READ;
 }
 
@@ -4181,19 +4260,19 @@ constructors! {
     SpeedLeverArm
 
     /// Apply the new setting.
-    fn write(lever_arm_offset: impl Into<types::Vector3f>) = WRITE, source: 1;
+    fn write(lever_arm_offset: impl Into<types::Vector3f>) -> Write, source: 1;
 
     /// Return the current setting in a response.
-    fn read() = READ, source: 1;
+    fn read() -> Read, source: 1;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE, source: 1;
+    fn save() -> Save, source: 1;
 
     /// Load the saved setting.
-    fn load() = LOAD, source: 1;
+    fn load() -> Load, source: 1;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT, source: 1;
+    fn load_default() -> LoadDefault, source: 1;
 }
 
 field! {
@@ -4202,7 +4281,9 @@ field! {
 }
 
 command! {
-    SpeedLeverArm -> SpeedLeverArmResponse;
+    SpeedLeverArm -> Option<SpeedLeverArmResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> SpeedLeverArmResponse;
     responds SpeedLeverArmResponse for READ;
 }
 
@@ -4242,19 +4323,19 @@ constructors! {
     VerticalGyroConstraintControl
 
     /// Apply the new setting.
-    fn write(enable: u8) = WRITE;
+    fn write(enable: u8) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -4263,7 +4344,9 @@ field! {
 }
 
 command! {
-    VerticalGyroConstraintControl -> VerticalGyroConstraintControlResponse;
+    VerticalGyroConstraintControl -> Option<VerticalGyroConstraintControlResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> VerticalGyroConstraintControlResponse;
     responds VerticalGyroConstraintControlResponse for READ;
 }
 
@@ -4307,19 +4390,19 @@ constructors! {
     WheeledVehicleConstraintControl
 
     /// Apply the new setting.
-    fn write(enable: u8) = WRITE;
+    fn write(enable: u8) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -4328,7 +4411,9 @@ field! {
 }
 
 command! {
-    WheeledVehicleConstraintControl -> WheeledVehicleConstraintControlResponse;
+    WheeledVehicleConstraintControl -> Option<WheeledVehicleConstraintControlResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> WheeledVehicleConstraintControlResponse;
     responds WheeledVehicleConstraintControlResponse for READ;
 }
 
@@ -4376,19 +4461,19 @@ constructors! {
     GnssAntennaCalibrationControl
 
     /// Apply the new setting.
-    fn write(enable: u8, max_offset: f32) = WRITE;
+    fn write(enable: u8, max_offset: f32) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -4397,7 +4482,9 @@ field! {
 }
 
 command! {
-    GnssAntennaCalibrationControl -> GnssAntennaCalibrationControlResponse;
+    GnssAntennaCalibrationControl -> Option<GnssAntennaCalibrationControlResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> GnssAntennaCalibrationControlResponse;
     responds GnssAntennaCalibrationControlResponse for READ;
 }
 

@@ -272,19 +272,19 @@ constructors! {
         glonass_enable: GlonassSignals,
         galileo_enable: GalileoSignals,
         beidou_enable: BeidouSignals,
-    ) = WRITE, reserved: [0; 4];
+    ) -> Write, reserved: [0; 4];
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -293,7 +293,9 @@ field! {
 }
 
 command! {
-    SignalConfig -> SignalConfigResponse;
+    SignalConfig -> Option<SignalConfigResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> SignalConfigResponse;
     responds SignalConfigResponse for READ;
 }
 
@@ -374,19 +376,19 @@ constructors! {
     RtkConfig
 
     /// Apply the new setting.
-    fn write(ambiguity_fix_mode: AmbiguityFixMode) = WRITE, reserved: [0; 4];
+    fn write(ambiguity_fix_mode: AmbiguityFixMode) -> Write, reserved: [0; 4];
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -395,7 +397,9 @@ field! {
 }
 
 command! {
-    RtkConfig -> RtkConfigResponse;
+    RtkConfig -> Option<RtkConfigResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> RtkConfigResponse;
     responds RtkConfigResponse for READ;
 }
 
@@ -436,19 +440,19 @@ constructors! {
     RtkDongleConfig
 
     /// Apply the new setting.
-    fn write(enable: u8) = WRITE, reserved: [0; 3];
+    fn write(enable: u8) -> Write, reserved: [0; 3];
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -457,7 +461,9 @@ field! {
 }
 
 command! {
-    RtkDongleConfig -> RtkDongleConfigResponse;
+    RtkDongleConfig -> Option<RtkDongleConfigResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> RtkDongleConfigResponse;
     responds RtkDongleConfigResponse for READ;
 }
 
@@ -547,19 +553,19 @@ constructors! {
         next_key_tow: u32,
         next_key_week: u16,
         next_key: [u8; 32],
-    ) = WRITE;
+    ) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -568,7 +574,9 @@ field! {
 }
 
 command! {
-    SpartnConfig -> SpartnConfigResponse;
+    SpartnConfig -> Option<SpartnConfigResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> SpartnConfigResponse;
     responds SpartnConfigResponse for READ;
 }
 

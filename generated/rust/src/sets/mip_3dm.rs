@@ -909,19 +909,19 @@ constructors! {
     ImuMessageFormat
 
     /// Apply the new setting.
-    fn write(descriptors: impl Into<crate::List<types::DescriptorRate, 83>>) = WRITE;
+    fn write(descriptors: impl Into<crate::List<types::DescriptorRate, 83>>) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -930,7 +930,9 @@ field! {
 }
 
 command! {
-    ImuMessageFormat -> ImuMessageFormatResponse;
+    ImuMessageFormat -> Option<ImuMessageFormatResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> ImuMessageFormatResponse;
     responds ImuMessageFormatResponse for READ;
 }
 
@@ -980,19 +982,19 @@ constructors! {
     GnssMessageFormat
 
     /// Apply the new setting.
-    fn write(descriptors: impl Into<crate::List<types::DescriptorRate, 83>>) = WRITE;
+    fn write(descriptors: impl Into<crate::List<types::DescriptorRate, 83>>) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -1001,7 +1003,9 @@ field! {
 }
 
 command! {
-    GnssMessageFormat -> GnssMessageFormatResponse;
+    GnssMessageFormat -> Option<GnssMessageFormatResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> GnssMessageFormatResponse;
     responds GnssMessageFormatResponse for READ;
 }
 
@@ -1056,19 +1060,19 @@ constructors! {
     FilterMessageFormat
 
     /// Apply the new setting.
-    fn write(descriptors: impl Into<crate::List<types::DescriptorRate, 83>>) = WRITE;
+    fn write(descriptors: impl Into<crate::List<types::DescriptorRate, 83>>) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -1077,7 +1081,9 @@ field! {
 }
 
 command! {
-    FilterMessageFormat -> FilterMessageFormatResponse;
+    FilterMessageFormat -> Option<FilterMessageFormatResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> FilterMessageFormatResponse;
     responds FilterMessageFormatResponse for READ;
 }
 
@@ -1165,19 +1171,19 @@ constructors! {
     NmeaMessageFormat
 
     /// Apply the new setting.
-    fn write(format_entries: impl Into<crate::List<types::NmeaMessage, 50>>) = WRITE;
+    fn write(format_entries: impl Into<crate::List<types::NmeaMessage, 50>>) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -1186,7 +1192,9 @@ field! {
 }
 
 command! {
-    NmeaMessageFormat -> NmeaMessageFormatResponse;
+    NmeaMessageFormat -> Option<NmeaMessageFormatResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> NmeaMessageFormatResponse;
     responds NmeaMessageFormatResponse for READ;
 }
 
@@ -1346,19 +1354,19 @@ constructors! {
     MessageFormat
 
     /// Apply the new setting.
-    fn write(descriptor_set: u8, descriptors: impl Into<crate::List<types::DescriptorRate, 83>>) = WRITE;
+    fn write(descriptor_set: u8, descriptors: impl Into<crate::List<types::DescriptorRate, 83>>) -> Write;
 
     /// Return the current setting in a response.
-    fn read(descriptor_set: u8) = READ;
+    fn read(descriptor_set: u8) -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save(descriptor_set: u8) = SAVE;
+    fn save(descriptor_set: u8) -> Save;
 
     /// Load the saved setting.
-    fn load(descriptor_set: u8) = LOAD;
+    fn load(descriptor_set: u8) -> Load;
 
     /// Load the factory default setting.
-    fn load_default(descriptor_set: u8) = DEFAULT;
+    fn load_default(descriptor_set: u8) -> LoadDefault;
 }
 
 field! {
@@ -1367,7 +1375,9 @@ field! {
 }
 
 command! {
-    MessageFormat -> MessageFormatResponse;
+    MessageFormat -> Option<MessageFormatResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> MessageFormatResponse;
     responds MessageFormatResponse for READ;
 }
 
@@ -1489,19 +1499,19 @@ constructors! {
     DataStreamControl
 
     /// Apply the new setting.
-    fn write(descriptor_set: u8, enable: bool) = WRITE;
+    fn write(descriptor_set: u8, enable: bool) -> Write;
 
     /// Return the current setting in a response.
-    fn read(descriptor_set: u8) = READ;
+    fn read(descriptor_set: u8) -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save(descriptor_set: u8) = SAVE;
+    fn save(descriptor_set: u8) -> Save;
 
     /// Load the saved setting.
-    fn load(descriptor_set: u8) = LOAD;
+    fn load(descriptor_set: u8) -> Load;
 
     /// Load the factory default setting.
-    fn load_default(descriptor_set: u8) = DEFAULT;
+    fn load_default(descriptor_set: u8) -> LoadDefault;
 }
 
 #[rustfmt::skip]
@@ -1537,7 +1547,9 @@ field! {
 }
 
 command! {
-    DataStreamControl -> DataStreamControlResponse;
+    DataStreamControl -> Option<DataStreamControlResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> DataStreamControlResponse;
     responds DataStreamControlResponse for READ;
 }
 
@@ -1638,19 +1650,19 @@ constructors! {
     ConstellationSettings
 
     /// Apply the new setting.
-    fn write(max_channels: u16, settings: impl Into<crate::List<ConstellationSettingsEntry, 41>>) = WRITE;
+    fn write(max_channels: u16, settings: impl Into<crate::List<ConstellationSettingsEntry, 41>>) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -1659,7 +1671,9 @@ field! {
 }
 
 command! {
-    ConstellationSettings -> ConstellationSettingsResponse;
+    ConstellationSettings -> Option<ConstellationSettingsResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> ConstellationSettingsResponse;
     responds ConstellationSettingsResponse for READ;
 }
 
@@ -1724,19 +1738,19 @@ constructors! {
         enable_sbas: u8,
         sbas_options: SbasOptions,
         included_prns: impl Into<crate::List<u16, 124>>,
-    ) = WRITE;
+    ) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -1745,7 +1759,9 @@ field! {
 }
 
 command! {
-    GnssSbasSettings -> GnssSbasSettingsResponse;
+    GnssSbasSettings -> Option<GnssSbasSettingsResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> GnssSbasSettingsResponse;
     responds GnssSbasSettingsResponse for READ;
 }
 
@@ -1796,19 +1812,19 @@ constructors! {
     GnssAssistedFix
 
     /// Apply the new setting.
-    fn write(option: AssistedFixOption) = WRITE, flags: 255;
+    fn write(option: AssistedFixOption) -> Write, flags: 255;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -1817,7 +1833,9 @@ field! {
 }
 
 command! {
-    GnssAssistedFix -> GnssAssistedFixResponse;
+    GnssAssistedFix -> Option<GnssAssistedFixResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> GnssAssistedFixResponse;
     responds GnssAssistedFixResponse for READ;
 }
 
@@ -1872,10 +1890,10 @@ constructors! {
         tow: f64,
         week_number: u16,
         accuracy: f32,
-    ) = WRITE;
+    ) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 }
 
 field! {
@@ -1884,7 +1902,9 @@ field! {
 }
 
 command! {
-    GnssTimeAssistance -> GnssTimeAssistanceResponse;
+    GnssTimeAssistance -> Option<GnssTimeAssistanceResponse>;
+    for WRITE -> ();
+    for READ -> GnssTimeAssistanceResponse;
     responds GnssTimeAssistanceResponse for READ;
 }
 
@@ -1943,19 +1963,19 @@ constructors! {
     PpsSourceControl
 
     /// Apply the new setting.
-    fn write(source: PpsSource) = WRITE;
+    fn write(source: PpsSource) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -1964,7 +1984,9 @@ field! {
 }
 
 command! {
-    PpsSourceControl -> PpsSourceControlResponse;
+    PpsSourceControl -> Option<PpsSourceControlResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> PpsSourceControlResponse;
     responds PpsSourceControlResponse for READ;
 }
 
@@ -2048,19 +2070,19 @@ constructors! {
     EventControl
 
     /// Apply the new setting.
-    fn write(instance: u8, mode: types::EventTriggerMode) = WRITE;
+    fn write(instance: u8, mode: types::EventTriggerMode) -> Write;
 
     /// Return the current setting in a response.
-    fn read(instance: u8) = READ;
+    fn read(instance: u8) -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save(instance: u8) = SAVE;
+    fn save(instance: u8) -> Save;
 
     /// Load the saved setting.
-    fn load(instance: u8) = LOAD;
+    fn load(instance: u8) -> Load;
 
     /// Load the factory default setting.
-    fn load_default(instance: u8) = DEFAULT;
+    fn load_default(instance: u8) -> LoadDefault;
 }
 
 field! {
@@ -2069,7 +2091,9 @@ field! {
 }
 
 command! {
-    EventControl -> EventControlResponse;
+    EventControl -> Option<EventControlResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> EventControlResponse;
     responds EventControlResponse for READ;
 }
 
@@ -2243,19 +2267,19 @@ constructors! {
     EventTriggerConfig
 
     /// Apply the new setting.
-    fn write(instance: u8, parameters: EventTriggerConfigParameters) = WRITE, type_: parameters.tag();
+    fn write(instance: u8, parameters: EventTriggerConfigParameters) -> Write, type_: parameters.tag();
 
     /// Return the current setting in a response.
-    fn read(instance: u8) = READ;
+    fn read(instance: u8) -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save(instance: u8) = SAVE;
+    fn save(instance: u8) -> Save;
 
     /// Load the saved setting.
-    fn load(instance: u8) = LOAD;
+    fn load(instance: u8) -> Load;
 
     /// Load the factory default setting.
-    fn load_default(instance: u8) = DEFAULT;
+    fn load_default(instance: u8) -> LoadDefault;
 }
 
 field! {
@@ -2264,7 +2288,9 @@ field! {
 }
 
 command! {
-    EventTriggerConfig -> EventTriggerConfigResponse;
+    EventTriggerConfig -> Option<EventTriggerConfigResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> EventTriggerConfigResponse;
     responds EventTriggerConfigResponse for READ;
 }
 
@@ -2354,19 +2380,19 @@ constructors! {
         instance: u8,
         trigger: u8,
         parameters: EventActionConfigParameters,
-    ) = WRITE, type_: parameters.tag();
+    ) -> Write, type_: parameters.tag();
 
     /// Return the current setting in a response.
-    fn read(instance: u8) = READ;
+    fn read(instance: u8) -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save(instance: u8) = SAVE;
+    fn save(instance: u8) -> Save;
 
     /// Load the saved setting.
-    fn load(instance: u8) = LOAD;
+    fn load(instance: u8) -> Load;
 
     /// Load the factory default setting.
-    fn load_default(instance: u8) = DEFAULT;
+    fn load_default(instance: u8) -> LoadDefault;
 }
 
 field! {
@@ -2375,7 +2401,9 @@ field! {
 }
 
 command! {
-    EventActionConfig -> EventActionConfigResponse;
+    EventActionConfig -> Option<EventActionConfigResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> EventActionConfigResponse;
     responds EventActionConfigResponse for READ;
 }
 
@@ -2424,13 +2452,13 @@ constructors! {
     DeviceSettings
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -2440,6 +2468,7 @@ field! {
 
 command! {
     DeviceSettings -> ();
+    for SAVE LOAD DEFAULT -> ();
     timeout 2000;
 }
 
@@ -2526,19 +2555,19 @@ constructors! {
         roll: f32,
         pitch: f32,
         yaw: f32,
-    ) = WRITE;
+    ) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -2547,7 +2576,9 @@ field! {
 }
 
 command! {
-    SensorToVehicleTransformEuler -> SensorToVehicleTransformEulerResponse;
+    SensorToVehicleTransformEuler -> Option<SensorToVehicleTransformEulerResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> SensorToVehicleTransformEulerResponse;
     responds SensorToVehicleTransformEulerResponse for READ;
 }
 
@@ -2613,19 +2644,19 @@ constructors! {
     SensorToVehicleTransformQuaternion
 
     /// Apply the new setting.
-    fn write(q: impl Into<types::Quatf>) = WRITE;
+    fn write(q: impl Into<types::Quatf>) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -2634,7 +2665,9 @@ field! {
 }
 
 command! {
-    SensorToVehicleTransformQuaternion -> SensorToVehicleTransformQuaternionResponse;
+    SensorToVehicleTransformQuaternion -> Option<SensorToVehicleTransformQuaternionResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> SensorToVehicleTransformQuaternionResponse;
     responds SensorToVehicleTransformQuaternionResponse for READ;
 }
 
@@ -2703,19 +2736,19 @@ constructors! {
     SensorToVehicleTransformDcm
 
     /// Apply the new setting.
-    fn write(dcm: impl Into<types::Matrix3f>) = WRITE;
+    fn write(dcm: impl Into<types::Matrix3f>) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -2724,7 +2757,9 @@ field! {
 }
 
 command! {
-    SensorToVehicleTransformDcm -> SensorToVehicleTransformDcmResponse;
+    SensorToVehicleTransformDcm -> Option<SensorToVehicleTransformDcmResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> SensorToVehicleTransformDcmResponse;
     responds SensorToVehicleTransformDcmResponse for READ;
 }
 
@@ -2762,19 +2797,19 @@ constructors! {
     GpsDynamicsMode
 
     /// Apply the new setting.
-    fn write(mode: ReceiverDynamics) = WRITE;
+    fn write(mode: ReceiverDynamics) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -2783,7 +2818,9 @@ field! {
 }
 
 command! {
-    GpsDynamicsMode -> GpsDynamicsModeResponse;
+    GpsDynamicsMode -> Option<GpsDynamicsModeResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> GpsDynamicsModeResponse;
     responds GpsDynamicsModeResponse for READ;
 }
 
@@ -2880,19 +2917,19 @@ constructors! {
         up_compensation: u16,
         north_compensation: u16,
         mag_bandwidth: MagBandwidth,
-    ) = WRITE, reserved: 0;
+    ) -> Write, reserved: 0;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -2901,7 +2938,9 @@ field! {
 }
 
 command! {
-    ImuSignalConditioning -> ImuSignalConditioningResponse;
+    ImuSignalConditioning -> Option<ImuSignalConditioningResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> ImuSignalConditioningResponse;
     responds ImuSignalConditioningResponse for READ;
 }
 
@@ -2941,10 +2980,10 @@ constructors! {
     ImuTimestamp
 
     /// Apply the new setting.
-    fn write(selector: ImuTimestampSelector, time: u32) = WRITE;
+    fn write(selector: ImuTimestampSelector, time: u32) -> Write;
 
     /// Return the current setting in a response.
-    fn read(selector: ImuTimestampSelector) = READ;
+    fn read(selector: ImuTimestampSelector) -> Read;
 }
 
 field! {
@@ -2953,7 +2992,9 @@ field! {
 }
 
 command! {
-    ImuTimestamp -> ImuTimestampResponse;
+    ImuTimestamp -> Option<ImuTimestampResponse>;
+    for WRITE -> ();
+    for READ -> ImuTimestampResponse;
     responds ImuTimestampResponse for READ;
 }
 
@@ -3014,22 +3055,22 @@ constructors! {
     AccelBias
 
     /// Apply the new setting.
-    fn write(bias: impl Into<types::Vector3f>) = WRITE;
+    fn write(bias: impl Into<types::Vector3f>) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 
     /// Apply the new setting and send no acknowledge (5-series devices).
-    fn apply(bias: impl Into<types::Vector3f>) = APPLY;
+    fn apply(bias: impl Into<types::Vector3f>) -> Apply;
 }
 
 field! {
@@ -3038,7 +3079,9 @@ field! {
 }
 
 command! {
-    AccelBias -> AccelBiasResponse;
+    AccelBias -> Option<AccelBiasResponse>;
+    for WRITE SAVE LOAD DEFAULT APPLY -> ();
+    for READ -> AccelBiasResponse;
     responds AccelBiasResponse for READ;
     silent for APPLY;
 }
@@ -3053,8 +3096,9 @@ record! {
     /// [load](types::FunctionSelector::LOAD), [default](types::FunctionSelector::DEFAULT) and
     /// [apply](types::FunctionSelector::APPLY). Answered by [`GyroBiasResponse`]. Changes
     /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro). Probably changes
-    /// [`sensor::DeltaTheta`](crate::sensor::DeltaTheta) and
-    /// [`filter_data::GyroBias`](crate::filter_data::GyroBias). Supported by
+    /// [`sensor::DeltaTheta`](crate::sensor::DeltaTheta),
+    /// [`filter_data::GyroBias`](crate::filter_data::GyroBias) and
+    /// [`filter_data::Status`](crate::filter_data::Status). Supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
@@ -3107,22 +3151,22 @@ constructors! {
     GyroBias
 
     /// Apply the new setting.
-    fn write(bias: impl Into<types::Vector3f>) = WRITE;
+    fn write(bias: impl Into<types::Vector3f>) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 
     /// Apply the new setting and send no acknowledge (5-series devices).
-    fn apply(bias: impl Into<types::Vector3f>) = APPLY;
+    fn apply(bias: impl Into<types::Vector3f>) -> Apply;
 }
 
 field! {
@@ -3131,7 +3175,9 @@ field! {
 }
 
 command! {
-    GyroBias -> GyroBiasResponse;
+    GyroBias -> Option<GyroBiasResponse>;
+    for WRITE SAVE LOAD DEFAULT APPLY -> ();
+    for READ -> GyroBiasResponse;
     responds GyroBiasResponse for READ;
     silent for APPLY;
 }
@@ -3142,8 +3188,9 @@ record! {
     /// Averages the angular rate of the device at rest and uses the result as the gyroscope bias.
     ///
     /// Answered by [`GyroBiasResponse`]. Changes [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
-    /// Probably changes [`sensor::DeltaTheta`](crate::sensor::DeltaTheta) and
-    /// [`filter_data::GyroBias`](crate::filter_data::GyroBias). Flagged by
+    /// Probably changes [`sensor::DeltaTheta`](crate::sensor::DeltaTheta),
+    /// [`filter_data::GyroBias`](crate::filter_data::GyroBias) and
+    /// [`filter_data::Status`](crate::filter_data::Status). Flagged by
     /// [`imu_bias_warning`](crate::filter_data::Cv7StatusFlags::imu_bias_warning) of
     /// [`filter_data::Cv7StatusFlags`](crate::filter_data::Cv7StatusFlags). The device may take 31
     /// s to answer. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
@@ -3265,22 +3312,22 @@ constructors! {
     MagHardIronOffset
 
     /// Apply the new setting.
-    fn write(offset: impl Into<types::Vector3f>) = WRITE;
+    fn write(offset: impl Into<types::Vector3f>) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 
     /// Apply the new setting and send no acknowledge (5-series devices).
-    fn apply(offset: impl Into<types::Vector3f>) = APPLY;
+    fn apply(offset: impl Into<types::Vector3f>) -> Apply;
 }
 
 field! {
@@ -3289,7 +3336,9 @@ field! {
 }
 
 command! {
-    MagHardIronOffset -> MagHardIronOffsetResponse;
+    MagHardIronOffset -> Option<MagHardIronOffsetResponse>;
+    for WRITE SAVE LOAD DEFAULT APPLY -> ();
+    for READ -> MagHardIronOffsetResponse;
     responds MagHardIronOffsetResponse for READ;
     silent for APPLY;
 }
@@ -3358,22 +3407,22 @@ constructors! {
     MagSoftIronMatrix
 
     /// Apply the new setting.
-    fn write(matrix: impl Into<types::Matrix3f>) = WRITE;
+    fn write(matrix: impl Into<types::Matrix3f>) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 
     /// Apply the new setting and send no acknowledge (5-series devices).
-    fn apply(matrix: impl Into<types::Matrix3f>) = APPLY;
+    fn apply(matrix: impl Into<types::Matrix3f>) -> Apply;
 }
 
 field! {
@@ -3382,7 +3431,9 @@ field! {
 }
 
 command! {
-    MagSoftIronMatrix -> MagSoftIronMatrixResponse;
+    MagSoftIronMatrix -> Option<MagSoftIronMatrixResponse>;
+    for WRITE SAVE LOAD DEFAULT APPLY -> ();
+    for READ -> MagSoftIronMatrixResponse;
     responds MagSoftIronMatrixResponse for READ;
     silent for APPLY;
 }
@@ -3431,19 +3482,19 @@ constructors! {
     ConingScullingEnable
 
     /// Apply the new setting.
-    fn write(enable: bool) = WRITE;
+    fn write(enable: bool) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -3452,7 +3503,9 @@ field! {
 }
 
 command! {
-    ConingScullingEnable -> ConingScullingEnableResponse;
+    ConingScullingEnable -> Option<ConingScullingEnableResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> ConingScullingEnableResponse;
     responds ConingScullingEnableResponse for READ;
 }
 
@@ -3508,19 +3561,19 @@ constructors! {
     UartBaudRate
 
     /// Apply the new setting.
-    fn write(baud: u32) = WRITE;
+    fn write(baud: u32) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -3529,7 +3582,9 @@ field! {
 }
 
 command! {
-    UartBaudRate -> UartBaudRateResponse;
+    UartBaudRate -> Option<UartBaudRateResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> UartBaudRateResponse;
     responds UartBaudRateResponse for READ;
 }
 
@@ -3608,19 +3663,19 @@ constructors! {
         feature: types::GpioFeature,
         behavior: u8,
         pin_mode: types::GpioPinMode,
-    ) = WRITE;
+    ) -> Write;
 
     /// Return the current setting in a response.
-    fn read(pin: u8) = READ;
+    fn read(pin: u8) -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save(pin: u8) = SAVE;
+    fn save(pin: u8) -> Save;
 
     /// Load the saved setting.
-    fn load(pin: u8) = LOAD;
+    fn load(pin: u8) -> Load;
 
     /// Load the factory default setting.
-    fn load_default(pin: u8) = DEFAULT;
+    fn load_default(pin: u8) -> LoadDefault;
 }
 
 #[rustfmt::skip]
@@ -3698,7 +3753,9 @@ field! {
 }
 
 command! {
-    GpioConfig -> GpioConfigResponse;
+    GpioConfig -> Option<GpioConfigResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> GpioConfigResponse;
     responds GpioConfigResponse for READ;
 }
 
@@ -3750,10 +3807,10 @@ constructors! {
     GpioState
 
     /// Apply the new setting.
-    fn write(pin: u8, state: bool) = WRITE;
+    fn write(pin: u8, state: bool) -> Write;
 
     /// Return the current setting in a response.
-    fn read(pin: u8) = READ;
+    fn read(pin: u8) -> Read;
 }
 
 field! {
@@ -3762,7 +3819,9 @@ field! {
 }
 
 command! {
-    GpioState -> GpioStateResponse;
+    GpioState -> Option<GpioStateResponse>;
+    for WRITE -> ();
+    for READ -> GpioStateResponse;
     responds GpioStateResponse for READ;
 }
 
@@ -3817,19 +3876,19 @@ constructors! {
         mode: OdometerMode,
         scaling: f32,
         uncertainty: f32,
-    ) = WRITE;
+    ) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -3838,7 +3897,9 @@ field! {
 }
 
 command! {
-    OdometerConfig -> OdometerConfigResponse;
+    OdometerConfig -> Option<OdometerConfigResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> OdometerConfigResponse;
     responds OdometerConfigResponse for READ;
 }
 
@@ -3933,19 +3994,19 @@ constructors! {
         enable: bool,
         manual: bool,
         frequency: u16,
-    ) = WRITE, reserved: 0;
+    ) -> Write, reserved: 0;
 
     /// Return the current setting in a response.
-    fn read(target_descriptor: u8) = READ;
+    fn read(target_descriptor: u8) -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save(target_descriptor: u8) = SAVE;
+    fn save(target_descriptor: u8) -> Save;
 
     /// Load the saved setting.
-    fn load(target_descriptor: u8) = LOAD;
+    fn load(target_descriptor: u8) -> Load;
 
     /// Load the factory default setting.
-    fn load_default(target_descriptor: u8) = DEFAULT;
+    fn load_default(target_descriptor: u8) -> LoadDefault;
 }
 
 field! {
@@ -3954,7 +4015,9 @@ field! {
 }
 
 command! {
-    ImuLowPassFilter -> ImuLowPassFilterResponse;
+    ImuLowPassFilter -> Option<ImuLowPassFilterResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> ImuLowPassFilterResponse;
     responds ImuLowPassFilterResponse for READ;
 }
 
@@ -4047,19 +4110,19 @@ constructors! {
         heading_enable: bool,
         pitch_roll_time_constant: f32,
         heading_time_constant: f32,
-    ) = WRITE;
+    ) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -4068,7 +4131,9 @@ field! {
 }
 
 command! {
-    ComplementaryFilter -> ComplementaryFilterResponse;
+    ComplementaryFilter -> Option<ComplementaryFilterResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> ComplementaryFilterResponse;
     responds ComplementaryFilterResponse for READ;
 }
 
@@ -4116,19 +4181,19 @@ constructors! {
     SensorRange
 
     /// Apply the new setting.
-    fn write(sensor: SensorRangeType, setting: u8) = WRITE;
+    fn write(sensor: SensorRangeType, setting: u8) -> Write;
 
     /// Return the current setting in a response.
-    fn read(sensor: SensorRangeType) = READ;
+    fn read(sensor: SensorRangeType) -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save(sensor: SensorRangeType) = SAVE;
+    fn save(sensor: SensorRangeType) -> Save;
 
     /// Load the saved setting.
-    fn load(sensor: SensorRangeType) = LOAD;
+    fn load(sensor: SensorRangeType) -> Load;
 
     /// Load the factory default setting.
-    fn load_default(sensor: SensorRangeType) = DEFAULT;
+    fn load_default(sensor: SensorRangeType) -> LoadDefault;
 }
 
 field! {
@@ -4137,7 +4202,9 @@ field! {
 }
 
 command! {
-    SensorRange -> SensorRangeResponse;
+    SensorRange -> Option<SensorRangeResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> SensorRangeResponse;
     responds SensorRangeResponse for READ;
 }
 
@@ -4253,19 +4320,19 @@ constructors! {
         enable: bool,
         manual: bool,
         frequency: f32,
-    ) = WRITE;
+    ) -> Write;
 
     /// Return the current setting in a response.
-    fn read(descriptor_set: u8, field_descriptor: u8) = READ;
+    fn read(descriptor_set: u8, field_descriptor: u8) -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save(descriptor_set: u8, field_descriptor: u8) = SAVE;
+    fn save(descriptor_set: u8, field_descriptor: u8) -> Save;
 
     /// Load the saved setting.
-    fn load(descriptor_set: u8, field_descriptor: u8) = LOAD;
+    fn load(descriptor_set: u8, field_descriptor: u8) -> Load;
 
     /// Load the factory default setting.
-    fn load_default(descriptor_set: u8, field_descriptor: u8) = DEFAULT;
+    fn load_default(descriptor_set: u8, field_descriptor: u8) -> LoadDefault;
 }
 
 field! {
@@ -4274,7 +4341,9 @@ field! {
 }
 
 command! {
-    LowPassFilter -> LowPassFilterResponse;
+    LowPassFilter -> Option<LowPassFilterResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> LowPassFilterResponse;
     responds LowPassFilterResponse for READ;
 }
 
@@ -4317,19 +4386,19 @@ constructors! {
     DataStreamFormat
 
     /// Apply the new setting.
-    fn write(stream: InternalSensor, format: StreamFormat) = WRITE;
+    fn write(stream: InternalSensor, format: StreamFormat) -> Write;
 
     /// Return the current setting in a response.
-    fn read(stream: InternalSensor, format: StreamFormat) = READ;
+    fn read(stream: InternalSensor, format: StreamFormat) -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save(stream: InternalSensor, format: StreamFormat) = SAVE;
+    fn save(stream: InternalSensor, format: StreamFormat) -> Save;
 
     /// Load the saved setting.
-    fn load(stream: InternalSensor, format: StreamFormat) = LOAD;
+    fn load(stream: InternalSensor, format: StreamFormat) -> Load;
 
     /// Load the factory default setting.
-    fn load_default(stream: InternalSensor, format: StreamFormat) = DEFAULT;
+    fn load_default(stream: InternalSensor, format: StreamFormat) -> LoadDefault;
 }
 
 field! {
@@ -4338,7 +4407,9 @@ field! {
 }
 
 command! {
-    DataStreamFormat -> DataStreamFormatResponse;
+    DataStreamFormat -> Option<DataStreamFormatResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> DataStreamFormatResponse;
     responds DataStreamFormatResponse for READ;
 }
 
@@ -4381,19 +4452,19 @@ constructors! {
     DevicePowerState
 
     /// Apply the new setting.
-    fn write(device: InternalSensor, state: SensorPowerState) = WRITE;
+    fn write(device: InternalSensor, state: SensorPowerState) -> Write;
 
     /// Return the current setting in a response.
-    fn read(device: InternalSensor) = READ;
+    fn read(device: InternalSensor) -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save(device: InternalSensor) = SAVE;
+    fn save(device: InternalSensor) -> Save;
 
     /// Load the saved setting.
-    fn load(device: InternalSensor) = LOAD;
+    fn load(device: InternalSensor) -> Load;
 
     /// Load the factory default setting.
-    fn load_default(device: InternalSensor) = DEFAULT;
+    fn load_default(device: InternalSensor) -> LoadDefault;
 }
 
 field! {
@@ -4402,7 +4473,9 @@ field! {
 }
 
 command! {
-    DevicePowerState -> DevicePowerStateResponse;
+    DevicePowerState -> Option<DevicePowerStateResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> DevicePowerStateResponse;
     responds DevicePowerStateResponse for READ;
     timeout 5000;
 }
@@ -4437,13 +4510,13 @@ constructors! {
     GpsAdvancedSettings
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -4453,6 +4526,7 @@ field! {
 
 command! {
     GpsAdvancedSettings -> ();
+    for SAVE LOAD DEFAULT -> ();
 }
 
 record! {

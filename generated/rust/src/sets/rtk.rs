@@ -253,19 +253,19 @@ constructors! {
     ConnectedDeviceType
 
     /// Apply the new setting.
-    fn write(device_type: ConnectedDevice) = WRITE;
+    fn write(device_type: ConnectedDevice) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -274,7 +274,9 @@ field! {
 }
 
 command! {
-    ConnectedDeviceType -> ConnectedDeviceTypeResponse;
+    ConnectedDeviceType -> Option<ConnectedDeviceTypeResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> ConnectedDeviceTypeResponse;
     responds ConnectedDeviceTypeResponse for READ;
 }
 

@@ -171,13 +171,13 @@ pub trait ChangesBaud: Command {
     fn new_baud(&self) -> Option<u32>;
 }
 
-impl ChangesBaud for crate::base::CommSpeed {
+impl ChangesBaud for crate::protocol::Write<crate::base::CommSpeed> {
     fn new_baud(&self) -> Option<u32> {
         self.baud
     }
 }
 
-impl ChangesBaud for crate::mip_3dm::UartBaudRate {
+impl ChangesBaud for crate::protocol::Write<crate::mip_3dm::UartBaudRate> {
     fn new_baud(&self) -> Option<u32> {
         self.baud
     }
@@ -237,7 +237,7 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
         if tried && found.is_none() {
             return Err(CommandError::TimedOut.into());
         }
-        repeated(|| self.run(&crate::base::SetIdle::new()))?;
+        repeated(|| self.request(&crate::base::SetIdle::new()))?;
         self.discard();
         Ok(found)
     }
@@ -286,26 +286,26 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
         match set {
             0x80 if older => {
                 let format = crate::mip_3dm::ImuMessageFormat::write(fields.collect::<crate::List<types::DescriptorRate, 83>>());
-                repeated(|| self.run(&format))?;
-                repeated(|| self.run(&crate::mip_3dm::DataStreamControl::write(1, true)))?;
+                repeated(|| self.request(&format))?;
+                repeated(|| self.request(&crate::mip_3dm::DataStreamControl::write(1, true)))?;
             }
             0x81 if older => {
                 let format = crate::mip_3dm::GnssMessageFormat::write(fields.collect::<crate::List<types::DescriptorRate, 83>>());
-                repeated(|| self.run(&format))?;
-                repeated(|| self.run(&crate::mip_3dm::DataStreamControl::write(2, true)))?;
+                repeated(|| self.request(&format))?;
+                repeated(|| self.request(&crate::mip_3dm::DataStreamControl::write(2, true)))?;
             }
             0x82 if older => {
                 let format = crate::mip_3dm::FilterMessageFormat::write(fields.collect::<crate::List<types::DescriptorRate, 83>>());
-                repeated(|| self.run(&format))?;
-                repeated(|| self.run(&crate::mip_3dm::DataStreamControl::write(3, true)))?;
+                repeated(|| self.request(&format))?;
+                repeated(|| self.request(&crate::mip_3dm::DataStreamControl::write(3, true)))?;
             }
             _ => {
                 let format = crate::mip_3dm::MessageFormat::write(set, fields.collect::<crate::List<types::DescriptorRate, 83>>());
-                repeated(|| self.run(&format))?;
-                repeated(|| self.run(&crate::mip_3dm::DataStreamControl::write(set, true)))?;
+                repeated(|| self.request(&format))?;
+                repeated(|| self.request(&crate::mip_3dm::DataStreamControl::write(set, true)))?;
             }
         }
-        repeated(|| self.run(&crate::base::Resume::new()))?;
+        repeated(|| self.request(&crate::base::Resume::new()))?;
         Ok(base)
     }
 
@@ -326,10 +326,10 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
         let (Some(new), Some(old)) = (command.new_baud(), self.port().baud()) else {
             return Err(DeviceError::NoBaudRate);
         };
-        match self.run(command) {
+        match self.request(command) {
             // The answer may have come at the new rate.
             Err(DeviceError::Command(CommandError::TimedOut)) => {}
-            result => result?,
+            result => drop(result?),
         }
         self.pass(CHANGE)?;
         let ping = crate::base::Ping::new();

@@ -101,19 +101,19 @@ constructors! {
         port: types::CommInterface,
         protocols_incoming: CommProtocols,
         protocols_outgoing: CommProtocols,
-    ) = WRITE;
+    ) -> Write;
 
     /// Return the current setting in a response.
-    fn read(port: types::CommInterface) = READ;
+    fn read(port: types::CommInterface) -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save(port: types::CommInterface) = SAVE;
+    fn save(port: types::CommInterface) -> Save;
 
     /// Load the saved setting.
-    fn load(port: types::CommInterface) = LOAD;
+    fn load(port: types::CommInterface) -> Load;
 
     /// Load the factory default setting.
-    fn load_default(port: types::CommInterface) = DEFAULT;
+    fn load_default(port: types::CommInterface) -> LoadDefault;
 }
 
 field! {
@@ -122,7 +122,9 @@ field! {
 }
 
 command! {
-    InterfaceControl -> InterfaceControlResponse;
+    InterfaceControl -> Option<InterfaceControlResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> InterfaceControlResponse;
     responds InterfaceControlResponse for READ;
 }
 
@@ -174,19 +176,19 @@ constructors! {
     CommMode
 
     /// Apply the new setting.
-    fn write(mode: ProtocolMode) = WRITE;
+    fn write(mode: ProtocolMode) -> Write;
 
     /// Return the current setting in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -195,7 +197,9 @@ field! {
 }
 
 command! {
-    CommMode -> CommModeResponse;
+    CommMode -> Option<CommModeResponse>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> CommModeResponse;
     responds CommModeResponse for READ;
 }
 

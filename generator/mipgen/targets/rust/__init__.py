@@ -106,7 +106,10 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "answered": model.commands,
         "responses": model.responses,
         # commands
+        "answers": commands.answers,
+        "call_type": names.call_type,
         "response": commands.response,
+        "whole_response": commands.whole_response,
         "response_variant": names.response_variant,
         "silent": commands.silent,
         "holding": lambda conditions, f: commands.holding(conditions, f, of),
@@ -154,6 +157,8 @@ def identifiers(model: m.Model) -> Iterable[Identifier]:
         yield Identifier("the crate", fixed, f"the module {fixed}", None)
     for fixed in LANGUAGE["features"]:
         yield Identifier("the features", fixed, f"the feature {fixed}", None, word=False)
+    for function in model.protocol.functions:
+        yield Identifier("protocol", names.call_type(function), f"the function {function.name}", None)
     for family in model.families:
         yield Identifier("the features", names.feature(family), family.name, family.position, word=False)
         yield Identifier("the crate", module(family.name), family.name, family.position)

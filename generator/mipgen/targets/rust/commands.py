@@ -11,7 +11,24 @@ from .records import BOOL, Records
 
 
 def response(command: m.Field) -> str:
-    """The type of what a command is answered with."""
+    """The type of what a command is answered with, if its function is known only at run time."""
+    whole = whole_response(command)
+    return f"Option<{whole}>" if command.selector and whole != "()" else whole
+
+
+def answers(command: m.Field) -> list[tuple[str, list[m.Function]]]:
+    """The same for its functions: those without a response, and those with one."""
+    whole = whole_response(command)
+    plain = [f for f in command.functions if not f.responds or whole == "()"]
+    return [
+        (answer, functions)
+        for answer, functions in (("()", plain), (whole, [f for f in command.functions if f not in plain]))
+        if functions
+    ]
+
+
+def whole_response(command: m.Field) -> str:
+    """The type of its responses."""
     if len(command.responses) > 1:
         return responses_name(command)
     return type_name(command.responses[0]) if command.responses else "()"

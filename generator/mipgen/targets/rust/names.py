@@ -55,6 +55,11 @@ def constructor(function: m.Function) -> str:
     return _constructor(name)
 
 
+def call_type(function: m.Function) -> str:
+    """The type of a command with this function."""
+    return _type(pascal(constructor(function)))
+
+
 def named(name: str, words: str) -> str:
     """An identifier, followed by the name in the specification if that differs.
 

@@ -107,9 +107,14 @@ def _baud_changes(model: m.Model, records: Records, families: set[str]) -> Itera
         if f.role != m.COMMAND or f.family not in families:
             continue
         for x in records.members(f):
-            if x.parameter.units == ("Bd",):
-                value = f"self.{x.name}"
-                yield BaudChange(_path(f), value if x.may_be_absent else f"Some({value})")
+            if x.parameter.units != ("Bd",):
+                continue
+            if not f.selector:
+                yield BaudChange(_path(f), f"self.{x.name}" if x.may_be_absent else f"Some(self.{x.name})")
+            for function in (c.function for c in f.calls if x.parameter in c.required):
+                if function and function.sets and function.reply:
+                    call = f"crate::protocol::{names.call_type(function)}<{_path(f)}>"
+                    yield BaudChange(call, f"self.{x.name}")
 
 
 def _way(f: m.Field, records: Records) -> str:

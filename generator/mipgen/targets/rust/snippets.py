@@ -73,7 +73,7 @@ class _Program:
         for shown in samples.shown(f):
             way, asks = ways[shown.function], bool(samples.replies(f, shown))
             arguments = self.arguments(way, literals.record(f.parameters, samples.values(f, shown)), f)
-            head = f"{'let response = device.request' if asks else 'device.run'}(&{self.name(f)}::{way.name}("
+            head = f"{'let response = ' if asks else ''}device.request(&{self.name(f)}::{way.name}("
             lines.append(laid_out(Brackets(head, arguments, "))?;"), WIDTH))
             lines += ['println!("{response:?}");'] if asks else []
         return lines

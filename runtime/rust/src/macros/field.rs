@@ -54,10 +54,12 @@ macro_rules! one_set {
     ($name:ident $($several:tt)+) => {};
 }
 
-/// How a command is answered: with what, in which layouts, for which functions; and when not at all.
+/// How a command is answered: with what, and with what for which functions; in which layouts; and when
+/// not at all.
 macro_rules! command {
     (
         $name:ident -> $response:ty;
+        $(for $($function:ident)+ -> $its_response:ty;)*
         $(responds $($reply:ident)|+ $(for $($asked:ident)+)? $(, if $($part:ident = $is:expr),+)?;)*
         $(silent for $($mute:ident)+;)?
         $(silent if $($member:ident = $value:expr),+;)?
@@ -87,7 +89,32 @@ macro_rules! command {
                 None
             }
         }
+
+        calls! { $name $($($function)+ -> $its_response;)* }
     };
+}
+
+/// What a command with a function selector is answered with.
+macro_rules! calls {
+    ($name:ident) => {};
+    ($name:ident $($($function:ident)+ -> $response:ty;)+) => {
+        $(takes! { $name $response: $($function)+ })+
+
+        impl<const FUNCTION: u8> From<$crate::Call<$name, FUNCTION>> for $name {
+            #[inline]
+            fn from(call: $crate::Call<$name, FUNCTION>) -> Self {
+                call.into_command()
+            }
+        }
+    };
+}
+
+macro_rules! takes {
+    ($name:ident $response:ty: $($function:ident)+) => {$(
+        impl $crate::Takes<{ $crate::protocol::FunctionSelector::$function.0 }> for $name {
+            type Response = $response;
+        }
+    )+};
 }
 
 /// The check for a response that may have several layouts.

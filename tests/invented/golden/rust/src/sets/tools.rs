@@ -335,30 +335,30 @@ constructors! {
         port: u8,
         mode: types::Mode,
         baud: u32,
-    ) = WRITE;
+    ) -> Write;
 
     /// Send the current setting back in a response.
-    fn read(port: u8, mode: types::Mode) = READ;
+    fn read(port: u8, mode: types::Mode) -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save(port: u8) = SAVE;
+    fn save(port: u8) -> Save;
 
     /// Load the saved setting.
-    fn load(port: u8) = LOAD;
+    fn load(port: u8) -> Load;
 
     /// Load the factory default setting.
-    fn load_default(port: u8) = DEFAULT;
+    fn load_default(port: u8) -> LoadDefault;
 
     /// Apply the new setting and send no acknowledge (5-series devices).
     fn apply(
         port: u8,
         mode: types::Mode,
         baud: u32,
-    ) = APPLY;
+    ) -> Apply;
 }
 
 setters! {
-    Settings
+    call Settings
     fn with_limit(limit: u16);
     fn with_reserved(reserved: u8);
 }
@@ -369,7 +369,9 @@ field! {
 }
 
 command! {
-    Settings -> SettingsResponse;
+    Settings -> Option<SettingsResponse>;
+    for WRITE SAVE LOAD DEFAULT APPLY -> ();
+    for READ -> SettingsResponse;
     responds SettingsResponse for READ;
     silent for APPLY;
 }
@@ -410,13 +412,13 @@ constructors! {
     SetTime
 
     /// Apply the new setting.
-    fn write(part: types::Mode, value: u32) = WRITE;
+    fn write(part: types::Mode, value: u32) -> Write;
 
     /// Send the current setting back in a response.
-    fn read(part: types::Mode) = READ;
+    fn read(part: types::Mode) -> Read;
 
     /// Apply the new setting and send no acknowledge (5-series devices).
-    fn apply(part: types::Mode, value: u32) = APPLY;
+    fn apply(part: types::Mode, value: u32) -> Apply;
 }
 
 field! {
@@ -425,7 +427,9 @@ field! {
 }
 
 command! {
-    SetTime -> SetTimeResponses;
+    SetTime -> Option<SetTimeResponses>;
+    for WRITE APPLY -> ();
+    for READ -> SetTimeResponses;
     responds SetTimeFastResponse for READ, if part = Some(types::Mode::FAST);
     responds SetTimeSlowResponse for READ, if part = Some(types::Mode::SLOW);
     silent for APPLY;
@@ -546,19 +550,19 @@ constructors! {
     Bias
 
     /// Apply the new setting.
-    fn write(bias: impl Into<types::Vector3f>) = WRITE;
+    fn write(bias: impl Into<types::Vector3f>) -> Write;
 
     /// Send the current setting back in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 
     /// Load the saved setting.
-    fn load() = LOAD;
+    fn load() -> Load;
 
     /// Load the factory default setting.
-    fn load_default() = DEFAULT;
+    fn load_default() -> LoadDefault;
 }
 
 field! {
@@ -567,7 +571,9 @@ field! {
 }
 
 command! {
-    Bias -> BiasVector;
+    Bias -> Option<BiasVector>;
+    for WRITE SAVE LOAD DEFAULT -> ();
+    for READ -> BiasVector;
     responds BiasVector for READ;
 }
 
@@ -731,10 +737,10 @@ constructors! {
     Choice
 
     /// Apply the new setting.
-    fn write(instance: u8, parameters: ChoiceParameters) = WRITE, shape: parameters.tag();
+    fn write(instance: u8, parameters: ChoiceParameters) -> Write, shape: parameters.tag();
 
     /// Send the current setting back in a response.
-    fn read(instance: u8) = READ;
+    fn read(instance: u8) -> Read;
 }
 
 field! {
@@ -743,7 +749,9 @@ field! {
 }
 
 command! {
-    Choice -> ChoiceResponse;
+    Choice -> Option<ChoiceResponse>;
+    for WRITE -> ();
+    for READ -> ChoiceResponse;
     responds ChoiceResponse for READ;
 }
 
@@ -782,13 +790,13 @@ constructors! {
     List
 
     /// Apply the new setting.
-    fn write(items: impl Into<crate::List<u16, 125>>) = WRITE;
+    fn write(items: impl Into<crate::List<u16, 125>>) -> Write;
 
     /// Send the current setting back in a response.
-    fn read() = READ;
+    fn read() -> Read;
 
     /// Save the current setting to non-volatile memory.
-    fn save() = SAVE;
+    fn save() -> Save;
 }
 
 field! {
@@ -797,7 +805,9 @@ field! {
 }
 
 command! {
-    List -> ListResponse;
+    List -> Option<ListResponse>;
+    for WRITE SAVE -> ();
+    for READ -> ListResponse;
     responds ListResponse for READ;
 }
 
@@ -866,10 +876,10 @@ constructors! {
     Pin
 
     /// Apply the new setting.
-    fn write(drive: Drive, use_: u8) = WRITE;
+    fn write(drive: Drive, use_: u8) -> Write;
 
     /// Send the current setting back in a response.
-    fn read(drive: Drive) = READ;
+    fn read(drive: Drive) -> Read;
 }
 
 #[rustfmt::skip]
@@ -901,7 +911,9 @@ field! {
 }
 
 command! {
-    Pin -> PinResponse;
+    Pin -> Option<PinResponse>;
+    for WRITE -> ();
+    for READ -> PinResponse;
     responds PinResponse for READ;
 }
 
