@@ -173,6 +173,24 @@ def test_the_compiler_sees_a_wrong_response(tmp_path: Path) -> None:
         assert (subprocess.run(command, capture_output=True).returncode == 0) == good
 
 
+@pytest.mark.parametrize(
+    "call", ["mip_3dm_data_stream_control_write(c, {})", "mip_call_3dm_data_stream_control_write(d, {})"]
+)
+@pytest.mark.parametrize(
+    "arguments,good", [("MIP_SENSOR_SET, true", True), ("MIP_SENSOR_SET, x", True), ("true, MIP_SENSOR_SET", False)]
+)
+def test_the_compiler_sees_a_set_in_place_of_true(call: str, arguments: str, good: bool, tmp_path: Path) -> None:
+    """Arguments in the wrong order: a Boolean that is a constant above 1, if the compiler optimizes."""
+    program = tmp_path / "truth.c"
+    types = "struct mip_device *d, struct mip_3dm_data_stream_control *c, uint8_t x"
+    program.write_text(
+        '#include "mip/3dm_commands.h"\n#include "mip/sensor.h"\n'
+        f"void f({types});\nvoid f({types}) {{ (void)d, (void)c, (void)x; (void){call.format(arguments)}; }}\n"
+    )
+    command = [need("cc"), *WARNINGS, "-O1", include("real"), "-c", str(program), "-o", str(tmp_path / "o")]
+    assert (subprocess.run(command, capture_output=True).returncode == 0) == good
+
+
 #: Entries of a table of handlers, and whether they compile.
 ENTRIES = {
     "&mip_measurements_accel_codec, MIP_ANY_SET, on, NULL": True,

@@ -24,7 +24,8 @@ TOKEN = re.compile(
     r"/\*\*(?P<doc>.*?)\*/|/\*.*?\*/"
     r"|^\#define\s+(?P<macro>\w+)[^\n\\]*(?:\\\n[^\n]*)?|^\#[^\n]*"
     r"|^ +(?P<constant>MIP_\w+)(?: = \d+)?,?$"
-    r"|(?:struct|union|enum)\s*(?P<opened>\w*)\s*(?:MIP_ENUM_\d+ )?\{|(?P<closed>\})|(?P<statement>[^;{}/#]+);",
+    r"|(?:struct|union|enum)\s*(?:MIP_WORD )?(?P<opened>\w*)\s*(?:MIP_ENUM_\d+ )?\{"
+    r"|(?P<closed>\})|(?P<statement>[^;{}/#]+);",
     re.S | re.M,
 )
 
@@ -37,7 +38,7 @@ def plain(text: str) -> str:
 def documented(text: str) -> dict[str, str]:
     """Each comment of a header by what it stands before: `mip_x`, `mip_x.member`, `MIP_X`."""
     text = re.sub(r'extern "C" \{|^#ifdef __cplusplus\n\}', "", text, flags=re.M)
-    text = re.sub(r"^((?:MIP_CHECKED )?static inline [^{]*)\{.*?^\}", r"\1;", text, flags=re.M | re.S)
+    text = re.sub(r"^((?:(?:MIP_CHECKED )?static inline|MIP_INLINE) [^{]*)\{.*?^\}", r"\1;", text, flags=re.M | re.S)
     found: dict[str, str] = {}
     scopes: list[str] = []
     doc = ""

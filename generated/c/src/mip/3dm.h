@@ -495,7 +495,7 @@ static inline struct mip_3dm_poll_imu_data *
 mip_3dm_poll_imu_data_make(struct mip_3dm_poll_imu_data *command, mip_bool suppress_ack,
                            uint8_t num_descriptors, const struct mip_3dm_poll_entry descriptors[]) {
     memset(command, 0, sizeof(*command));
-    command->suppress_ack = suppress_ack;
+    command->suppress_ack = mip_truth(suppress_ack);
     command->num_descriptors = num_descriptors;
     mip_copy(command->descriptors, sizeof(command->descriptors), descriptors,
              num_descriptors * sizeof(descriptors[0]));
@@ -563,7 +563,7 @@ static inline struct mip_3dm_poll_gnss_data *mip_3dm_poll_gnss_data_make(
     struct mip_3dm_poll_gnss_data *command, mip_bool suppress_ack, uint8_t num_descriptors,
     const struct mip_3dm_poll_entry descriptors[]) {
     memset(command, 0, sizeof(*command));
-    command->suppress_ack = suppress_ack;
+    command->suppress_ack = mip_truth(suppress_ack);
     command->num_descriptors = num_descriptors;
     mip_copy(command->descriptors, sizeof(command->descriptors), descriptors,
              num_descriptors * sizeof(descriptors[0]));
@@ -627,7 +627,7 @@ static inline struct mip_3dm_poll_filter_data *mip_3dm_poll_filter_data_make(
     struct mip_3dm_poll_filter_data *command, mip_bool suppress_ack, uint8_t num_descriptors,
     const struct mip_3dm_poll_entry descriptors[]) {
     memset(command, 0, sizeof(*command));
-    command->suppress_ack = suppress_ack;
+    command->suppress_ack = mip_truth(suppress_ack);
     command->num_descriptors = num_descriptors;
     mip_copy(command->descriptors, sizeof(command->descriptors), descriptors,
              num_descriptors * sizeof(descriptors[0]));
@@ -691,7 +691,7 @@ static inline struct mip_3dm_poll_nmea_data *
 mip_3dm_poll_nmea_data_make(struct mip_3dm_poll_nmea_data *command, mip_bool suppress_ack,
                             uint8_t count, const struct mip_nmea_message format_entries[]) {
     memset(command, 0, sizeof(*command));
-    command->suppress_ack = suppress_ack;
+    command->suppress_ack = mip_truth(suppress_ack);
     command->count = count;
     mip_copy(command->format_entries, sizeof(command->format_entries), format_entries,
              count * sizeof(format_entries[0]));
@@ -1512,7 +1512,7 @@ static inline struct mip_3dm_poll_data *mip_3dm_poll_data_make(struct mip_3dm_po
                                                                const uint8_t descriptors[]) {
     memset(command, 0, sizeof(*command));
     command->descriptor_set = descriptor_set;
-    command->suppress_ack = suppress_ack;
+    command->suppress_ack = mip_truth(suppress_ack);
     command->num_descriptors = num_descriptors;
     mip_copy(command->descriptors, sizeof(command->descriptors), descriptors,
              num_descriptors * sizeof(descriptors[0]));
@@ -1889,7 +1889,7 @@ static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_wr
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_WRITE;
     command->descriptor_set = descriptor_set;
-    command->enable = enable;
+    command->enable = mip_truth(enable);
     return command;
 }
 /**
@@ -5263,7 +5263,7 @@ static inline struct mip_3dm_coning_sculling_enable *mip_3dm_coning_sculling_ena
     struct mip_3dm_coning_sculling_enable *command, mip_bool enable) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_WRITE;
-    command->enable = enable;
+    command->enable = mip_truth(enable);
     return command;
 }
 /** Return the current setting in a response. Fills the structure and returns its address. */
@@ -5721,7 +5721,7 @@ mip_3dm_gpio_state_write(struct mip_3dm_gpio_state *command, uint8_t pin, mip_bo
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_WRITE;
     command->pin = pin;
-    command->state = state;
+    command->state = mip_truth(state);
     return command;
 }
 /**
@@ -6007,8 +6007,8 @@ static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_wr
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_WRITE;
     command->target_descriptor = target_descriptor;
-    command->enable = enable;
-    command->manual = manual;
+    command->enable = mip_truth(enable);
+    command->manual = mip_truth(manual);
     command->frequency = frequency;
     return command;
 }
@@ -6213,8 +6213,8 @@ static inline struct mip_3dm_complementary_filter *mip_3dm_complementary_filter_
     mip_bool heading_enable, float pitch_roll_time_constant, float heading_time_constant) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_WRITE;
-    command->pitch_roll_enable = pitch_roll_enable;
-    command->heading_enable = heading_enable;
+    command->pitch_roll_enable = mip_truth(pitch_roll_enable);
+    command->heading_enable = mip_truth(heading_enable);
     command->pitch_roll_time_constant = pitch_roll_time_constant;
     command->heading_time_constant = heading_time_constant;
     return command;
@@ -6615,8 +6615,8 @@ static inline struct mip_3dm_low_pass_filter *mip_3dm_low_pass_filter_write(
     command->function = MIP_FUNCTION_SELECTOR_WRITE;
     command->descriptor_set = descriptor_set;
     command->field_descriptor = field_descriptor;
-    command->enable = enable;
-    command->manual = manual;
+    command->enable = mip_truth(enable);
+    command->manual = mip_truth(manual);
     command->frequency = frequency;
     return command;
 }

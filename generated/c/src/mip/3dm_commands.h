@@ -170,7 +170,7 @@ static inline struct mip_result
 mip_call_3dm_poll_nmea_data(struct mip_device *device, mip_bool suppress_ack, uint8_t count,
                             const struct mip_nmea_message format_entries[]) {
     uint8_t data[MIP_MAX_FIELD_DATA];
-    mip_put_8(data, (uint8_t)suppress_ack);
+    mip_put_8(data, (uint8_t)mip_truth(suppress_ack));
     mip_put_8(data + 1, (uint8_t)count);
     for (size_t i = 0; i < count && i < 50; i++) {
         mip_put_8(data + 2 + 5 * i, (uint8_t)format_entries[i].message_id);
@@ -632,7 +632,7 @@ static inline struct mip_result mip_call_3dm_poll_data(struct mip_device *device
                                                        const uint8_t descriptors[]) {
     uint8_t data[MIP_MAX_FIELD_DATA];
     mip_put_8(data, (uint8_t)descriptor_set);
-    mip_put_8(data + 1, (uint8_t)suppress_ack);
+    mip_put_8(data + 1, (uint8_t)mip_truth(suppress_ack));
     mip_put_8(data + 2, (uint8_t)num_descriptors);
     for (size_t i = 0; i < num_descriptors && i < 250; i++) {
         mip_put_8(data + 3 + 1 * i, (uint8_t)descriptors[i]);
@@ -875,7 +875,7 @@ static inline struct mip_result mip_call_3dm_data_stream_control_write(struct mi
     uint8_t data[3];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
     mip_put_8(data + 1, (uint8_t)descriptor_set);
-    mip_put_8(data + 2, (uint8_t)enable);
+    mip_put_8(data + 2, (uint8_t)mip_truth(enable));
     return mip_device_send(device, &mip_3dm_data_stream_control_exchange, data, 3, NULL, NULL);
 }
 
@@ -2889,7 +2889,7 @@ static inline struct mip_result mip_call_3dm_coning_sculling_enable_write(struct
                                                                           mip_bool enable) {
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
-    mip_put_8(data + 1, (uint8_t)enable);
+    mip_put_8(data + 1, (uint8_t)mip_truth(enable));
     return mip_device_send(device, &mip_3dm_coning_sculling_enable_exchange, data, 2, NULL, NULL);
 }
 
@@ -3156,7 +3156,7 @@ static inline struct mip_result mip_call_3dm_gpio_state_write(struct mip_device 
     uint8_t data[3];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
     mip_put_8(data + 1, (uint8_t)pin);
-    mip_put_8(data + 2, (uint8_t)state);
+    mip_put_8(data + 2, (uint8_t)mip_truth(state));
     return mip_device_send(device, &mip_3dm_gpio_state_exchange, data, 3, NULL, NULL);
 }
 
@@ -3308,8 +3308,8 @@ static inline struct mip_result mip_call_3dm_imu_low_pass_filter_write(struct mi
     uint8_t data[7];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
     mip_put_8(data + 1, (uint8_t)target_descriptor);
-    mip_put_8(data + 2, (uint8_t)enable);
-    mip_put_8(data + 3, (uint8_t)manual);
+    mip_put_8(data + 2, (uint8_t)mip_truth(enable));
+    mip_put_8(data + 3, (uint8_t)mip_truth(manual));
     mip_put_16(data + 4, (uint16_t)frequency);
     mip_put_8(data + 6, (uint8_t)0);
     return mip_device_send(device, &mip_3dm_imu_low_pass_filter_exchange, data, 7, NULL, NULL);
@@ -3431,8 +3431,8 @@ static inline struct mip_result mip_call_3dm_complementary_filter_write(
     float pitch_roll_time_constant, float heading_time_constant) {
     uint8_t data[11];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
-    mip_put_8(data + 1, (uint8_t)pitch_roll_enable);
-    mip_put_8(data + 2, (uint8_t)heading_enable);
+    mip_put_8(data + 1, (uint8_t)mip_truth(pitch_roll_enable));
+    mip_put_8(data + 2, (uint8_t)mip_truth(heading_enable));
     mip_put_float(data + 3, &pitch_roll_time_constant);
     mip_put_float(data + 7, &heading_time_constant);
     return mip_device_send(device, &mip_3dm_complementary_filter_exchange, data, 11, NULL, NULL);
@@ -3669,8 +3669,8 @@ static inline struct mip_result mip_call_3dm_low_pass_filter_write(struct mip_de
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
     mip_put_8(data + 1, (uint8_t)descriptor_set);
     mip_put_8(data + 2, (uint8_t)field_descriptor);
-    mip_put_8(data + 3, (uint8_t)enable);
-    mip_put_8(data + 4, (uint8_t)manual);
+    mip_put_8(data + 3, (uint8_t)mip_truth(enable));
+    mip_put_8(data + 4, (uint8_t)mip_truth(manual));
     mip_put_float(data + 5, &frequency);
     return mip_device_send(device, &mip_3dm_low_pass_filter_exchange, data, 9, NULL, NULL);
 }

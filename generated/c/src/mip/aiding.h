@@ -194,7 +194,7 @@ static inline struct mip_aiding_frame_config *mip_aiding_frame_config_write(
     command->function = MIP_FUNCTION_SELECTOR_WRITE;
     command->frame_id = frame_id;
     command->format = (uint8_t)format;
-    command->tracking_enabled = tracking_enabled;
+    command->tracking_enabled = mip_truth(tracking_enabled);
     memcpy(command->translation, translation, sizeof(command->translation));
     if (rotation != NULL) {
         command->rotation = *rotation;

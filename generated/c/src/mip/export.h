@@ -39,6 +39,13 @@
 #define MIP_WORD
 #endif
 
+#if defined(__has_attribute) && defined(__OPTIMIZE__)
+#if __has_attribute(error)
+/** After a function that is declared only: a call that is not optimized away is an error. */
+#define MIP_REFUSED_BY_COMPILER(why) __attribute__((error(why)))
+#endif
+#endif
+
 #if defined(__GNUC__)
 /** A static function that becomes part of those that call it, even where size matters. */
 #define MIP_INLINE static inline __attribute__((always_inline))

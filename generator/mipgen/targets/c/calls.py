@@ -242,7 +242,7 @@ def _data(f: m.Field, function: m.Function | None, asked: tuple[m.Parameter, ...
             puts.append(Put(p.scalar, at, str(p.reserved)))
             at += p.size
         elif value and p.kind in ("scalar", "counter"):
-            puts.append(Put(p.scalar, at, value))
+            puts.append(Put(p.scalar, at, f"mip_truth({value})" if p.scalar.kind == "bool" else value))
             at += p.size
         elif value and p.kind == "array":
             elements = _elements(p, at, value)

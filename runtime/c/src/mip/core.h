@@ -571,6 +571,23 @@ MIP_API void mip_set_bits(uint8_t *bytes, unsigned first, unsigned width, uint64
 
 /* ----------------------------------------------------------------- arguments of constructors */
 
+#ifdef MIP_REFUSED_BY_COMPILER
+/** Is declared only: a call of it is an error. */
+void mip_neither_true_nor_false(void)
+    MIP_REFUSED_BY_COMPILER("neither true nor false: are two arguments swapped?");
+#endif
+
+/** Returns its argument. Optimizing compilers refuse a constant that is neither true nor false,
+ * such as a descriptor set where `true` belongs. */
+static inline mip_bool mip_truth(mip_bool value) {
+#ifdef MIP_REFUSED_BY_COMPILER
+    if (__builtin_constant_p(value) && value > 1) {
+        mip_neither_true_nor_false();
+    }
+#endif
+    return value;
+}
+
 /** Copies as many bytes as there is room for. */
 MIP_API void mip_copy(void *to, size_t room, const void *from, size_t size);
 /** Copies a string, cuts what is too long, and fills the rest with spaces; `room` counts the

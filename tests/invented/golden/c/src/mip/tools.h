@@ -1029,7 +1029,7 @@ static inline struct mip_tools_formats *mip_tools_formats_make(
     struct mip_tools_formats *command, mip_bool suppress_ack, uint8_t num_segments,
     uint8_t checkpoint, const struct mip_segment segments[]) {
     memset(command, 0, sizeof(*command));
-    command->suppress_ack = suppress_ack;
+    command->suppress_ack = mip_truth(suppress_ack);
     command->num_segments = num_segments;
     command->checkpoint = checkpoint;
     mip_copy(command->segments, sizeof(command->segments), segments,
