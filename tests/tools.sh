@@ -88,6 +88,17 @@ END
     lacks cbmc "install version 6 or later (Debian 13, Ubuntu 24.04: apt-get install cbmc; macOS: brew install cbmc)"
 }
 
+actionlint() {
+    version=1.7.12
+    tools=$(pwd)/${TOOLS:-build/tools}
+    "$tools/bin/actionlint" --version 2>/dev/null | grep -q "^v*$version$" && return
+    if command -v go >/dev/null 2>&1; then
+        echo "installing actionlint"
+        GOBIN="$tools/bin" GOFLAGS=-mod=mod go install "github.com/rhysd/actionlint/cmd/actionlint@v$version" >/dev/null 2>&1
+    fi
+    "$tools/bin/actionlint" --version >/dev/null 2>&1 || lacks actionlint "it needs Go 1.24 or later: https://go.dev/dl"
+}
+
 if [ "$1" = prove ]; then
     command_or cc "install one (Debian: apt-get install gcc libc6-dev)"
     prover
@@ -156,4 +167,5 @@ for version in 3.10 3.11 3.12 3.13; do
         lacks "Python $version" "install it (pyenv install $version)"
 done
 prover
+actionlint
 exit $missing

@@ -75,15 +75,15 @@ void walk(void) {
     w.at = bytes + at;
     w.end = bytes + size;
     w.descriptor_set = nondet_byte();
-    w.error = nondet_bool() ? MIP_OK : MIP_ERROR_FIELD_LENGTH;
+    w.error = at < size || nondet_bool() ? MIP_OK : MIP_ERROR_FIELD_LENGTH; /* an error ends the walk */
     const mip_error before = w.error;
     if (mip_walk_next(&w, &field)) {
         assert(before == MIP_OK && w.error == MIP_OK);
         assert(field.data == bytes + at + 2 && field.size == bytes[at] - 2 && field.descriptor == bytes[at + 1]);
         assert(w.at == field.data + field.size && w.at <= w.end && field.descriptor_set == w.descriptor_set);
     } else {
-        assert(w.at == bytes + at && (w.error == MIP_OK) == (before == MIP_OK && at == size));
-        assert(before != MIP_OK || at == size || bytes[at] < 2 || bytes[at] > size - at);
+        assert(w.at == w.end && (w.error == MIP_OK) == (before == MIP_OK && at == size));
+        assert(at == size || bytes[at] < 2 || bytes[at] > size - at);
     }
 }
 

@@ -215,8 +215,8 @@ def kept(proof: Proof, cbmc: str, seconds: int) -> Result:
 
 #: Where, what is changed, into what, and the proof that must refute it.
 PLANTS = [
-    ("core.h", "if (left == 0 || walk->error != MIP_OK)", "if (walk->error != MIP_OK)", "walk"),
-    ("core.h", "if (left == 0 || walk->error != MIP_OK)", "if (left == 0)", "walk"),
+    ("core.h", "if (left == 0) {", "if (walk->error != MIP_OK) {", "walk"),
+    ("core.h", "walk->at = walk->end;", "", "walk"),
     ("core.h", "length < 2 || length > left", "length < 2", "walk"),
     ("core.h", "length < 2 || length > left", "length < 1 || length > left", "walk"),
     ("core.h", "length < 2 || length > left", "length < 2 || length >= left", "walk"),
