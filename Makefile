@@ -9,7 +9,8 @@ VENV := .venv
 RUN := $(VENV)/bin/python
 # What is compiled of the generator is kept, even where Python is told to keep nothing: it is a third of a short run.
 MIPGEN := PYTHONDONTWRITEBYTECODE= PYTHONPATH=generator $(RUN) -m mipgen
-JOBS ?= 2
+# Processes of tests: some tests wait, so one more than a small machine has processors.
+JOBS ?= 3
 TESTS ?= tests
 
 .DEFAULT_GOAL := help
@@ -84,17 +85,18 @@ PYTEST = PYTHONDONTWRITEBYTECODE= SEED=$(SEED) $(RUN) -m pytest -n $(JOBS) --dis
 
 .PHONY: test
 test: tools $(VENV)/development.stamp ## run the tests of all languages that need a C compiler and cargo only: make test SEED=2
-	@$(PYTEST) -m "not heavy and not cross" $(TESTS)
+	@$(PYTEST) -m "not (heavy or cross or nightly)" $(TESTS)
 
 .PHONY: test-all
 test-all: tools-all test $(VENV)/all.stamp ## these, and those that take long, or need other compilers, browsers and Pythons
-	@$(PYTEST) -m heavy $(TESTS)
+	@$(PYTEST) -m "heavy and not nightly" $(TESTS)
 
 .PHONY: nightly
 nightly: SEED ?= $(shell date +%s)
-nightly: tools-all tools-cross tools-fuzz $(VENV)/all.stamp ## all tests, random ones with a seed of their own and many more rounds, and fuzzing: make nightly SEED=2 TIME=600
+nightly: tools-all tools-cross tools-fuzz tools-semver $(VENV)/all.stamp ## all tests, random ones with a seed of their own and many more rounds, and fuzzing: make nightly SEED=2 TIME=600
 	@NIGHTLY=1 $(PYTEST) $(TESTS)
 	@$(MAKE) --no-print-directory fuzz TIME=$(or $(TIME),600)
+	@$(MAKE) --no-print-directory prove
 
 .PHONY: test-cross
 test-cross: tools-cross $(VENV)/development.stamp ## run C on other machines, in emulators: big-endian, strict alignment, 32 bits, Cortex-M, AVR
@@ -104,11 +106,11 @@ test-cross: tools-cross $(VENV)/development.stamp ## run C on other machines, in
 SLOW := cli discovery install mutations output slices targets
 .PHONY: quick
 quick: $(VENV)/development.stamp ## run the quick tests of the generator, and Python with every printed packet, in a minute
-	@$(PYTEST) -m "not heavy" tests/generator $(SLOW:%=--ignore=tests/generator/test_%.py) \
+	@$(PYTEST) -m "not (heavy or nightly)" tests/generator $(SLOW:%=--ignore=tests/generator/test_%.py) \
 	  $(foreach spec,real invented,$(foreach way,decode_to_their_values encode_to_their_bytes,"tests/conformance/test_conformance.py::test_examples_$(way)[python-$(spec)]"))
 
 .PHONY: semver
-semver: tools-semver $(VENV)/development.stamp ## of test-all: compare the Rust crate with the last release, and with itself and an addition
+semver: tools-semver $(VENV)/development.stamp ## of nightly: compare the Rust crate with the last release, and with itself and an addition
 	@$(PYTEST) tests/rust/test_rust_semver.py
 
 .PHONY: mutate
@@ -118,6 +120,11 @@ mutate: $(VENV)/development.stamp ## change the project at random and report wha
 .PHONY: fuzz
 fuzz: tools-fuzz $(VENV)/development.stamp ## search for inputs that break C, and keep those that reach new code: make fuzz TIME=60 TARGETS="parser client"
 	@$(RUN) tests/c/fuzz/fuzz.py $(addprefix --time ,$(TIME)) $(if $(TARGETS),--targets $(TARGETS))
+
+.PHONY: prove
+prove: tools-prove $(VENV)/development.stamp ## prove properties of C for all inputs: make prove FIELD=base.ping SECONDS=300, make prove PLANT=1
+	@$(RUN) tests/prove/proofs.py $(addprefix --field ,$(FIELD)) $(addprefix --count ,$(COUNT)) $(addprefix --seed ,$(SEED)) \
+	  $(addprefix --seconds ,$(SECONDS)) $(if $(PLANT),--plant)
 
 # The formatter and linter of JavaScript, pinned by its npm lock; people without npm leave it out.
 BIOME := $(BUILD)/biome/node_modules/.bin/biome
@@ -156,6 +163,11 @@ docs: workbench $(VENV)/development.stamp ## build the reference as a searchable
 	@cd $(OUT)/markdown && $(MKDOCS) build --quiet --strict --site-dir $(abspath $(BUILD))/site
 	@echo "$(BUILD)/site/index.html"
 
+.PHONY: release
+release: export SOURCE_DATE_EPOCH = 315532800
+release: docs ## build what people install in dist/: the same bytes each time, with checksums, an SBOM and notes
+	@$(RUN) tools/release/build.py --site $(BUILD)/site
+
 .PHONY: docs-serve
 docs-serve: workbench $(VENV)/development.stamp ## show that site at http://127.0.0.1:8000, and follow changes: make docs-serve ADDRESS=HOST:PORT
 	@cd $(OUT)/markdown && $(MKDOCS) serve $(addprefix --dev-addr ,$(ADDRESS))
@@ -179,7 +191,7 @@ conformance-driver: $(VENV)/generator.stamp ## build a driver and print its comm
 
 # ----------------------------------------------------------------- tools and dirt
 
-.PHONY: tools tools-check tools-all tools-cross tools-fuzz tools-semver
+.PHONY: tools tools-check tools-all tools-cross tools-fuzz tools-prove tools-semver
 tools:
 	@tests/tools.sh test
 
@@ -195,10 +207,13 @@ tools-cross:
 tools-fuzz:
 	@tests/tools.sh fuzz
 
+tools-prove:
+	@tests/tools.sh prove
+
 tools-semver:
 	@tests/tools.sh semver
 
 .PHONY: clean
 clean: ## remove what was built; generated/ stays
-	@rm -rf $(BUILD) .mypy_cache .ruff_cache .pytest_cache
+	@rm -rf $(BUILD) dist .mypy_cache .ruff_cache .pytest_cache
 	@find . -name __pycache__ -type d -not -path './.venv/*' -prune -exec rm -rf {} +

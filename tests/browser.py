@@ -6,6 +6,7 @@ import base64
 import json
 import os
 import select
+import shutil
 import subprocess
 import tempfile
 from collections.abc import Iterator
@@ -13,7 +14,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from support import need
+from support import BUILD, ROOT, locked, need
 
 FLAGS = (
     "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-sync",
@@ -132,3 +133,18 @@ def page() -> Iterator[Page]:
             except subprocess.TimeoutExpired:
                 process.kill()
                 process.wait()
+
+
+def axe() -> str:
+    """The script of axe-core, which looks for what keeps people from reading a page; npm installs it in `build/`."""
+    folder = BUILD / "axe"
+    lock = (ROOT / "tests/docs/axe/package-lock.json").read_bytes()
+    with locked(folder):
+        installed = folder / "installed"
+        if not installed.is_file() or installed.read_bytes() != lock:
+            folder.mkdir(exist_ok=True)
+            for name in ("package.json", "package-lock.json"):
+                shutil.copy(ROOT / "tests/docs/axe" / name, folder)
+            subprocess.run([need("npm"), "ci", "--silent", "--ignore-scripts"], cwd=folder, check=True)
+            installed.write_bytes(lock)
+    return (folder / "node_modules/axe-core/axe.min.js").read_text("utf-8")

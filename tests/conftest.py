@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import os
 import signal
 from collections import Counter
@@ -17,6 +18,9 @@ os.environ["MIPGEN_CACHE"] = str(BUILD / "cache")
 # A shell without job control makes background programs ignore Ctrl-C, and so do the programs that they start.
 signal.signal(signal.SIGINT, signal.default_int_handler)
 
+# What is collected stays until the end: looking for garbage among it would take a sixth of the time.
+gc.disable()
+
 # A test that fails shows its values; a whole model in words would take half a minute.
 m.Model.__repr__ = m.Device.__repr__ = lambda self: f"<{type(self).__name__}>"  # type: ignore[method-assign]
 
@@ -31,9 +35,11 @@ def pytest_configure(config: pytest.Config) -> None:
 
 def needs(items: Iterable[pytest.Item]) -> Iterator[tuple[str, str]]:
     for item in items:
-        mark = item.get_closest_marker("heavy")
-        if mark is not None:
-            yield "test-all", mark.args[0]
+        for name, target in (("nightly", "nightly"), ("heavy", "test-all")):
+            mark = item.get_closest_marker(name)
+            if mark is not None:
+                yield target, mark.args[0]
+                break
         if item.get_closest_marker("cross") is not None:
             yield "test-cross", "other machines"
 
@@ -53,6 +59,10 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
         elif item.path.name == "test_columns.py":
             item.add_marker(pytest.mark.xdist_group("columns"))
     items.sort(key=lambda item: item.get_closest_marker("xdist_group") is None)
+
+
+def pytest_collection_finish() -> None:
+    gc.enable()
 
 
 def pytest_deselected(items: list[pytest.Item]) -> None:
@@ -79,10 +89,10 @@ def pytest_unconfigure(config: pytest.Config) -> None:
     for outcome in ("passed", "failed", "error", "skipped"):
         run.update(report.nodeid.split("/")[1] for report in reporter.stats.get(outcome, ()))
     counts = ", ".join(f"{name} {count}" for name, count in sorted(run.items()))
+    if not NIGHTLY:
+        left_out.add(("nightly", "more rounds of random tests, and other seeds"))
     rest = [
         f"left out, for `make {target}`: {', '.join(sorted(what for of, what in left_out if of == target))}"
         for target in sorted({target for target, _ in left_out})
     ]
-    if not NIGHTLY:
-        rest.append("for `make nightly`: more rounds of random tests, and other seeds")
     reporter.write_line(f"tests run: {counts or 'none'}; seed {SEED}; {'; '.join(rest) or 'nothing was left out'}")

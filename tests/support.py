@@ -154,6 +154,11 @@ def heavy(what: str) -> pytest.MarkDecorator:
     return pytest.mark.heavy(what)
 
 
+def nightly(what: str) -> pytest.MarkDecorator:
+    """Marks a test that takes minutes and finds what hardly any change brings about; only `make nightly` runs it."""
+    return pytest.mark.nightly(what)
+
+
 def small(what: str) -> pytest.MarkDecorator:
     """Both specifications, for a test that would rarely find more in the real one: it is ten times as large, of the
     same kinds of parts. `make test-all` runs it; all bytes of the real one are in the conformance suite."""

@@ -1,5 +1,5 @@
 #!/bin/sh
-# tools.sh check|test|all|cross|fuzz|semver: brings what can be brought, and names what is missing with its remedy, all of it at once.
+# tools.sh check|test|all|cross|fuzz|semver|prove: brings what can be brought, and names what is missing with its remedy, all of it at once.
 set -u
 missing=0
 
@@ -52,6 +52,45 @@ if [ "$1" = fuzz ]; then
     printf '#include <stddef.h>\nint LLVMFuzzerTestOneInput(const void *d, size_t n) { return d == NULL && n > 0; }\n' |
         clang -fsanitize=fuzzer,address,undefined -x c - -o /dev/null 2>/dev/null ||
         lacks libFuzzer "clang must link with -fsanitize=fuzzer,address,undefined (Debian: apt-get install libclang-rt-dev)"
+    exit $missing
+fi
+
+# Debian has CBMC since version 13, and Ubuntu since 24.04. On an older Debian, the packages of version 13 and the
+# libraries that they need are unpacked in a folder of their own, and run with the loader that they contain. apt checks
+# their signatures; it keeps what it knows of that version in this folder, so that nothing of the system changes.
+prover() {
+    command -v cbmc >/dev/null 2>&1 && return
+    folder=$(pwd)/${TOOLS:-build/tools}/cbmc
+    "$folder/cbmc" --version >/dev/null 2>&1 && return
+    if command -v apt-get >/dev/null 2>&1 && [ -f /usr/share/keyrings/debian-archive-keyring.gpg ]; then
+        echo "installing cbmc"
+        rm -rf "$folder"
+        mkdir -p "$folder/lists/partial" "$folder/archives/partial" "$folder/packages" "$folder/root"
+        touch "$folder/status"
+        echo "deb [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] http://deb.debian.org/debian trixie main" >"$folder/sources.list"
+        set -- -qq -o Dir::State="$folder" -o Dir::State::status="$folder/status" -o Dir::Cache="$folder" -o Dir::Etc::sourcelist="$folder/sources.list" \
+            -o Dir::Etc::sourceparts=- -o Acquire::Languages=none -o APT::Sandbox::User=
+        (
+            apt-get "$@" update && cd "$folder/packages" && apt-get "$@" download cbmc minisat libc6 libgcc-s1 libstdc++6 zlib1g &&
+                for package in *.deb; do dpkg-deb -x "$package" "$folder/root" || exit 1; done
+        ) >/dev/null 2>"$folder/errors"
+        rm -rf "$folder/lists" "$folder/archives" "$folder/packages"
+        cat >"$folder/cbmc" <<'END'
+#!/bin/sh
+usr=$(cd "$(dirname "$0")" && pwd)/root/usr
+libraries=$(echo "$usr"/lib/*-linux-gnu)
+exec "$(echo "$libraries"/ld-linux*.so.*)" --library-path "$libraries:$usr/lib" "$usr/bin/cbmc" "$@"
+END
+        chmod +x "$folder/cbmc"
+        "$folder/cbmc" --version >/dev/null 2>&1 && return
+        sed 's/^/  /' "$folder/errors" >&2
+    fi
+    lacks cbmc "install version 6 or later (Debian 13, Ubuntu 24.04: apt-get install cbmc; macOS: brew install cbmc)"
+}
+
+if [ "$1" = prove ]; then
+    command_or cc "install one (Debian: apt-get install gcc libc6-dev)"
+    prover
     exit $missing
 fi
 
@@ -116,5 +155,5 @@ for version in 3.10 3.11 3.12 3.13; do
     "python$version" -c pass 2>/dev/null || ls "${PYENV_ROOT:-$HOME/.pyenv}/versions/$version".*/bin/python >/dev/null 2>&1 ||
         lacks "Python $version" "install it (pyenv install $version)"
 done
-[ $missing = 0 ] && semver_checks # last, as it takes long
+prover
 exit $missing

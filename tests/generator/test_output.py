@@ -123,20 +123,20 @@ def link(path: Path, to: str | Path) -> None:
     path.symlink_to(to)
 
 
-#: What is in the way of rust/ or of its files after a run -> what is done to put it there.
+#: What is in the way of ros2/ or of its files after a run -> what is done to put it there.
 IN_THE_WAY: dict[str, tuple[str, Any]] = {
-    "a manifest of somebody else": ("rust/.manifest", lambda p: p.write_text("LICENSE\nREADME.md\nsrc/mip.h\n")),
-    "an empty manifest": ("rust/.manifest", lambda p: p.write_text("")),
-    "a manifest that is a folder": ("rust/.manifest", lambda p: (p.unlink(), p.mkdir())),
-    "a link that leads nowhere": ("rust/README.md", lambda p: link(p, "nowhere")),
-    "a link to itself": ("rust/README.md", lambda p: link(p, p)),
-    "a link to another file": ("rust/README.md", lambda p: link(p, "LICENSE")),
-    "a folder in place of a file": ("rust/README.md", lambda p: (p.unlink(), p.mkdir())),
-    "a file in place of a folder": ("rust/src/sets", lambda p: (shutil.rmtree(p), p.write_text("mine"))),
-    "a link in place of a folder": ("rust/src/sets", lambda p: (shutil.rmtree(p), p.symlink_to("nowhere"))),
-    "a file in place of the target": ("rust", lambda p: (shutil.rmtree(p), p.write_text("mine"))),
-    "a link in place of the target": ("rust", lambda p: (shutil.rmtree(p), p.symlink_to("nowhere"))),
-    "a pipe": ("rust/README.md", lambda p: (p.unlink(), os.mkfifo(p))),
+    "a manifest of somebody else": ("ros2/.manifest", lambda p: p.write_text("LICENSE\nREADME.md\nsrc/mip.h\n")),
+    "an empty manifest": ("ros2/.manifest", lambda p: p.write_text("")),
+    "a manifest that is a folder": ("ros2/.manifest", lambda p: (p.unlink(), p.mkdir())),
+    "a link that leads nowhere": ("ros2/README.md", lambda p: link(p, "nowhere")),
+    "a link to itself": ("ros2/README.md", lambda p: link(p, p)),
+    "a link to another file": ("ros2/README.md", lambda p: link(p, "LICENSE")),
+    "a folder in place of a file": ("ros2/README.md", lambda p: (p.unlink(), p.mkdir())),
+    "a file in place of a folder": ("ros2/msg", lambda p: (shutil.rmtree(p), p.write_text("mine"))),
+    "a link in place of a folder": ("ros2/msg", lambda p: (shutil.rmtree(p), p.symlink_to("nowhere"))),
+    "a file in place of the target": ("ros2", lambda p: (shutil.rmtree(p), p.write_text("mine"))),
+    "a link in place of the target": ("ros2", lambda p: (shutil.rmtree(p), p.symlink_to("nowhere"))),
+    "a pipe": ("ros2/README.md", lambda p: (p.unlink(), os.mkfifo(p))),
 }
 
 
@@ -146,8 +146,8 @@ def test_what_is_in_the_way_is_named_and_nothing_is_written(
 ) -> None:
     name, put = IN_THE_WAY[of]
     out = tmp_path / "out"
-    options = ["--spec", str(INVENTED), "--target", "rust", "--target", "json", "--out", str(out)]
-    shutil.copytree(GOLDEN / "rust", out / "rust")
+    options = ["--spec", str(INVENTED), "--target", "ros2", "--target", "json", "--out", str(out)]
+    shutil.copytree(GOLDEN / "ros2", out / "ros2")
     put(out / name)
     before = state(out)
     assert cli.main(["check", *options]) == 1
@@ -163,7 +163,7 @@ def test_what_is_in_the_way_is_named_and_nothing_is_written(
     assert f"\n  {out / name}\n" in shown
     assert state(out) == before
     shutil.rmtree(out / name) if (out / name).is_dir() else (out / name).unlink()
-    assert cli.main(["generate", *options]) == 0 and tree(out / "rust") == tree(GOLDEN / "rust")
+    assert cli.main(["generate", *options]) == 0 and tree(out / "ros2") == tree(GOLDEN / "ros2")
 
 
 def state(folder: Path) -> dict[str, Any]:

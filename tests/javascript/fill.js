@@ -47,8 +47,9 @@ window.fill = (() => {
         }
     };
     return (name, set, selector, values) => {
-        const choice = document.querySelector("#mip-field");
-        put(choice, name);
+        const search = document.querySelector("#mip-field");
+        put(search, name);
+        search.form.requestSubmit(); // as Enter does
         if (selector !== null) put(at(["function"]).querySelector("select"), selector);
         if ([...document.querySelector(".mip-form").children].some((part) => own(part) === "set")) {
             put(at(["set"]).querySelector("select"), String(set));

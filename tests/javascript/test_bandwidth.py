@@ -14,23 +14,24 @@ from workbench import workbench
 
 pytestmark = heavy("Chromium")
 
-#: Chooses fields of sets with the numbers beside them: [set, field, number].
+#: Chooses fields of sets with the rates beside them: [set, field, Hz].
 CHOOSE = """
 window.choose = (device, wanted) => {
     const select = document.querySelector("select");
     select.value = device;
     select.dispatchEvent(new Event("input"));
     for (const box of document.querySelectorAll("[data-set] [type=checkbox]:checked")) box.click();
-    for (const [set, field, number] of wanted) {
+    for (const [set, field, rate] of wanted) {
         const [box, input] = document.querySelectorAll(`[data-set="${set}"] [data-field="${field}"] input`);
-        input.value = number;
+        input.value = rate;
         box.checked = true;
         box.dispatchEvent(new Event("input"));
     }
     return {
         need: document.querySelector(".mip-need")?.textContent ?? null,
         ports: Object.fromEntries(
-            [...document.querySelectorAll("[data-port]")].map((row) => [row.dataset.port, row.cells[1].textContent]),
+            [...document.querySelectorAll("[data-port]")]
+                .map((one) => [one.dataset.port, one.querySelector("span").textContent]),
         ),
     };
 };
@@ -56,7 +57,7 @@ def baud(streams: dict[str, list[tuple[m.Field, float]]]) -> float:
 
 def test_the_example_of_the_manual(page: browser.Page) -> None:
     """By the notes of the protocol, these take 34000 Bd."""
-    wanted = [["sensor", "sensor.scaled_accel", 10], ["sensor", "sensor.gps_timestamp", 10]]
+    wanted = [["sensor", "sensor.scaled_accel", 100], ["sensor", "sensor.gps_timestamp", 100]]
     found = page.run(f"choose('3dm-gx5-15', {wanted})")
     assert found["need"] == "3400 bytes/s; over a UART at least 34000 Bd."
     assert found["ports"] == {"UART 1": "115200", "USB": "no baud rate"}
@@ -67,7 +68,8 @@ def test_what_no_port_carries(page: browser.Page) -> None:
     of = model("real")
     device = of.device("3dm-gx5-15")
     assert device is not None
-    wanted = [["sensor", s.name, 1] for s in device.supports if s.name.startswith("sensor.")]
+    base = next(r.hertz for r in device.base_rates if r.set.name == "sensor")
+    wanted = [["sensor", s.name, base] for s in device.supports if s.name.startswith("sensor.")]
     assert page.run(f"choose({device.id!r}, {wanted})")["ports"]["UART 1"] == "none of its baud rates is enough"
 
 
@@ -105,8 +107,9 @@ def test_random_streams(page: browser.Page, device: str) -> None:
         for name, f in chance.sample(places, min(4, len(places))):
             number = chance.choice([1, 2, 5, 10, 100])
             base = bases.get(name) or None
-            streams.setdefault(name, []).append((f, base / number if base else number))
-            wanted.append([name, f.full_name, number])
+            rate = base / number if base else number
+            streams.setdefault(name, []).append((f, rate))
+            wanted.append([name, f.full_name, rate])
         found = page.run(f"choose({device!r}, {wanted})")
         need = baud(streams)
         assert found["need"].endswith(f"at least {math.ceil(round(need, 6))} Bd.")
@@ -139,25 +142,35 @@ def test_a_complete_profile_has_what_it_lists(page: browser.Page) -> None:
     assert "incomplete" not in page.run("document.querySelector('#tool').textContent")
 
 
-@pytest.mark.parametrize("number", ["", "0", "-5", "2.9", "70000"])
-def test_a_decimation_that_no_device_takes(page: browser.Page, number: str) -> None:
-    """It has two bytes; what is not one is said, and not counted as another."""
-    chosen = page.run(f"choose('3dm-gx5-15', [['sensor', 'sensor.scaled_accel', {number!r}]])")
+@pytest.mark.parametrize("rate", ["", "0", "-5", "2000"])
+def test_a_rate_that_the_device_cannot_send(page: browser.Page, rate: str) -> None:
+    """It is said, and not counted as another."""
+    chosen = page.run(f"choose('3dm-gx5-15', [['sensor', 'sensor.scaled_accel', {rate!r}]])")
     assert chosen == {"need": None, "ports": {}}
-    said = "Scaled accel needs a whole number from 1 to 65535."
+    said = "Scaled accel needs a rate above 0 Hz and up to 1000 Hz."
     assert page.run("document.querySelector('.mip-output').textContent") == said
-    assert page.run("document.querySelector('.mip-rate.mip-wrong').textContent") == "a whole number from 1 to 65535"
+    assert (
+        page.run("document.querySelector('.mip-rate.mip-wrong').textContent") == "a rate above 0 Hz and up to 1000 Hz"
+    )
+
+
+def test_the_nearest_rate_is_what_counts(page: browser.Page) -> None:
+    """Devices divide the base rate by whole numbers."""
+    found = page.run("choose('3dm-gx5-15', [['sensor', 'sensor.scaled_accel', 300]])")
+    shown = page.run("document.querySelector('tr:has(:checked) .mip-rate').textContent")
+    assert shown == "333.333 Hz, the nearest (decimation 3)"
+    assert found["need"].startswith(f"{math.ceil(20 * 1000 / 3)} bytes/s")
 
 
 def test_a_rate_without_a_base_rate(page: browser.Page) -> None:
     wanted = "choose('', [['sensor', 'sensor.scaled_accel', {}]])"
     assert page.run(wanted.format("'0'"))["need"] is None
-    assert page.run("document.querySelector('.mip-rate.mip-wrong').textContent") == "a number above 0"
+    assert page.run("document.querySelector('.mip-rate.mip-wrong').textContent") == "a rate above 0 Hz"
     assert page.run(wanted.format("0.05"))["need"] == "1 byte/s; over a UART at least 10 Bd."
 
 
 def test_another_device_keeps_what_it_has(page: browser.Page) -> None:
-    """The rates of the fields are kept, and the address names the device."""
+    """The rates of the fields are kept, and the address holds them and the device: a link opens to the same."""
     page.run("choose('3dm-gx5-15', [['sensor', 'sensor.scaled_accel', 10], ['sensor', 'sensor.up_vector', 5]])")
     change = (
         "(() => { const select = document.querySelector('select'); select.value = '%s';"
@@ -171,6 +184,20 @@ def test_another_device_keeps_what_it_has(page: browser.Page) -> None:
     assert set(first) == {"sensor.scaled_accel", "sensor.up_vector"}
     second = page.run(change % "3dm-cv7-gnss-ins")
     assert second == {"sensor.scaled_accel": first["sensor.scaled_accel"]}
-    assert page.run("location.hash") == "#3dm-cv7-gnss-ins"
+    page.run("new Promise((done) => setTimeout(done, 500))")
+    address = page.run("location.href")
+    assert address.endswith("#device=3dm-cv7-gnss-ins&streams=sensor.scaled_accel@10,sensor.up_vector@5")
     assert page.run(change % "3dm-gx5-15") == first
-    assert page.run(change % "") == first and page.run("location.hash") == ""
+    anything = page.run(change % "")
+    assert {name: rate.partition(" (")[0] for name, rate in first.items()} == anything
+    need = page.run(change % "3dm-cv7-gnss-ins") and page.run("document.querySelector('.mip-need').textContent")
+    page.open("about:blank")
+    page.open(address)
+    assert page.run("document.querySelector('.mip-need').textContent") == need
+    assert page.run("document.querySelector('select').value") == "3dm-cv7-gnss-ins"
+
+
+def test_what_is_no_device_leads_to_the_hits_of_the_finder(page: browser.Page) -> None:
+    page.open("about:blank")
+    page.open((workbench("real") / "bandwidth.html").as_uri() + "#mip_sensor_scaled_accel")
+    assert page.run("document.querySelector('.mip-results li').dataset.field") == "sensor.scaled_accel"

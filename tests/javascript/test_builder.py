@@ -147,6 +147,7 @@ window.put = (selector, value) => {
     if (control.type === "checkbox") control.checked = value;
     else control.value = value;
     control.dispatchEvent(new Event("input"));
+    if (control.type === "search") control.form.requestSubmit();
 };
 window.press = (words) => [...document.querySelectorAll("button")].find((one) => one.textContent === words).click();
 window.texts = (selector) => [...document.querySelectorAll(selector)].map((one) => one.textContent);
@@ -162,6 +163,13 @@ def start(page: browser.Page, fragment: str) -> None:
 
 def packet(page: browser.Page) -> bytes:
     return bytes.fromhex(page.run("document.querySelector('.mip-packet-bytes').textContent"))
+
+
+def address(page: browser.Page) -> str:
+    """The fragment of the address, which follows what is built after a moment."""
+    page.run("new Promise((done) => setTimeout(done, 500))")
+    text: str = page.run("location.hash.slice(1)")
+    return text
 
 
 def programs(page: browser.Page) -> list[str]:
@@ -233,9 +241,9 @@ def test_several_fields(own: browser.Page) -> None:
     own.run("document.querySelector('[aria-label=\"Remove: field 1\"]').click()")
     assert packet(own) == codec.build(of, 1, [(6, b""), (2, b"")])
     assert len(programs(own)) == 6
-    assert own.run(
-        "[...document.querySelector('#mip-add').options].every((one) => !one.value || !one.value.startsWith('3dm'))"
-    )
+    own.run("const add = document.querySelector('#mip-add'); add.value = 'pps'; add.dispatchEvent(new Event('input'))")
+    offered = own.run("[...document.querySelectorAll('.mip-forms .mip-hits li')].map((one) => one.dataset.field)")
+    assert not [name for name in offered if name.startswith("3dm")], "of another set"
 
 
 def test_what_is_built_is_in_the_address(own: browser.Page) -> None:
@@ -243,14 +251,33 @@ def test_what_is_built_is_in_the_address(own: browser.Page) -> None:
     own.run("put('#mip-device', '3dm-cv7-gnss-ins')")
     own.run("put('.mip-hex', '0x82')")
     own.run("put('#mip-add', '3dm.get_base_rate')")
-    before, address = packet(own), own.run("location.hash.slice(1)")
-    assert urllib.parse.unquote(address) == f"3dm-cv7-gnss-ins {before.hex().upper()}"
-    start(own, address)
+    before, link = packet(own), address(own)
+    assert link == f"device=3dm-cv7-gnss-ins&packet={before.hex().upper()}"
+    start(own, link)
     assert packet(own) == before and own.run("document.querySelector('#mip-device').value") == "3dm-cv7-gnss-ins"
     start(own, "75 65 01 02 02 01 E0 C6")
-    assert own.run("document.querySelector('#mip-field').value") == "base.ping"
-    start(own, "no such thing")
-    assert packet(own)
+    assert own.run("document.querySelector('.mip-output h2').textContent") == "Ping (0x01,0x01)"
+    assert own.run("document.querySelector('#mip-device').value") == ""
+
+
+@pytest.mark.parametrize(
+    ("fragment", "field"),
+    [
+        ("mip_3dm_pps_source_control_write", "3dm.pps_source_control"),
+        ("lever arm", "filter.speed_lever_arm"),
+        ("zzzz", ""),
+    ],
+)
+def test_what_is_no_field_leads_to_the_hits_of_the_finder(own: browser.Page, fragment: str, field: str) -> None:
+    """And to no packet: the first command of the specification is not what was meant."""
+    start(own, fragment)
+    hits = own.run("[...document.querySelectorAll('.mip-hits li')].map((one) => one.dataset.field)")
+    assert (field in hits) if field else not hits
+    assert own.run("document.querySelector('.mip-packet-bytes')") is None
+    assert own.run("document.querySelector('#mip-field').value") == fragment
+    if field:
+        own.run(f"document.querySelector('.mip-hits [data-field=\"{field}\"] button').click()")
+        assert packet(own)
 
 
 def test_what_the_address_cannot_give_is_said(own: browser.Page) -> None:
@@ -270,8 +297,10 @@ def test_what_the_address_cannot_give_is_said(own: browser.Page) -> None:
         start(own, fragment)
         assert own.run("document.querySelector('[role=status].mip-wrong')?.textContent ?? null") == problem, fragment
         assert urllib.parse.unquote(own.run("location.hash.slice(1)")) == fragment
+        nothing = own.run("document.querySelector('.mip-packet-bytes')") is None
+        assert nothing == (problem is not None and "left out" not in problem), "no packet that nobody asked for"
     own.run("put('#mip-add', 'base.set_idle')")
-    assert own.run("location.hash.slice(1)") == packet(own).hex().upper()
+    assert address(own) == f"packet={packet(own).hex().upper()}"
 
 
 def test_a_device_limits_what_may_be_sent(own: browser.Page) -> None:
@@ -279,29 +308,60 @@ def test_a_device_limits_what_may_be_sent(own: browser.Page) -> None:
     start(own, "base.ping")
     for d in of.devices:
         own.run(f"put('#mip-device', {d.id!r})")
-        shown = set(own.run("[...document.querySelector('#mip-field').options].map((one) => one.value)"))
+        shown = set(browsed(own))
         known = {s.name for s in d.supports}
         if d.incomplete:
             known = {f.name_in(number) for f in of.fields for number in ([0] if f.everywhere else f.sets)}
             known -= {s.name for s in d.refuses}
         answers = {f.full_name for f in of.fields if f.role == m.RESPONSE}
-        assert shown - answers == (known | {"protocol.acknowledge", "base.ping"}) - answers
+        assert shown - answers == known - answers - {"protocol.acknowledge"}
+
+
+def browsed(page: browser.Page) -> dict[str, str]:
+    """The names of all fields that are offered, with their titles and marks."""
+    shown: dict[str, str] = page.run(
+        "new Promise((done) => { const list = document.querySelector('.mip-browse');"
+        " list.addEventListener('toggle', () => setTimeout(() =>"
+        " done(Object.fromEntries([...list.querySelectorAll('li')]"
+        ".map((one) => [one.querySelector('code').textContent, one.querySelector('strong').textContent])))),"
+        " { once: true });"
+        " list.open = true; })"
+    )
+    page.run("document.querySelector('.mip-browse').open = false")
+    return shown
+
+
+def test_a_search_shows_first_what_the_device_has(own: browser.Page) -> None:
+    start(own, "device=3dm-gx5-15")
+    own.run(
+        "const search = document.querySelector('#mip-field'); search.value = 'pps';"
+        " search.dispatchEvent(new Event('input'))"
+    )
+    assert "Not supported by the 3DM-GX5-15:" in own.run("document.querySelector('.mip-hits').textContent")
+    own.run("put('#mip-device', '3dm-cv7-gnss-ins')")
+    assert own.run("document.querySelector('.mip-hits li').dataset.field") == "3dm.pps_source_control"
+    keys = "document.activeElement.dispatchEvent(new KeyboardEvent('keydown', {{ key: '{}', bubbles: true }}))"
+    own.run("document.querySelector('#mip-field').focus()")
+    own.run(keys.format("ArrowDown"))
+    assert own.run("document.activeElement.closest('li').dataset.field") == "3dm.pps_source_control"
+    own.run(keys.format("ArrowUp"))
+    assert own.run("document.activeElement.id") == "mip-field"
 
 
 def test_a_field_of_several_sets_is_built_into_the_named_one(own: browser.Page) -> None:
     start(own, "gnss_2.dop")
-    assert packet(own)[2] == 0x92 and own.run("document.querySelector('#mip-field').value") == "gnss_2.dop"
+    assert packet(own)[2] == 0x92
     own.run("put('#mip-field', 'gnss_1.dop')")
-    assert packet(own)[2] == 0x91 and own.run("document.querySelector('#mip-field').value") == "gnss_1.dop"
+    assert packet(own)[2] == 0x91
 
 
 def test_what_is_not_known_of_a_device_is_offered_and_marked(own: browser.Page) -> None:
     """What the sources of an incomplete profile do not tell is not what the device does not have."""
-    words = "document.querySelector('#mip-field option[value=\"{}\"]').textContent"
     start(own, "3dm-gq7 filter.run")
-    assert own.run(words.format("filter.run")) == "0x05 Run navigation filter"
-    assert own.run(words.format("base.ping")) == "0x01 Ping (probable)"
-    assert own.run(words.format("3dm.poll_imu_data")) == "0x01 Poll IMU Data (not known)"
+    offered = browsed(own)
+    assert offered["filter.run"] == "Run navigation filter"
+    assert offered["base.ping"] == "Ping (probable)"
+    assert offered["3dm.poll_imu_data"] == "Poll IMU Data (not known)"
     tool = "document.querySelector('#tool > [role=status]').textContent"
     assert "The profile of the 3DM-GQ7-GNSS/INS is incomplete: Only some pages" in own.run(tool)
     own.run("put('#mip-field', '3dm.poll_imu_data')")

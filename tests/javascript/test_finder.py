@@ -42,9 +42,10 @@ def test_nothing_found(page: browser.Page) -> None:
     assert found(page, "") == [] and page.run("document.querySelector('.mip-results').textContent") == ""
 
 
-def test_without_a_reference_there_are_no_links(page: browser.Page) -> None:
+def test_without_a_reference_hits_lead_to_the_builder(page: browser.Page) -> None:
     found(page, "0x0D13")
-    assert page.run("document.querySelectorAll('.mip-results a').length") == 0
+    links = page.run("[...document.querySelectorAll('.mip-results a')].map((link) => link.getAttribute('href'))")
+    assert links == ["builder.html#filter.antenna_offset"]
 
 
 @pytest.mark.parametrize(

@@ -362,3 +362,59 @@ def test_what_depends_on_the_device_is_said(page: browser.Page) -> None:
     assert [words in row["meaning"] for row in shown["fields"][0]["rows"]] == [True] * 3
     (shown,) = inspected(page, packet, "3dm-cv7-gnss-ins")
     assert [words in row["meaning"] for row in shown["fields"][0]["rows"]] == [False] * 3
+
+
+def test_a_log_is_dropped(page: browser.Page) -> None:
+    """With damage and a gap: its fields, rates and gaps, and any packet of it, page by page."""
+    of = model("real")
+    time, accel = of.field("shared.reference_timestamp"), of.field("sensor.scaled_accel")
+    assert time is not None and accel is not None
+    parts = []
+    for i in [*range(700), *range(710, 2000)]:
+        data = ((5 * 10**9 + i * 10**7).to_bytes(8, "big"), bytes(12))
+        parts.append(codec.build(of, 0x80, [(f.descriptor, x) for f, x in zip((time, accel), data, strict=True)]))
+    text = ",".join(str(x) for x in b"".join(parts) + b"noise")
+    page.run(
+        "(() => { const held = new DataTransfer();"
+        f" held.items.add(new File([Uint8Array.of({text})], 'drive.bin'));"
+        " const event = new DragEvent('drop', { dataTransfer: held, bubbles: true });"
+        " document.querySelector('#tool').dispatchEvent(event); })()"
+    )
+    wait = (
+        "(async () => {{ for (let i = 0; i < 500 && !({0}); i++) await new Promise((done) => setTimeout(done, 20));"
+        " return {0}; }})()"
+    )
+    assert page.run(wait.format("document.querySelector('.mip-log table') !== null"))
+    rows = page.run(
+        "[...document.querySelectorAll('.mip-log tbody tr')]"
+        ".map((row) => [...row.cells].map((cell) => cell.textContent))"
+    )
+    assert [row[1:] for row in rows] == [
+        ["0x80,0x04", "1990", "100", "1, 10 samples missing"],
+        ["0x80,0xD5", "1990", "100", "1, 10 samples missing"],
+    ]
+    said = page.run("document.querySelector('.mip-log .mip-summary').textContent")
+    assert said.startswith(f"{sum(map(len, parts)) + 5} bytes, 1990 packets; 5 bytes outside packets.")
+    page.run("document.querySelector('.mip-pages').open = true")
+    assert page.run(wait.format("document.querySelectorAll('.mip-pages .mip-packet').length > 100"))
+    page.run(
+        "(() => { const input = document.querySelector('#mip-log-packet'); input.value = 1500;"
+        " input.dispatchEvent(new Event('change')); })()"
+    )
+    wanted = parts[1499].hex(" ").upper()
+    found = f"[...document.querySelectorAll('.mip-pages .mip-packet')].some((one) => one.dataset.bytes === '{wanted}')"
+    assert page.run(wait.format(found))
+
+
+def test_what_is_no_packet_leads_to_the_hits_of_the_finder(page: browser.Page) -> None:
+    inspected(page, "mip_3dm_pps_source_control")
+    assert page.run("document.querySelector('.mip-results li').dataset.field") == "3dm.pps_source_control"
+
+
+def test_bytes_and_values_are_linked(page: browser.Page) -> None:
+    """Who points at the bytes of a value sees its row, and the other way round."""
+    inspected(page, "75650C04042801041B55")
+    page.run("document.querySelector('[data-value=source]').dispatchEvent(new Event('mouseover', { bubbles: true }))")
+    assert page.run("[...document.querySelectorAll('tr.mip-pointed')].map((row) => row.dataset.path)") == ["source"]
+    colour = "getComputedStyle(document.querySelector({!r})).backgroundColor"
+    assert page.run(colour.format("[data-value=source]")) == page.run(colour.format("[data-path=source] td"))

@@ -92,6 +92,7 @@ def test_the_package_is_complete() -> None:
     assert about["engines"] == {"node": ">=18"}
     assert about["sideEffects"] is False
     assert "IMU" in about["keywords"]
+    assert about["repository"] == {"type": "git", "url": about["homepage"]}
     for name, paths in about["exports"].items():
         for path in paths.values() if isinstance(paths, dict) else (paths,):
             assert (GENERATED / path).is_file(), name

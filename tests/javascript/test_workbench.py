@@ -58,8 +58,8 @@ def test_a_folder_that_is_no_package(tmp_path: Path) -> None:
     ("statement", "said"),
     [
         (
-            "import * as all from './dom.mjs';",
-            "finder.mjs:3: error: a statement that cannot be bundled: import * as all",
+            "import './dom.mjs';",
+            "finder.mjs:3: error: a statement that cannot be bundled: import './dom.mjs';",
         ),
         ("export let last = 0;", "finder.mjs:3: error: a statement that cannot be bundled: export let last = 0;"),
         ('import { a } from "left-pad";', "finder.mjs: error: left-pad is not in the codec at "),

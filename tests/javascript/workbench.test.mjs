@@ -195,3 +195,106 @@ test("a value begins with its default, which may be the names of bits; a text of
     assert.equal(begin("text", {}), "");
     assert.equal(begin("text", { default: "ab" }), "ab");
 });
+
+// ------------------------------------------------------------------------------------------------ logs
+
+/** The first data field of two that shared timestamps can be with, and its values. */
+function logOf(count, without = () => false) {
+    const { buildPacket } = globalThis.mip;
+    const set = protocol.sets.get(0x80);
+    const field = set.fields.map((name) => protocol.field(name)).find((one) => one.name === "sensor.scaled_accel");
+    const parts = [];
+    for (let i = 0; i < count; i++) {
+        if (without(i)) continue;
+        const time = { name: "shared.reference_timestamp", values: { nanoseconds: BigInt(5e9 + i * 1e7) } };
+        parts.push(...buildPacket(protocol, 0x80, [time, { name: field.name, values: initialValues(protocol, field) }]).bytes);
+        if (i % 10 === 3) parts.push(...new TextEncoder().encode("$GPGGA,1*00\r\n"));
+    }
+    return Uint8Array.from(parts);
+}
+
+async function* pieces(bytes, size) {
+    for (let at = 0; at < bytes.length; at += size) yield bytes.subarray(at, at + size);
+}
+
+const real = protocol.fields.has("shared.reference_timestamp") && protocol.fields.has("sensor.scaled_accel");
+
+test("a log in pieces of any size has the same packets, rates and gaps", { skip: !real && "of the real specification" }, async () => {
+    const { survey } = globalThis.mip;
+    const log = logOf(1000, (i) => i >= 500 && i < 503);
+    let before;
+    for (const size of [1000, 8192, 65536]) {
+        const found = await survey(protocol, pieces(log, size));
+        assert.equal(found.packets, 997);
+        assert.equal(found.sentences, 100);
+        assert.equal(found.skipped, 1300);
+        const accel = found.fields.find(({ name }) => name === "sensor.scaled_accel");
+        assert.deepEqual([accel.count, accel.gaps, accel.lost], [997, 1, 3]);
+        assert.ok(Math.abs(accel.rate - 100) < 1e-6);
+        assert.deepEqual(
+            found.gaps.map(({ packet, lost, fields }) => [packet, lost, fields.length]),
+            [[500, 3, 2]],
+        );
+        const { pages, ...rest } = found;
+        const behind = (offset) => new globalThis.mip.Parser().feed(log.subarray(offset)).length;
+        for (const { offset, first } of pages) assert.equal(behind(offset), 997 - first);
+        const text = JSON.stringify(rest, (key, value) => (key === "field" ? value.name : value));
+        assert.equal(text, before ?? text);
+        before = text;
+    }
+});
+
+test("a survey ends where it is told to", { skip: !real && "of the real specification" }, async () => {
+    const log = logOf(1000);
+    const found = await globalThis.mip.survey(protocol, pieces(log, 4096), (bytes) => bytes < 8192);
+    assert.equal(found.bytes, 8192);
+});
+
+// ------------------------------------------------------------------------------------------------ transactions
+
+test("an acknowledge names the command that it answers, and commands and answers are paired", { skip: !real && "of the real one" }, () => {
+    const sent = "75650C04042801041B55"; // write
+    const text = `${sent} 75650C0404F1280007FA 75650C03032802 1650 75650C0404F128030AFD`;
+    const { transactions, parts } = inspect(protocol, text);
+    const acknowledges = parts.flatMap(({ fields }) => fields ?? []).filter(({ answered }) => answered);
+    assert.deepEqual(
+        acknowledges.map(({ answered }) => answered.text),
+        ["PPS Source Control acknowledged", "PPS Source Control refused: invalid parameter"],
+    );
+    assert.deepEqual(
+        transactions.map(({ command, answer }) => [command?.field.name, answer?.answered.accepted]),
+        [
+            ["3dm.pps_source_control", true],
+            ["3dm.pps_source_control", false],
+        ],
+    );
+});
+
+test("model numbers have the names of devices", { skip: !real && "of the real one" }, () => {
+    const response = protocol.field("base.get_device_info_response");
+    const info = { ...initialValues(protocol, response).device_info, model_number: "       6292-4220" };
+    const packet = globalThis.mip.buildPacket(protocol, 1, [{ name: response.name, values: { device_info: info } }]);
+    const [{ fields }] = inspect(protocol, toHex(packet.bytes)).parts;
+    assert.equal(fields[0].rows.find(({ path }) => path.endsWith("model_number")).meaning, "3DM-CV7-GNSS/INS");
+});
+
+test("decimations have their rate in Hz on a device", { skip: !real && "of the real one" }, () => {
+    const text = "75650C0B0B0F01800204000A05000AABE8"; // scaled accel and gyro
+    const rates = (device) => {
+        const rows = inspect(protocol, text, device).parts.flatMap(({ fields }) => fields.flatMap((one) => one.rows));
+        return rows.filter(({ path }) => path.endsWith("decimation")).map(({ meaning }) => meaning);
+    };
+    assert.deepEqual(rates("3dm-cv7-gnss-ins"), Array(2).fill("100 Hz on the chosen device"));
+    assert.deepEqual(rates(undefined), [undefined, undefined]);
+});
+
+test("every setting of every device can be read, and written as it was read", { skip: !real && "of the real one" }, () => {
+    const { settingsOf, instancesOf } = globalThis.mip;
+    for (const device of model.devices) {
+        for (const field of settingsOf(protocol, device)) {
+            const { instances } = instancesOf(protocol, device, field);
+            const names = field.calls.find((call) => call.function === "read").required;
+            for (const one of instances) assert.deepEqual(Object.keys(one), names, `${device.id} ${field.name}`);
+        }
+    }
+});

@@ -107,6 +107,14 @@ def test_the_readme_says_what_a_case_without_an_operation_is() -> None:
     assert "no data and no member if that case has no `operation`" in row
 
 
+@specs
+def test_the_readme_shows_a_command_with_a_selector_and_an_enumeration(spec: str) -> None:
+    readme = (SPECS[spec][1] / "json/README.md").read_text("utf-8")
+    shown = json.loads(readme.partition("## A field\n\n```json\n")[2].partition("\n```")[0])
+    f = model(spec).field(shown["name"])
+    assert f is not None and f.functions and any(isinstance(p.element, m.Enum) for p in f.counted)
+
+
 def test_it_is_not_large() -> None:
     assert (ROOT / "generated/json/mip.json").stat().st_size <= MOST
 

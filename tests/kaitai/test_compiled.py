@@ -10,6 +10,7 @@ import re
 import shutil
 import subprocess
 import sys
+import zlib
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -26,9 +27,24 @@ from mipgen.resolve.load import load_model
 from mipgen.targets import kaitai
 from mipgen.targets.kaitai.names import joined, member, type_name
 from spec_defaults import filled
-from support import ROOT, SPECS, all_fields, decode_request, differences, expected, expected_parse, heavy, model, set_of
+from support import (
+    BUILD,
+    ROOT,
+    SPECS,
+    all_fields,
+    decode_request,
+    differences,
+    expected,
+    expected_parse,
+    heavy,
+    locked,
+    model,
+    set_of,
+)
 
 pytestmark = heavy(kaitai.TARGET.needs)
+
+HERE = Path(__file__).parent
 
 specs = pytest.mark.parametrize("spec", sorted(SPECS))
 languages = pytest.mark.parametrize("language", COMPILED)
@@ -161,6 +177,59 @@ def test_streams(spec: str) -> None:
     assert skipped == b"".join(between) + packets[0][:-1]
     for end in range(len(packets[0])):
         assert not any(p.is_packet for p in compiled_python(spec).from_bytes(packets[0][:end]).parts)
+
+
+@specs
+def test_cpp_counts_the_same(spec: str, tmp_path: Path) -> None:
+    """What the compiler makes for C++ compiles, with a run-time library of ours, and finds the same in a stream."""
+    compiled(file(spec).parent, spec, "python")
+    of, out = model(spec), locked_cpp(spec)
+    packets = [bytes.fromhex(p) for p in random_packets(spec)] + [e.packet for e in of.examples]
+    packets += [codec.build(of, 0x80, [(0xC7, b"unknown")]), codec.build(of, e_set(of), [(short(of).descriptor, b"")])]
+    stream = b"noise".join(packets)
+    (tmp_path / "log").write_bytes(stream)
+    done = subprocess.run([str(out / "count"), str(tmp_path / "log")], capture_output=True, text=True, timeout=100)
+    assert done.returncode == 0, done.stderr
+    parts = compiled_python(spec).from_bytes(stream).parts
+    fields = [f for p in parts if p.is_packet for f in p.packet.payload.fields]
+    unknown = wrong = 0
+    for field in fields:
+        try:
+            unknown += isinstance(field.data, bytes)
+        except Exception:
+            wrong += 1
+    between = sum(1 + len(p.skipped.rest) for p in parts if not p.is_packet)
+    assert wrong and unknown
+    assert done.stdout.split() == [str(x) for x in (len(packets), between, len(fields), unknown, wrong)]
+
+
+def short(of: m.Model) -> m.Field:
+    """A data field that cannot be empty."""
+    return next(f for f in of.fields if f.role == m.DATA and f.parameters)
+
+
+def e_set(of: m.Model) -> int:
+    return set_of(short(of), of)
+
+
+def locked_cpp(spec: str) -> Path:
+    """The folder with the program that counts."""
+    out = BUILD / f"conformance-{spec}-kaitai"
+    with locked(out / "cpp"):
+        ksy_text = file(spec).read_bytes()
+        sources = [HERE / "cpp/count.cpp", *sorted((HERE / "cpp/kaitai").iterdir())]
+        stamp = str(zlib.crc32(b"".join([ksy_text, *(s.read_bytes() for s in sources)])))
+        mark = out / "cpp/stamp"
+        if not mark.exists() or mark.read_text() != stamp:
+            environment = {**os.environ, "KAITAI_MODULES": str(out / "modules")}
+            command = ["node", str(HERE / "compile.cjs"), str(file(spec)), "cpp_stl", str(out / "cpp")]
+            subprocess.run(command, check=True, env=environment)
+            compiler = ["g++", "-std=c++11", f"-I{HERE / 'cpp'}", f"-I{out / 'cpp'}"]
+            files = [str(out / "cpp/mip.cpp"), str(sources[0]), "-o", str(out / "cpp/count")]
+            done = subprocess.run([*compiler, *files], capture_output=True, text=True)
+            assert done.returncode == 0, done.stderr
+            mark.write_text(stamp)
+    return out / "cpp"
 
 
 @specs

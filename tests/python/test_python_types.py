@@ -14,7 +14,7 @@ from pathlib import Path
 from packages import REAL
 from support import ROOT, heavy, mypy
 
-PAGES = ("README.md", "docs/columns.md", "docs/simulate.md", "generated/python/README.md")
+PAGES = ("README.md", "docs/columns.md", "docs/fleet.md", "docs/simulate.md", "generated/python/README.md")
 
 #: Each line with a comment is wrong.
 ARRAYS = """\

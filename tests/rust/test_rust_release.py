@@ -15,7 +15,8 @@ from typing import Any
 import pytest
 from crates import WORK, bare, crate, passes, rendered, specification, write
 from mipgen.targets.rust import OLDEST, names
-from support import ROOT, SPECS, heavy, locked, need
+from random_values import chance
+from support import ROOT, SPECS, heavy, locked, need, rounds
 from test_rust import EMBEDDED, LONG, embedded, with_dependencies
 
 #: Rust that is needed by features that bring dependencies, as locked for the tests.
@@ -135,10 +136,12 @@ def test_an_older_compiler_would_not_do() -> None:
 
 
 def combinations(spec: str) -> list[str]:
-    """Each feature that needs no dependency alone, without and with the sets; and those that people combine."""
+    """Features that need no dependency alone, without and with the sets; and those that people combine. The seed draws
+    some of them."""
     sets = [names.feature(s) for s in specification(spec).families]
     own = [f for f in manifest(spec)["features"] if f not in (*sets, "default", *DEPENDENCIES)]
-    return [*own, *(f"{f},{sets[0]}" for f in own), "alloc,core-error", "std,dynamic,core-error"]
+    every = [*own, *(f"{f},{sets[0]}" for f in own), "alloc,core-error", "std,dynamic,core-error"]
+    return chance("features", spec).sample(every, rounds(4, len(every)))
 
 
 @heavy(LONG)

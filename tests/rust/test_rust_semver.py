@@ -19,9 +19,9 @@ from crates import WORK, without_dependencies
 from mipgen.compare import revisions
 from mipgen.emit import output, render
 from mipgen.resolve.load import load_model
-from support import BUILD, ROOT, SPECS, heavy, locked, need
+from support import BUILD, ROOT, SPECS, locked, need, nightly
 
-pytestmark = heavy("cargo-semver-checks")
+pytestmark = nightly("cargo-semver-checks")
 TOOLS = BUILD / "tools/bin"
 
 SET = """# yaml-language-server: $schema=../../../../spec/schema/set.schema.json

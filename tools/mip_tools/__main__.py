@@ -123,7 +123,7 @@ def _run(given: list[str]) -> int:
             given = getattr(chosen, "shielded", list)(given)
     options, unknown = parser.parse_known_args(given)
     if unknown and chosen is not None:  # words behind an option, which argparse does not expect
-        options, unknown = used.parse_known_intermixed_args(given[1:])
+        options, unknown = used.parse_known_intermixed_args(given[1:], argparse.Namespace(command=given[0]))
     if unknown:
         used.error(f"{' '.join(unknown)} is not recognized; see --help")
     if chosen is None:

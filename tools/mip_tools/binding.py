@@ -48,6 +48,12 @@ def name() -> str:
     return _found()
 
 
+def wanted() -> str:
+    """What another process must `use` to have the same package."""
+    given = _wanted or os.environ.get(VARIABLE) or USUAL
+    return str(Path(given).resolve()) if Path(given).is_dir() and given != name() else given
+
+
 def _found() -> str:
     wanted = _wanted or os.environ.get(VARIABLE) or USUAL
     if all(word.isidentifier() for word in wanted.split(".")) and _importable(wanted):
@@ -107,6 +113,7 @@ _USED = {
     "_clocks": "CLOCKS LEAP_SECONDS",
     "_index": "FAMILIES FIELDS SETS",
     "_session": "session",
+    "baud": "detect_baud",
     "client": "Answer TimedOut",
     "codec": "OpenEnum single_from_bits single_to_bits",
     "described": "Described",
@@ -120,7 +127,7 @@ _USED = {
     "packet": "MAX_PAYLOAD OVERHEAD SYNC Packet PacketBuilder RawField",
     "parameter": "Flag Parameter",
     "parser": "Parser",
-    "port": "READ_TIMEOUT",
+    "port": "READ_TIMEOUT open_url",
     "profile": "Device Evidence Port Support",
     "protocol": "VERSION AckCode Acknowledge FunctionSelector",
     "reflection": "info items",
@@ -138,6 +145,7 @@ if TYPE_CHECKING:
     from mip_protocol._clocks import CLOCKS, LEAP_SECONDS
     from mip_protocol._index import FAMILIES, FIELDS, SETS
     from mip_protocol._session import session
+    from mip_protocol.baud import detect_baud
     from mip_protocol.client import Answer, TimedOut
     from mip_protocol.codec import OpenEnum, single_from_bits, single_to_bits
     from mip_protocol.described import Described
@@ -162,7 +170,7 @@ if TYPE_CHECKING:
     from mip_protocol.packet import MAX_PAYLOAD, OVERHEAD, SYNC, Packet, PacketBuilder, RawField
     from mip_protocol.parameter import Flag, Parameter
     from mip_protocol.parser import Parser
-    from mip_protocol.port import READ_TIMEOUT
+    from mip_protocol.port import READ_TIMEOUT, open_url
     from mip_protocol.profile import Device, Evidence, Port, Support
     from mip_protocol.protocol import VERSION, AckCode, Acknowledge, FunctionSelector
     from mip_protocol.reflection import info, items

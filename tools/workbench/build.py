@@ -27,6 +27,7 @@ TOOLS = {
     "builder": "Packet builder",
     "finder": "Field finder",
     "inspector": "Packet inspector",
+    "live": "Live device",
 }
 
 #: By this name the tools import the package with the codec, whatever it is called.
@@ -38,7 +39,9 @@ class Failure(Exception):
 
 
 # The forms of statements that modules use; Biome writes each at the beginning of a line.
-_IMPORT = re.compile(r'^import (?:\{(?P<names>[^}]*)\}|(?P<default>\w+)) from "(?P<source>[^"]+)";$', re.M)
+_IMPORT = re.compile(
+    r'^import (?:\{(?P<names>[^}]*)\}|\* as (?P<all>\w+)|(?P<default>\w+)) from "(?P<source>[^"]+)";$', re.M
+)
 _FORWARD = re.compile(r'^export (?:\{(?P<names>[^}]*)\}|\*) from "(?P<source>[^"]+)";$', re.M)
 _DECLARED = re.compile(r"^export (?=(?:async )?(?:const|class|function\*?) (?P<name>\w+))", re.M)
 _DEFAULT = re.compile(r"^export default ", re.M)
@@ -80,6 +83,8 @@ class Bundle:
 
         def imported(match: re.Match[str]) -> str:
             source = self.add(self.resolved(match["source"], path), importers)
+            if match["all"]:
+                return f"const {match['all']} = {source};"
             names = f"default: {match['default']}" if match["default"] else ", ".join(_pairs(match["names"], "{}: {}"))
             return f"const {{ {names} }} = {source};"
 
@@ -189,7 +194,6 @@ def build(package: Path, folder: Path) -> list[Path]:
         (package / "model.mjs").read_text("utf-8").removeprefix("export default ").rstrip().removesuffix(";")
     )
     page = Template((HERE / "page.html").read_text("utf-8"))
-    links = "\n".join(f'            <a href="{name}.html">{title}</a>' for name, title in TOOLS.items())
     folder.mkdir(parents=True, exist_ok=True)
     (folder / "workbench.js").write_text(tools.text("index.mjs", "mip", "tools, codec and model"), "utf-8")
     part = json.dumps(searched(model), ensure_ascii=False, separators=(",", ":"))
@@ -199,8 +203,14 @@ def build(package: Path, folder: Path) -> list[Path]:
         shutil.copy(style, folder)
     pages = [folder / f"{name}.html" for name in TOOLS]
     for path, (name, title) in zip(pages, TOOLS.items(), strict=True):
-        path.write_text(page.substitute(name=name, title=title, links=links), "utf-8")
+        path.write_text(page.substitute(name=name, title=title, links=_links(name)), "utf-8")
     return pages
+
+
+def _links(here: str) -> str:
+    current = {here: ' aria-current="page"'}
+    lines = (f'            <a href="{name}.html"{current.get(name, "")}>{title}</a>' for name, title in TOOLS.items())
+    return "\n".join(lines)
 
 
 def main(arguments: list[str]) -> int:

@@ -1,111 +1,126 @@
 // The builder: choose commands or fields, fill them in, and see the packet, the programs that send it and the answer.
 
-import { decodePacket, FIRST_DATA_SET, MipError, nameIn, Packet, placesOf, SHARED_SET, toHex } from "mip-protocol/tools";
-import { certaintyOn, initialValues, setsOf } from "./build.mjs";
-import { element, links, mark, profileNote } from "./dom.mjs";
+import { decodePacket, MipError, Packet, placesOf, toHex } from "mip-protocol/tools";
+import { State } from "./address.mjs";
+import { initialValues, setsOf } from "./build.mjs";
+import { deviceChoice, deviceOf, element, links, profileNote } from "./dom.mjs";
+import { indexOf } from "./find.mjs";
 import { entryForms } from "./form.mjs";
 import { bytesOfText } from "./pasted.mjs";
+import { picker } from "./picker.mjs";
 import { built, report } from "./report.mjs";
+import { linkRows } from "./ruler.mjs";
 import { hexByte } from "./words.mjs";
 
 /**
- * Fills an element with the builder. `options` are those of `links`, and `start`: the name of a field, or a packet in
- * hexadecimal, perhaps behind the id of a device. If it is given, the fragment of the address follows what is built.
+ * Fills an element with the builder. `options` are those of `links`, and `start`, the fragment of an address, which may
+ * also be the name of a field, or a packet in hexadecimal, perhaps behind the id of a device. `send` is called with a packet
+ * and its fields, and returns the elements that show what became of it; with it, there is a button for it. With
+ * `deviceElsewhere`, the device is chosen by `useDevice` of what is returned.
  */
 export function builder(root, protocol, options = {}) {
     const to = links(options);
-    const state = { device: undefined, set: undefined, entries: [] };
-    const deviceChoice = element(
-        "select",
-        { id: "mip-device" },
-        element("option", { value: "" }, "any device"),
-        protocol.model.devices.map((one) => element("option", { value: one.id }, one.title)),
-    );
+    const shared = options.state ?? new State(options.start);
+    const start = startOf(protocol, shared.get("packet") || shared.get("given"));
+    if (start.device) shared.adopt({ device: start.device.id });
+    const state = { device: start.device ?? deviceOf(protocol, shared.get("device")), set: undefined, entries: [] };
+    const index = indexOf(protocol);
+    const device = options.deviceElsewhere
+        ? undefined
+        : deviceChoice(protocol, shared, "mip-device", (chosen) => {
+              state.device = chosen;
+              redrawn();
+          });
     const note = element("div", { role: "status" });
-    const choice = element("select", { id: "mip-field" });
-    const start = startOf(protocol, options.start ?? "");
+    const search = picker(index, {
+        id: "mip-field",
+        label: "Command or field",
+        device: () => state.device,
+        choose: (field, set) => begin([entryOf(protocol, field)], set),
+    });
+    const adder = picker(index, {
+        id: "mip-add",
+        label: "Add another field to the packet",
+        device: () => state.device,
+        sets: () => [state.set],
+        choose(field) {
+            state.entries.push(entryOf(protocol, field));
+            reshaped();
+        },
+    });
     const problem = element("p", { class: "mip-wrong", role: "status" }, start.problem);
-    const forms = element("div", {});
+    const forms = element("div", { class: "mip-forms" });
     const output = element("div", { class: "mip-output", "aria-live": "polite" });
+    const outcome = element("div", { class: "mip-outcome", role: "status" });
 
     let started = false; // the address stays as it is until something is changed
     const show = () => {
+        if (!state.entries.length) return;
         const packet = built(protocol, state);
         output.replaceChildren(...report(protocol, state, packet, to));
-        if (started && options.start !== undefined && packet.bytes) {
-            const text = [state.device?.id, toHex(packet.bytes).toUpperCase()].filter(Boolean).join(" ");
-            history.replaceState(history.state, "", `#${encodeURIComponent(text)}`);
-        }
+        if (started && packet.bytes) shared.set({ packet: toHex(packet.bytes).toUpperCase() });
     };
-    const chosenName = () => state.entries.length && nameIn(state.entries[0].field, state.set);
     const layOut = () => {
-        forms.replaceChildren(...entryForms(protocol, state, { changed: show, reshaped }, to), adder());
-        choice.value = chosenName();
+        if (!state.entries.length) return;
+        const send = options.send && element("p", {}, element("button", { type: "button", class: "mip-main", onclick: transmit }, "Send"));
+        forms.replaceChildren(
+            ...[...entryForms(protocol, state, { changed: show, reshaped }, to), send, outcome, adder.root].filter(Boolean),
+        );
+        adder.refresh();
     };
     const reshaped = () => {
         layOut();
         show();
     };
-    const listFields = () => {
-        const groups = protocol.model.sets.map((set) => [
-            `${set.title} (${hexByte(set.number)})`,
-            fieldOptions(protocol, state.device, set.number, set.fields, chosenName()),
-        ]);
-        groups.push(["All command sets", fieldOptions(protocol, state.device, 0, [protocol.acknowledge.name])]);
-        choice.replaceChildren(
-            ...groups.filter(([, options]) => options.length).map(([label, options]) => element("optgroup", { label }, options)),
-        );
+    const redrawn = () => {
+        search.refresh();
         note.replaceChildren(...[profileNote(state.device)].filter(Boolean));
+        reshaped();
     };
-    const adder = () => {
-        const options = fieldOptions(protocol, state.device, state.set, beside(protocol, state));
-        const add = element("select", { id: "mip-add" }, element("option", { value: "" }, "…"), options);
-        add.addEventListener("input", () => {
-            if (!add.value) return;
-            state.entries.push(entryOf(protocol, protocol.field(add.value)));
-            layOut();
-            show();
-        });
-        return element("p", { class: "mip-adder" }, element("label", { for: "mip-add" }, "Add another field "), add);
+    const transmit = async () => {
+        const packet = built(protocol, state);
+        if (packet.error) return;
+        outcome.replaceChildren("Sent; waiting for the answer …");
+        outcome.replaceChildren(...(await options.send(packet, state.entries)));
     };
     const begin = (entries, set) => {
-        state.entries = entries;
-        state.set = set ?? setsOf(protocol, entries[0].field)[0];
-        listFields();
-        layOut();
-        show();
-    };
-    const choose = (name, selector) => {
         problem.remove();
-        const field = protocol.field(name);
-        const place = placesOf(field).find((one) => one.name === name);
-        begin(
-            [entryOf(protocol, field, selector)],
-            setsOf(protocol, field).find((number) => number === place?.set),
-        );
+        outcome.replaceChildren();
+        const sets = setsOf(protocol, entries[0].field);
+        state.entries = entries;
+        state.set = sets.includes(set) ? set : sets[0];
+        reshaped();
     };
 
-    choice.addEventListener("input", () => choose(choice.value));
-    deviceChoice.addEventListener("input", () => {
-        state.device = protocol.model.devices.find((one) => one.id === deviceChoice.value);
-        listFields();
-        layOut();
-        show();
-    });
     root.replaceChildren(
-        element("p", {}, element("label", { for: "mip-device" }, "Device "), deviceChoice),
-        note,
-        element("p", {}, element("label", { for: "mip-field" }, "Command or field "), choice),
-        forms,
-        output,
+        ...[
+            device && element("p", {}, element("label", { for: "mip-device" }, "Device "), device.control),
+            note,
+            search.root,
+            element("div", { class: "mip-columns" }, forms, output),
+        ].filter(Boolean),
     );
-    state.device = start.device;
-    deviceChoice.value = start.device?.id ?? "";
+    linkRows(root);
     if (start.entries) begin(start.entries, start.set);
-    else choose(start.name ?? protocol.model.sets[0].fields[0]);
-    if (start.problem) forms.before(problem);
+    else if (start.name) choose(protocol, start.name, begin);
+    else if (start.search) search.look(start.search);
+    else if (!start.problem) begin([entryOf(protocol, protocol.field(protocol.model.sets[0].fields[0]))]);
+    note.replaceChildren(...[profileNote(state.device)].filter(Boolean));
+    if (start.problem) search.root.before(problem);
     started = true;
-    return { choose, state: () => state };
+    const useDevice = (chosen) => {
+        state.device = chosen;
+        started = false; // the packet is the same
+        redrawn();
+        started = true;
+    };
+    return { choose: (name) => choose(protocol, name, begin), state: () => state, useDevice };
+}
+
+/** Begins with a field by its name, which may be that in one of its sets. */
+function choose(protocol, name, begin) {
+    const field = protocol.field(name);
+    begin([entryOf(protocol, field)], placesOf(field).find((one) => one.name === name)?.set);
 }
 
 /** What a fragment says: a device, and a field by its name or a packet; `problem` is what cannot be taken over. */
@@ -115,7 +130,7 @@ function startOf(protocol, text) {
     if (!rest) return { device };
     if (protocol.fields.has(rest)) return { device, name: rest };
     const { bytes } = bytesOfText(rest);
-    if (!bytes.length) return { device, problem: "The address has neither the name of a field nor a packet." };
+    if (!bytes.length) return { device, search: rest, problem: "The address has neither the name of a field nor a packet." };
     try {
         const packet = Packet.from(bytes);
         const entries = decodePacket(protocol, packet).map(takenOver);
@@ -135,26 +150,7 @@ function takenOver({ descriptor, field, values, trailing, error }) {
     return { field, values, trailing };
 }
 
-function entryOf(protocol, field, selector) {
-    const known = (value) => field.calls?.some((call) => call.function === protocol.functions.get(Number(value))?.name);
+function entryOf(protocol, field) {
     const first = [...protocol.functions.values()].find((one) => one.name === field.calls?.[0].function)?.value;
-    return { field, values: initialValues(protocol, field, field.calls ? (known(selector) ? Number(selector) : first) : undefined) };
-}
-
-/** The names of the fields that can be in the same packet. */
-function beside(protocol, { set }) {
-    const names = [protocol.sets.get(set), set >= FIRST_DATA_SET && protocol.sets.get(SHARED_SET)].flatMap((one) => one?.fields ?? []);
-    return [...names, ...(set < FIRST_DATA_SET ? [protocol.acknowledge.name] : [])];
-}
-
-/** The choices among fields in a set: those that the device may have there, and the chosen one. */
-function fieldOptions(protocol, device, set, names, chosen) {
-    return names.flatMap((one) => {
-        const field = protocol.field(one);
-        const name = nameIn(field, set);
-        const certainty = certaintyOn(protocol, device, field, set);
-        if (certainty === undefined && name !== chosen) return [];
-        const response = field.role === "response" ? " (response)" : "";
-        return [element("option", { value: name }, `${hexByte(field.descriptor)} ${field.title}${response}${mark(certainty)}`)];
-    });
+    return { field, values: initialValues(protocol, field, first) };
 }

@@ -13,9 +13,9 @@ export function element(tag, attributes = {}, ...children) {
 }
 
 /**
- * Where the reference has things. `options.fieldPage`, `options.acknowledgePage`, `options.erratumPage` and
- * `options.inspectorPage` are addresses with {set}, {page}, {field}, {id} and {packet} in them; without one, there are no
- * links. A response is on the page of its command.
+ * Where the reference has things. `options.fieldPage`, `options.acknowledgePage`, `options.erratumPage`,
+ * `options.inspectorPage` and `options.builderPage` are addresses with {set}, {page}, {field}, {id} and {packet} in them;
+ * without one, there are no links. A response is on the page of its command.
  */
 export function links(options = {}) {
     const address = (pattern, values) => pattern?.replace(/\{(\w+)\}/g, (_, name) => encodeURIComponent(values[name]));
@@ -25,11 +25,18 @@ export function links(options = {}) {
             const pattern = field.set ? options.fieldPage : options.acknowledgePage;
             return link(address(pattern, { set, page, field: field.name }), words.length ? words : [field.title]);
         },
+        page(field) {
+            return options.fieldPage ? this.field(field, "page") : "";
+        },
         erratum(erratum) {
             return link(address(options.erratumPage, { id: erratum.id }), [erratum.id]);
         },
         inspector(packet) {
             return link(address(options.inspectorPage, { packet }), ["Packet: open in the inspector"]);
+        },
+        builder(field) {
+            const href = address(options.builderPage, { field: field.name });
+            return href && element("a", { href, class: "mip-note", "aria-label": `Build a packet: ${field.title}` }, "Build a packet");
         },
     };
 }
@@ -56,12 +63,70 @@ export function whenChanged(inputs, update) {
     for (const input of inputs) input.addEventListener("input", update);
 }
 
-/** What is behind the # of the address, as it is if it is no encoded text. */
-export function fragment() {
-    const text = location.hash.slice(1);
+/** A list of devices to choose from; `choose` gets the device, undefined for any. */
+export function deviceChoice(protocol, state, id, choose) {
+    const control = element(
+        "select",
+        { id },
+        element("option", { value: "" }, "any device"),
+        protocol.model.devices.map((one) => element("option", { value: one.id }, one.title)),
+    );
+    const chosen = () => deviceOf(protocol, control.value);
+    control.value = deviceOf(protocol, state.get("device"))?.id ?? "";
+    control.addEventListener("input", () => {
+        state.set({ device: control.value });
+        choose(chosen());
+    });
+    return { control, chosen };
+}
+
+export function deviceOf(protocol, id) {
+    return protocol.model.devices.find((one) => one.id === id);
+}
+
+/** A button that copies a text, which a function returns. */
+export function copyButton(words, text) {
+    const button = element("button", { type: "button", class: "mip-copy" }, words);
+    button.addEventListener("click", async () => {
+        const done = await copied(text());
+        button.textContent = done ? "Copied" : "Not copied";
+        setTimeout(() => {
+            button.textContent = words;
+        }, 1500);
+    });
+    return button;
+}
+
+async function copied(text) {
     try {
-        return decodeURIComponent(text);
+        await navigator.clipboard.writeText(text);
+        return true;
     } catch {
-        return text;
+        return copiedBySelection(text); // pages from disk, and without the permission
     }
+}
+
+function copiedBySelection(text) {
+    const area = element("textarea", { "aria-hidden": "true" }, text);
+    const before = document.activeElement;
+    document.body.append(area);
+    area.select();
+    const done = document.execCommand("copy");
+    area.remove();
+    before?.focus();
+    return done;
+}
+
+/** A table with a heading for each column, which scrolls if it is too wide. */
+export function table(heads, rows, label) {
+    const cells = heads.map((text) => element("th", { scope: "col" }, text));
+    return element(
+        "div",
+        { class: "mip-scroll", tabindex: "0", role: "group", "aria-label": label ?? heads.join(", ") },
+        element("table", {}, element("thead", {}, element("tr", {}, cells)), element("tbody", {}, rows)),
+    );
+}
+
+export function count(number, word) {
+    return `${number} ${word}${number === 1 ? "" : "s"}`;
 }

@@ -1,20 +1,26 @@
 // The finder: type what you know of a field, and go to its page.
 
+import { State } from "./address.mjs";
 import { element, links } from "./dom.mjs";
 import { find, indexOf, kindOf, packetIn } from "./find.mjs";
 
-/** Fills an element with the finder. `options` are those of `links`, and `start`, the text to look for at first. */
+/** Fills an element with the finder. `options` are those of `links`, and `start`, the fragment of an address. */
 export function finder(root, protocol, options = {}) {
     const to = links(options);
+    const state = options.state ?? new State(options.start);
+    if (!state.get("find") && state.get("given")) state.adopt({ find: state.get("given") });
     const index = indexOf(protocol);
-    const input = element("input", { type: "search", id: "mip-find", autocomplete: "off", spellcheck: "false", value: options.start });
-    const output = element("ul", { class: "mip-results", "aria-live": "polite" });
+    const input = element("input", { type: "search", id: "mip-find", autocomplete: "off", spellcheck: "false", value: state.get("find") });
+    const output = element("div", { "aria-live": "polite" });
     const update = () => {
         const packet = options.inspectorPage && packetIn(index, input.value);
-        const found = find(index, input.value).map(({ field }) => resultItem(field, to));
-        if (packet) found.unshift(element("li", {}, to.inspector(packet)));
-        const nothing = input.value.trim() ? [element("li", {}, "Nothing found.")] : [];
-        output.replaceChildren(...(found.length ? found : nothing));
+        const list = hitsList(
+            find(index, input.value).map(({ field }) => field),
+            to,
+        );
+        if (packet) list.prepend(element("li", {}, to.inspector(packet)));
+        if (input.value.trim() && !list.children.length) list.append(element("li", {}, "Nothing found."));
+        output.replaceChildren(list);
     };
     const form = element(
         "form",
@@ -29,18 +35,29 @@ export function finder(root, protocol, options = {}) {
         input,
     );
     root.replaceChildren(form, output);
-    input.addEventListener("input", update);
+    input.addEventListener("input", () => {
+        state.set({ find: input.value });
+        update();
+    });
     update();
     return { update, input, output };
 }
 
-function resultItem(field, to) {
+/** Fields with links to their pages; on pages of their own, tools link to the builder too. */
+export function hitsList(fields, to) {
     return element(
-        "li",
-        { "data-field": field.name },
-        to.field(field, element("strong", {}, field.title)),
-        ` ${kindOf(field)} `,
-        element("code", {}, field.name),
-        element("div", {}, field.description),
+        "ul",
+        { class: "mip-results" },
+        fields.map((field) =>
+            element(
+                "li",
+                { "data-field": field.name },
+                to.field(field, element("strong", {}, field.title)),
+                ` ${kindOf(field)} `,
+                element("code", {}, field.name),
+                element("div", {}, field.description),
+                to.builder(field),
+            ),
+        ),
     );
 }

@@ -1,7 +1,10 @@
 // What bytes mean: packets, fields and values, with names, units and verdicts. The inspector shows it.
 
 import {
+    decodeData,
     decodePacket,
+    enumValue,
+    FIRST_DATA_SET,
     fromHex,
     isSet,
     measuredHere,
@@ -9,13 +12,14 @@ import {
     namedType,
     Packet,
     parametersAt,
+    partsOf,
     sameBytes,
     segments,
     toHex,
     valueAt,
 } from "mip-protocol/tools";
 import { bytesOfText } from "./pasted.mjs";
-import { choicesOf, pathText, shown } from "./words.mjs";
+import { choicesOf, hexByte, pathText, shown } from "./words.mjs";
 
 /**
  * What a text of bytes consists of, each part as `segments` gives it; packets also have `set`, `fields`, `misprints`, and
@@ -25,7 +29,35 @@ import { choicesOf, pathText, shown } from "./words.mjs";
  */
 export function inspect(protocol, text, device = undefined) {
     const { bytes, ignored } = bytesOfText(text);
-    return { bytes, ignored, parts: segments(bytes).map((part) => inspectPart(protocol, part, device)) };
+    const parts = inspectBytes(protocol, bytes, device);
+    return { bytes, ignored, parts, transactions: transactionsOf(parts) };
+}
+
+/** The parts of bytes, as `inspect` returns them. */
+export function inspectBytes(protocol, bytes, device = undefined) {
+    return segments(bytes).map((part) => inspectPart(protocol, part, device));
+}
+
+/**
+ * Commands with their answers, in the order of the commands: { command, answer, response }, fields as parts have them. An
+ * answer belongs to the first command of its set and descriptor that has none; what is directly behind it is its response.
+ */
+export function transactionsOf(parts) {
+    const found = [];
+    for (const part of parts) {
+        for (const [i, one] of (part.fields ?? []).entries()) {
+            if (one.field?.role === "command" && one.set < FIRST_DATA_SET) found.push({ command: one });
+            if (!one.answered) continue;
+            const waiting = found.find(
+                ({ command, answer }) => !answer && command?.set === one.set && command.descriptor === one.answered.descriptor,
+            );
+            const behind = part.fields[i + 1];
+            const response = behind?.field?.role === "response" ? behind : undefined;
+            if (waiting) Object.assign(waiting, { answer: one, response });
+            else found.push({ answer: one, response });
+        }
+    }
+    return found;
 }
 
 function inspectPart(protocol, part, device) {
@@ -65,7 +97,50 @@ function inspectField(protocol, raw, packet, part, device) {
     const found = { ...raw, bytes: packet.bytes.subarray(raw.offset, end) };
     if (!raw.field) return found;
     const rows = (raw.parts ?? []).map((one) => inspectValue(protocol, raw, one, device));
-    return { ...found, rows, errata: errataOf(protocol, raw.field) };
+    return { ...found, rows, answered: answeredBy(protocol, raw), errata: errataOf(protocol, raw.field) };
+}
+
+/** What an acknowledge answers: the command, the code, and both in words; undefined of other fields. */
+export function answeredBy(protocol, { set, field, values }) {
+    if (field !== protocol.acknowledge || !values) return undefined;
+    const [descriptor, code] = field.operations.map((op) => values[op.member]);
+    const command = protocol.candidates(set, descriptor).find((one) => one.role === "command");
+    const named = enumValue(protocol.type(protocol.model.ack_code), code);
+    const title = command?.title ?? `Command ${hexByte(descriptor)}`;
+    const why = named ? named.name.replaceAll("_", " ") : `code ${code}`;
+    return { command, descriptor, code, accepted: code === 0, text: code === 0 ? `${title} acknowledged` : `${title} refused: ${why}` };
+}
+
+/** The device with a model number: 6292, or "6292-4270". */
+export function deviceWithNumber(protocol, number) {
+    const digits = /^\s*(\d{4})/.exec(String(number))?.[1];
+    return digits && protocol.model.devices.find((device) => String(device.model_number) === digits);
+}
+
+/** The values of a data field: rows, as those of `inspect`, with the `key` of each value. */
+export function inspectData(protocol, { set, descriptor, field, data }, device) {
+    if (!field) return [];
+    try {
+        const { values } = decodeData(protocol, field, data);
+        const raw = { set, descriptor, field, values, data };
+        const rows = partsOf(protocol, field, values).map((part) => ({
+            key: part.path.join("."),
+            ...inspectValue(protocol, raw, part, device),
+        }));
+        return rows;
+    } catch (error) {
+        if (!(error instanceof MipError)) throw error;
+        return [];
+    }
+}
+
+/** The rate in Hz of a field in a message format, if the base rate of the device is known. */
+function rateText(protocol, device, decimation, outer) {
+    const where = outer?.parameter.fields_of;
+    const set = protocol.model.sets.find(({ number, name }) => (outer?.values[where] ?? where) === number || name === where);
+    const rates = protocol.model.devices.find(({ id }) => id === device)?.base_rates;
+    const base = rates?.find((rate) => rate.set === set?.name)?.hertz;
+    return base && decimation ? `${Number((base / decimation).toPrecision(6))} Hz on the chosen device` : undefined;
 }
 
 function inspectValue(protocol, { field, values, data }, part, device) {
@@ -76,7 +151,13 @@ function inspectValue(protocol, { field, values, data }, part, device) {
     const type = namedType(protocol, parameter, siblings, device);
     const index = part.path.slice(places.at(-1) + 1).at(-1);
     const outer = parameters.length > 1 ? { parameter: parameters.at(-2).parameter, values: around } : undefined;
-    const meaning = parameter.shown ? choicesOf(protocol, parameter, siblings, outer).get(Number(part.value)) : undefined;
+    const meaning = parameter.shown
+        ? choicesOf(protocol, parameter, siblings, outer).get(Number(part.value))
+        : parameter.name === "model_number"
+          ? deviceWithNumber(protocol, part.value)?.title
+          : parameter.name === "decimation"
+            ? rateText(protocol, device, Number(part.value), outer)
+            : undefined;
     const byDevice = (parameter.variants ?? []).some((one) => one.by === "device" && one.type && !one.member);
     return {
         path: pathText([...parameters.slice(0, -1), { parameter }], part.path),

@@ -1,32 +1,46 @@
-// The inspector: paste bytes, read what they mean.
+// The inspector: paste bytes or drop a log, read what they mean.
 
 import { fromHex, nameIn } from "mip-protocol/tools";
-import { element, links, whenChanged } from "./dom.mjs";
-import { inspect } from "./inspect.mjs";
-import { descriptorOf, flagText, hexByte, spacedHex } from "./words.mjs";
+import { State } from "./address.mjs";
+import { count, deviceChoice, element, links } from "./dom.mjs";
+import { find, indexOf } from "./find.mjs";
+import { hitsList } from "./finder.mjs";
+import { inspect, transactionsOf } from "./inspect.mjs";
+import { logPanel } from "./logs.mjs";
+import { copies, linkRows, ruler, rowText, valueTable } from "./ruler.mjs";
+import { descriptorOf, hexByte, spacedHex } from "./words.mjs";
+
+/** How many packets of a text are shown; logs have pages. */
+const MOST = 1000;
 
 /**
- * Fills an element with the inspector. `options` are those of `links`, and `start`, the bytes to begin with; without any,
- * the first example of the specification.
+ * Fills an element with the inspector. `options` are those of `links`, and `start`, the fragment of an address; without
+ * bytes in it, the inspector begins with the first example of the specification.
  */
 export function inspector(root, protocol, options = {}) {
     const to = links(options);
+    const state = options.state ?? new State(options.start);
+    if (!state.get("bytes") && state.get("given")) state.adopt({ bytes: state.get("given") });
     const input = element(
         "textarea",
         { rows: 5, spellcheck: "false", autocomplete: "off", id: "mip-bytes" },
-        options.start || example(protocol),
+        state.get("bytes") || example(protocol),
     );
-    const device = element(
-        "select",
-        { id: "mip-device" },
-        element("option", { value: "" }, "any device"),
-        protocol.model.devices.map((one) => element("option", { value: one.id }, one.title)),
-    );
+    const device = deviceChoice(protocol, state, "mip-device", () => update());
     const output = element("div", { class: "mip-output", "aria-live": "polite" });
-    const update = () => {
-        const found = inspect(protocol, input.value, device.value || undefined);
-        output.replaceChildren(...report(found, to));
+    let index;
+    const hits = (text) => {
+        index ??= indexOf(protocol);
+        return find(index, text).map(({ field }) => field);
     };
+    const update = () => {
+        const found = inspect(protocol, input.value, device.chosen()?.id);
+        output.replaceChildren(...report(found, to, hits));
+    };
+    const log = logPanel(protocol, {
+        device: () => device.chosen()?.id,
+        show: (parts) => [transactionList(transactionsOf(parts), to), ...parts.map((part) => partReport(part, to))].filter(Boolean),
+    });
     root.replaceChildren(
         element(
             "p",
@@ -38,10 +52,16 @@ export function inspector(root, protocol, options = {}) {
             ),
         ),
         input,
-        element("p", {}, element("label", { for: "mip-device" }, "Values as on "), device),
+        element("p", {}, element("label", { for: "mip-device" }, "Values as on "), device.control, " ", log.chooser),
+        log.output,
         output,
     );
-    whenChanged([input, device], update);
+    input.addEventListener("input", () => {
+        state.set({ bytes: input.value });
+        update();
+    });
+    log.acceptDrops(root);
+    linkRows(root);
     update();
     return { update, input, output };
 }
@@ -51,22 +71,67 @@ function example(protocol) {
     return first ? spacedHex(fromHex(first.packet)) : "";
 }
 
-function report({ bytes, ignored, parts }, to) {
+function report({ bytes, ignored, parts, transactions }, to, hits) {
     if (!bytes.length && ignored.length) {
+        const text = ignored.join(" ");
+        const fields = hits(text);
         const words = "No bytes were found in this text; hexadecimal is needed. Not read as bytes: ";
-        return [element("p", { class: "mip-wrong" }, words, ignored.join(" "))];
+        return [
+            element("p", { class: "mip-wrong" }, words, text),
+            fields.length > 0 && element("p", {}, "Fields that it may mean:"),
+            fields.length > 0 && hitsList(fields, to),
+        ].filter(Boolean);
     }
     if (!bytes.length) return [element("p", { class: "mip-note" }, "Nothing to read yet.")];
     const packets = parts.filter((part) => part.kind !== "other").length;
     const summary = `${count(bytes.length, "byte")}, ${count(packets, "packet")}`;
+    const note = State.tooLong(spacedHex(bytes)) ? "; too long for a link: the address does not hold it" : "";
     return [
-        element("p", { class: "mip-summary" }, summary, ignored.length ? `; not read as bytes: ${ignored.join(" ")}` : ""),
-        ...parts.map((part) => (part.kind === "other" ? otherBytes(part) : packetReport(part, to))),
-    ];
+        element("p", { class: "mip-summary" }, summary, ignored.length ? `; not read as bytes: ${ignored.join(" ")}` : "", note),
+        transactionList(transactions, to),
+        ...parts.slice(0, MOST).map((part) => partReport(part, to)),
+        parts.length > MOST && element("p", { class: "mip-note" }, `${parts.length - MOST} more are not shown; open the file as a log.`),
+    ].filter(Boolean);
 }
 
-function count(number, word) {
-    return `${number} ${word}${number === 1 ? "" : "s"}`;
+/** Commands and their answers, if there is an answer. */
+export function transactionList(transactions, to) {
+    if (!transactions.some(({ answer }) => answer)) return undefined;
+    return element(
+        "section",
+        { class: "mip-transactions" },
+        element("h2", {}, "Commands and answers"),
+        element(
+            "ol",
+            {},
+            transactions.map((one) => element("li", {}, transaction(one, to))),
+        ),
+    );
+}
+
+/** One command in words: what was asked, and what became of it. */
+export function transaction({ command, answer, response }, to) {
+    const answered = answer?.answered;
+    const field = command?.field ?? answered?.command;
+    const named = field ? to.field(field) : answered ? `Command ${hexByte(answered.descriptor)}` : "";
+    const asked = command ? command.rows.map((row) => `${row.path} ${rowText(row)}`).join(", ") : "";
+    const became = !answered ? "no answer here" : answered.text;
+    return [
+        element("strong", {}, named),
+        field && ` ${descriptorOf(field)} `,
+        asked && element("span", { class: "mip-asked" }, asked),
+        element("div", { class: !answered ? "mip-note" : answered.accepted ? "mip-right" : "mip-refused" }, `${became}.`),
+        response?.rows.length > 0 &&
+            element(
+                "ul",
+                {},
+                response.rows.map((row) => element("li", {}, element("code", {}, row.path), ` = ${rowText(row)}`)),
+            ),
+    ].filter(Boolean);
+}
+
+function partReport(part, to) {
+    return part.kind === "other" ? otherBytes(part) : packetReport(part, to);
 }
 
 function otherBytes({ bytes, why }) {
@@ -81,15 +146,16 @@ function otherBytes({ bytes, why }) {
     );
 }
 
-function packetReport(part, to) {
+export function packetReport(part, to) {
     const { bytes, kind, set, fields } = part;
     const title = set ? `${set.title} (${hexByte(set.number)})` : bytes.length > 2 ? `Unknown set ${hexByte(bytes[2])}` : "Packet";
+    const bytesShown = ruler(part); // which gives each row its colour
     return element(
         "section",
         { class: "mip-packet", "data-kind": kind, "data-bytes": spacedHex(bytes) },
         element("h2", {}, title),
-        element("p", { class: "mip-bytes" }, element("code", {}, spacedHex(bytes))),
-        verdict(part),
+        element("p", { class: "mip-bytes" }, bytesShown),
+        element("p", {}, copies(part), " ", verdict(part)),
         part.misprints.map((misprint) => misprintNote(misprint, to)),
         fields.map((field) => fieldReport(field, bytes[2], to)),
     );
@@ -98,11 +164,13 @@ function packetReport(part, to) {
 function verdict({ kind, bytes, sound, checksum, rightChecksum }) {
     if (kind === "incomplete") {
         const missing = bytes.length > 3 ? count(bytes[3] + 6 - bytes.length, "byte") : "at least one byte";
-        return element("p", { class: "mip-verdict mip-wrong" }, `The packet is incomplete: ${missing} missing.`);
+        return element("span", { class: "mip-verdict mip-wrong" }, `The packet is incomplete: ${missing} missing.`);
     }
-    if (sound) return element("p", { class: "mip-verdict mip-right" }, "Checksum ", element("code", {}, spacedHex(checksum)), " is right.");
+    if (sound) {
+        return element("span", { class: "mip-verdict mip-right" }, "Checksum ", element("code", {}, spacedHex(checksum)), " is right.");
+    }
     return element(
-        "p",
+        "span",
         { class: "mip-verdict mip-wrong" },
         "Checksum ",
         element("code", {}, spacedHex(checksum)),
@@ -128,7 +196,7 @@ function listed(errata, to) {
 }
 
 function fieldReport(found, set, to) {
-    const { field, descriptor, bytes, error, rows = [], errata = [], trailing } = found;
+    const { field, descriptor, bytes, error, rows = [], errata = [], trailing, answered } = found;
     if (descriptor === undefined) return element("p", { class: "mip-wrong" }, `The rest is malformed: ${error.message}.`);
     const heading = field
         ? element("h3", {}, to.field(field), ` ${descriptorOf(field, set)} `, element("code", {}, nameIn(field, set)))
@@ -137,43 +205,13 @@ function fieldReport(found, set, to) {
         "div",
         { class: "mip-field", "data-field": field?.name ?? "" },
         heading,
-        field && element("p", {}, field.description),
+        answered
+            ? element("p", { class: answered.accepted ? "mip-right" : "mip-refused" }, `${answered.text}.`)
+            : field && element("p", {}, field.description),
         element("p", { class: "mip-bytes" }, element("code", {}, spacedHex(bytes))),
         error && element("p", { class: "mip-wrong" }, `It cannot be decoded: ${error.message}.`),
-        rows.length > 0 && valueTable(rows),
+        rows.length > 0 && valueTable(rows, field.title),
         trailing > 0 && element("p", { class: "mip-note" }, `${count(trailing, "byte")} after the last known parameter.`),
         errata.length > 0 && element("p", { class: "mip-note" }, "Mistakes in the manuals: ", listed(errata, to)),
-    );
-}
-
-function valueTable(rows) {
-    const heads = ["Bytes", "Parameter", "Value", "Meaning"].map((text) => element("th", { scope: "col" }, text));
-    return element(
-        "div",
-        { class: "mip-scroll" },
-        element("table", {}, element("thead", {}, element("tr", {}, heads)), element("tbody", {}, rows.map(valueRow))),
-    );
-}
-
-const CHOOSE = " Depends on the device; choose one above.";
-
-function valueRow({ bytes, path, text, unit, name, meaning, flags, parameter, byDevice }) {
-    const value = [element("span", { class: "mip-number" }, text), unit && ` ${unit}`, name && [" ", element("code", {}, name)]];
-    const shownFlags = flags?.flatMap((flag, i) => [
-        i ? ", " : "",
-        element("span", { class: "mip-flag", title: flag.named?.description ?? flag.bits?.description }, flagText(flag)),
-    ]);
-    return element(
-        "tr",
-        { "data-path": path },
-        element("td", {}, element("code", {}, spacedHex(bytes))),
-        element("td", {}, element("code", {}, path)),
-        element("td", {}, value),
-        element(
-            "td",
-            {},
-            shownFlags?.length ? shownFlags : flags ? "none set" : (meaning ?? parameter.description ?? ""),
-            byDevice && CHOOSE,
-        ),
     );
 }

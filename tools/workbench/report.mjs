@@ -2,8 +2,10 @@
 
 import { MipError, unitOf } from "mip-protocol/tools";
 import { allOperations, answerOf, counted, packetOf, sourceOf } from "./build.mjs";
-import { element } from "./dom.mjs";
+import { copyButton, element, table } from "./dom.mjs";
+import { inspectBytes } from "./inspect.mjs";
 import { LANGUAGES, programOf } from "./programs/index.mjs";
+import { copies, ruler, valueTable } from "./ruler.mjs";
 import { descriptorOf, spacedHex } from "./words.mjs";
 
 /** The packet, or the error that says why there is none. */
@@ -16,20 +18,29 @@ export function built(protocol, { set, entries }) {
     }
 }
 
-export function report(protocol, { set, entries }, packet, to) {
+export function report(protocol, { device, set, entries }, packet, to) {
     if (packet.error) return [element("p", { class: "mip-wrong" }, `${packet.error.message}.`)];
-    const sources = LANGUAGES.map(([key, title]) => [
-        element("dt", {}, title),
-        element("dd", {}, element("code", { "data-language": key }, sourceOf(packet.bytes, key))),
-    ]);
+    const sources = LANGUAGES.map(([key, title]) => {
+        const text = sourceOf(packet.bytes, key);
+        const copy = copyButton("Copy", () => text);
+        return [element("dt", {}, title, " ", copy), element("dd", {}, element("code", { "data-language": key }, text))];
+    });
+    const [part] = inspectBytes(protocol, packet.bytes, device?.id);
+    const shown = ruler(part);
+    const rows = part.fields.flatMap((field) => field.rows ?? []);
     const title =
         entries.length === 1
             ? [to.field(entries[0].field), ` ${descriptorOf(entries[0].field, set)}`]
             : [`A packet of ${entries.length} fields`];
     return [
         element("h2", {}, ...title),
-        element("p", { class: "mip-bytes" }, element("code", { class: "mip-packet-bytes" }, spacedHex(packet.bytes))),
-        element("p", {}, `${packet.bytes.length} bytes; the checksum is ${spacedHex(packet.checksum)}.`),
+        element(
+            "section",
+            { class: "mip-packet" },
+            element("p", { class: "mip-bytes" }, shown),
+            element("p", {}, copies(part), ` ${packet.bytes.length} bytes; the checksum is ${spacedHex(packet.checksum)}.`),
+            rows.length > 0 && valueTable(rows, "Bytes and parameters"),
+        ),
         ...entries.flatMap((entry) => entryReport(protocol, entry, entries.length > 1, to)),
         element("h3", {}, "The packet in source code"),
         element("dl", { class: "mip-bytes" }, sources),
@@ -47,8 +58,14 @@ function programs(protocol, field, values) {
     if (field.role === "response") return [];
     const shown = LANGUAGES.map(([key, title]) => {
         const text = programText(protocol, key, field, values);
-        const code = element("pre", {}, element("code", { "data-program": key }, text));
-        return element("details", { open: key === "python" }, element("summary", {}, title), code);
+        const code = element("pre", { tabindex: "0", "aria-label": title }, element("code", { "data-program": key }, text));
+        return element(
+            "details",
+            { open: key === "python" },
+            element("summary", {}, title),
+            copyButton("Copy", () => text),
+            code,
+        );
     });
     const given =
         field.role === "command"
@@ -114,17 +131,7 @@ function layoutTable(response) {
         );
     });
     if (!rows.length) return "";
-    const heading = element(
-        "tr",
-        {},
-        ["Name", "Type", "Unit", "Description"].map((cell) => element("th", {}, cell)),
-    );
-    return element(
-        "details",
-        {},
-        element("summary", {}, "Layout"),
-        element("div", { class: "mip-scroll" }, element("table", {}, heading, rows)),
-    );
+    return element("details", {}, element("summary", {}, "Layout"), table(["Name", "Type", "Unit", "Description"], rows, response.title));
 }
 
 function sizeText({ min_size: least, max_size: most }) {

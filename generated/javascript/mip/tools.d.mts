@@ -87,3 +87,5 @@ export declare function bitsOf(
     value: number | bigint | number[],
 ): { found: { bits: Item; value: bigint; flag: boolean; named?: Item }[]; rest: bigint };
 export declare function unitOf(parameter: Item, index?: number): string;
+/** The number by which a base rate is divided for the nearest rate that a device can send; 1 for 0 Hz, the highest. */
+export declare function decimation(base: number, wanted: number): number;

@@ -14,8 +14,10 @@ function connected(socket) {
     const pieces = [];
     let wake = () => {};
     let ended = false;
-    const end = () => {
+    let why; // as the other end says it
+    const end = ({ reason }) => {
         ended = true;
+        why = reason;
         wake();
     };
     socket.addEventListener("message", ({ data }) => {
@@ -34,6 +36,7 @@ function connected(socket) {
                     wake = resolve;
                 });
             }
+            if (why) throw new MipError("closed", why);
         },
         write(bytes) {
             if (ended) throw new MipError("closed", "the WebSocket is closed");

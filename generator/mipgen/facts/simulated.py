@@ -16,6 +16,9 @@ def shown(p: m.Parameter, given: Any, factor: float) -> Any:
     >>> shown(p, 9.80665, 1 / 9.80665)
     '0x3f800000'
     """
+    names = (given,) if isinstance(given, str) else tuple(given) if isinstance(given, list) else ()
+    if names and all(isinstance(x, str) for x in names) and any(v.type for v in p.readings):
+        return named(p, Value("", names=names)) or named(p, Value("", bits=names))
     if isinstance(given, list) and p.kind == "array":
         return codec.canonical(p, [_scaled(p, one, factor) for one in given], p.name)
     if p.kind == "array" and p.count is not None:  # one number for all elements

@@ -24,6 +24,7 @@ class Quantity:
     elements: int
     description: Prose
     typical: Detail[Any] = None  # a typical value: a number, several, a text, or a list
+    noise: tuple[tuple[str, float], ...] = ()  # of the sensor that measures it: density, drift, period
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,6 +57,7 @@ class Source:
     set: int | None
     for_each: str  # a quantity that is a list: the field is sent once for each item
     values: tuple[Value, ...]
+    valid_if: str = ""  # a quantity that says whether the values are valid; else all of them are 0
 
 
 @dataclass(frozen=True, slots=True)

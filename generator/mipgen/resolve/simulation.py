@@ -16,7 +16,7 @@ from mipgen.read.problems import Problems, nearest
 
 from . import meaning
 
-FOR_EACH = "for_each"
+FOR_EACH, VALID_IF = "for_each", "valid_if"
 
 
 def resolve(roots: Sequence[Node], units: Node, model: m.Model, problems: Problems) -> Simulation:
@@ -70,7 +70,8 @@ def _quantity(name: str, node: Node, units: Node, problems: Problems) -> Quantit
     if typical and elements > 1 and not (isinstance(value, list) and len(value) == elements):
         problems.add(typical.position, f"the typical value of '{name}' must be a list of {elements} numbers")
         value = None
-    return Quantity(name, _unit(node, units, problems), elements, node["description"].value, value)
+    noise = tuple((key, float(n.value)) for key, n in _pairs(node, "noise"))
+    return Quantity(name, _unit(node, units, problems), elements, node["description"].value, value, noise)
 
 
 def _unit(node: Node, units: Node, problems: Problems) -> str | None:
@@ -103,16 +104,17 @@ class _Values:
         f = _field(name, (m.DATA, m.RESPONSE), at, self.model, self.problems)
         if f is None:
             return None
-        each = node.get(FOR_EACH)
-        if each is not None:
-            self.quantity(each)
+        each, valid = node.get(FOR_EACH), node.get(VALID_IF)
+        for named in (each, valid):
+            if named is not None:
+                self.quantity(named)
         values = []
         for path, n in node.items():
-            p = None if path == FOR_EACH else self.parameter(f, path, node.keys[path])
+            p = None if path in (FOR_EACH, VALID_IF) else self.parameter(f, path, node.keys[path])
             if p is not None:
                 values.append(self.value(f, path, n, p))
         own = None if name == f.full_name else self.model.set_of(name)
-        return Source(f, own, each.value if each else "", tuple(values))
+        return Source(f, own, each.value if each else "", tuple(values), valid.value if valid else "")
 
     def quantity(self, node: Node) -> Quantity | None:
         found = self.quantities.get(node.value)

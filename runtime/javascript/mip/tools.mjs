@@ -17,3 +17,4 @@ export {
 } from "./naming.mjs";
 export { FIRST_DATA_SET, isSet, Packet, SHARED_SET } from "./packet.mjs";
 export { Parser, segments } from "./parser.mjs";
+export { decimation } from "./streaming.mjs";

@@ -262,8 +262,11 @@ static void take(struct session *s, const struct mip_packet *packet) {
 }
 
 static void poll(struct session *s) {
+    const uint8_t *nothing = NULL;
+    size_t none = 0;
     struct mip_packet packet;
-    while (mip_client_poll(&s->client, s->parser, s->now, &packet)) {
+    while (mip_parser_next(s->parser, &nothing, &none, &packet) ||
+           mip_client_poll(&s->client, s->parser, s->now, &packet)) {
         take(s, &packet);
     }
     tell_timed_out(s);

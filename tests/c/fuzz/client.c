@@ -187,8 +187,10 @@ static bool is_late(const struct mip_request *request) {
 
 static void poll(size_t most) {
     struct mip_packet packet;
+    const uint8_t *nothing = NULL;
+    size_t none = 0;
     size_t found = 0;
-    while (mip_client_poll(&client, &parser, now, &packet)) {
+    while (mip_parser_next(&parser, &nothing, &none, &packet) || mip_client_poll(&client, &parser, now, &packet)) {
         CHECK(++found <= most);
         take(&packet);
     }

@@ -308,8 +308,8 @@ static void older(void) {
 }
 
 static void retries(void) {
-    const struct mip_result late = {MIP_TIMED_OUT, 0, MIP_OK};
-    const struct mip_result no = {MIP_REFUSED, 2, MIP_OK};
+    const struct mip_result late = {MIP_TIMED_OUT, 0, MIP_OK, false};
+    const struct mip_result no = {MIP_REFUSED, 2, MIP_OK, false};
     struct mip_retry retry = MIP_RETRY;
     CHECK(mip_again(&retry, late) && !mip_again(&retry, no) && !mip_again(&retry, late) && !mip_again(&retry, late));
     struct mip_retry once = {1, ~0u};

@@ -108,7 +108,7 @@ def test_the_file(at: At, tmp_path: Path) -> None:
         "    comm_speed:  # baud in Bd",
         "      uart_1: {baud: 115200}",
         "      1: {feature: unused, behavior: unused, pin_mode: []}",
-        "        scaled_accel: {enable: false, manual: false, frequency: 0.0}",
+        "        scaled_accel: {enable: true, manual: false, frequency: 0.0}",
         "      initial_heading: 0.0  # deg",
         "    speed_lever_arm: {lever_arm_offset: {x: 0.0, y: 0.0, z: 0.0}}  # lever_arm_offset in m",
         "      uart_2: {protocols_incoming: [], protocols_outgoing: []}",

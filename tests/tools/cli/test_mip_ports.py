@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import fcntl
 import json
 import os
 import pty
@@ -10,9 +11,11 @@ import resource
 import select
 import signal
 import socket
+import struct
 import subprocess
+import termios
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from threading import Thread
@@ -24,6 +27,7 @@ from mip_protocol.field import Command, Structure
 from mip_protocol.parameter import Parameter
 from mip_tools.cli import ports, typed
 from program import DEVICE, ENVIRONMENT, PATIENCE, command, log, mip, run, running, simulated
+from support import heavy
 
 
 @pytest.fixture(scope="module")
@@ -331,17 +335,18 @@ def test_values_in_a_pipe(place: str) -> None:
     assert re.search(r"scaled_accel = \(x=\S+, y=\S+, z=-[01]\.\S+\) g$", shown[-1], re.M)
 
 
-def test_values_on_a_terminal(place: str) -> None:
+def on_a_terminal(words: list[str], end: Callable[[subprocess.Popen[bytes], int], object]) -> bytes:
+    """What a program writes to a terminal until values are there, and then until it has ended."""
     master, slave = pty.openpty()
-    with subprocess.Popen(
-        command("monitor", place), stdin=slave, stdout=slave, stderr=slave, env={**ENVIRONMENT, "TERM": "xterm"}
-    ) as process:
+    fcntl.ioctl(slave, termios.TIOCSWINSZ, struct.pack("HHHH", 30, 100, 0, 0))
+    environment = {**ENVIRONMENT, "TERM": "xterm"}
+    with subprocess.Popen(words, stdin=slave, stdout=slave, stderr=slave, env=environment) as process:
         os.close(slave)
         seen = b""
         while b"Hz" not in seen:
             assert select.select([master], [], [], PATIENCE)[0]
             seen += os.read(master, 4096)
-        process.send_signal(signal.SIGINT)
+        end(process, master)
         try:
             while select.select([master], [], [], PATIENCE)[0] and (more := os.read(master, 4096)):
                 seen += more
@@ -349,9 +354,24 @@ def test_values_on_a_terminal(place: str) -> None:
             pass
         assert process.wait(PATIENCE) == 0
     os.close(master)
+    return seen
+
+
+def test_values_on_a_terminal(place: str) -> None:
+    """With the standard library alone."""
+    words = command("monitor", place, extras=False)
+    seen = on_a_terminal(words, lambda process, _: process.send_signal(signal.SIGINT))
     assert seen.startswith(b"\x1b[?1049h\x1b[?25l") and b"\x1b[H" in seen
     _, restored, last = seen.rpartition(b"\x1b[?25h\x1b[?1049l")
     assert restored and b"scaled_accel = (x=" in last and b"Traceback" not in seen
+
+
+@heavy("textual")
+@pytest.mark.parametrize("key", [b"q", b"\x03"])
+def test_values_on_all_of_a_terminal(place: str, key: bytes) -> None:
+    seen = on_a_terminal(command("monitor", place), lambda _, terminal: os.write(terminal, key))
+    _, restored, last = seen.rpartition(b"\x1b[?1049l")
+    assert restored and b"scaled_accel = (x=" in last and b"Traceback" not in seen and b"Filter" in seen
 
 
 def test_a_device_on_a_terminal(tmp_path: Path) -> None:

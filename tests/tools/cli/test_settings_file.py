@@ -60,13 +60,13 @@ def told(device: m.Device, virtual: VirtualDevice, only: int) -> set[str]:
 
 
 def pulled(virtual: VirtualDevice) -> str:
-    with Device(LivePort(virtual, speed=50), timeout=PATIENCE) as link:
+    with Device(LivePort(virtual, speed=20), timeout=PATIENCE) as link:
         it = talk.Talk(link, "PORT", pytest.fail)
         return text(it.pull(), it.profile, it.model.id, it.told.firmware, "2026-01-31")
 
 
 def pushed(virtual: VirtualDevice, path: Path) -> talk.Pushed:
-    with Device(LivePort(virtual, speed=50), timeout=PATIENCE) as link:
+    with Device(LivePort(virtual, speed=20), timeout=PATIENCE) as link:
         it = talk.Talk(link, "PORT", pytest.fail)
         return it.push(parsed.parsed(path, it.profile).held)
 

@@ -51,6 +51,11 @@ def test_as_csv_the_columns_are_those_that_were_named(place: str) -> None:
     assert all(row[1] == "true" and row[2] for row in rows[1:])
 
 
+def test_names_behind_an_option(place: str) -> None:
+    code, out, error = mip("stream", place, "--packets", "2", "sensor.scaled_accel@10", "reference_timestamp@10")
+    assert (code, error, len(out.splitlines())) == (0, "", 2)
+
+
 @pytest.mark.parametrize(
     ("words", "error"),
     [

@@ -25,11 +25,10 @@ ROTATED = {name for name in SHOWN if name.startswith("sensor.comp_")}
 
 def shown(device: str, command: Any) -> dict[str, list[bytes]]:
     """All data of a device, a while after a command."""
-    host = Host(VirtualDevice(device, motion=Circle(20, 5), seed=1))
+    host = Host(VirtualDevice(device, motion=Circle(20, 5), seed=1, noise=0))
     host.ok(command)
     host.device.advance(30 - host.now)
     world = host.device.world
-    world.noise = 0
     return {name: encoder(TYPES[name], host.device.profile, world, SETS[name])() for name in SHOWN}
 
 

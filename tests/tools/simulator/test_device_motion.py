@@ -28,7 +28,7 @@ def mean(values: list[Any]) -> list[float]:
 
 
 def test_a_captured_bias_is_removed() -> None:
-    """What is left is noise: 0.001 rad/s over 1000 samples."""
+    """What is left is noise: 87e-6 rad/s over a second."""
     host = Host(VirtualDevice("3dm-cv7-gnss-ins", motion=Standing()))
     host.ok(format_of(0x80, (sensor.ScaledGyro, 1)))
     before = mean([x.scaled_gyro for x in received(host, sensor.ScaledGyro, 1)])
@@ -60,10 +60,10 @@ def test_the_mounting_turns_what_is_sent() -> None:
     host = Host(VirtualDevice("3dm-cv7-gnss-ins", motion=Circle(20, 5)))
     host.ok(format_of(0x82, (filter_data.LinearAccel, 10), (filter_data.EulerAngles, 10)))
     plain = received(host, filter_data.LinearAccel, 1)[-1].accel
-    assert dist(plain, (0, 25 / 20, 0)) < 1e-3, "to the right, where the centre is"
+    assert dist(plain, (0, 25 / 20, 0)) < 0.03, "to the right, where the centre is"
     host.ok(mip_3dm.SensorToVehicleTransformEuler.write(0.0, 0.0, pi / 2))
     turned = received(host, filter_data.LinearAccel, 1)[-1].accel
-    assert dist((abs(turned[0]), turned[1], turned[2]), (25 / 20, 0, 0)) < 1e-3
+    assert dist((abs(turned[0]), turned[1], turned[2]), (25 / 20, 0, 0)) < 0.03
 
 
 @pytest.mark.parametrize("steps", [1, 7, 100])

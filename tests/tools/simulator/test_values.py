@@ -43,7 +43,7 @@ def test_the_runtime_has_the_quantities_of_the_specification() -> None:
     """Those of the world and those of the device, and no others."""
     assert set(quantities.QUANTITIES) | set(knowledge.QUANTITIES) == set(UNITS)
     assert not set(quantities.QUANTITIES) & set(knowledge.QUANTITIES)
-    assert quantities.NOISE.keys() | quantities.INTERVALS <= quantities.QUANTITIES.keys()
+    assert facts.NOISE.keys() | quantities.INTERVALS | quantities.MEANS <= quantities.QUANTITIES.keys()
 
 
 def test_every_parameter_shows_something() -> None:
@@ -126,6 +126,9 @@ def test_every_data_field_of_every_device(device: Device, motion: Motion) -> Non
                 field, trailing = kind.decode_with_trailing(data)
                 assert trailing == 0 and field.encode() == data
                 source = facts.shown(kind, set)
+                if source.valid_if and not world.quantity(source.valid_if):
+                    assert not any(data), f"{full}: values that are not valid"
+                    continue
                 if not source.parameters:
                     assert not any(data), f"{full}: zeros without a value"
                     continue

@@ -179,12 +179,12 @@ def test_noise_is_small_and_has_no_mean() -> None:
     noisy, exact = Shown(tilted, exact=False, seed=5), Shown(tilted)
     noisy.world.accel_bias, noisy.world.gyro_bias = noisy.world.accel_bias_left, noisy.world.gyro_bias_left
     for name, attribute, sigma in (
-        ("sensor.scaled_accel", "scaled_accel", 0.01 / G),
-        ("sensor.scaled_gyro", "scaled_gyro", 0.001),
-        ("sensor.scaled_mag", "scaled_mag", 0.0005),
+        ("sensor.scaled_accel", "scaled_accel", 0.0025 / G),
+        ("sensor.scaled_gyro", "scaled_gyro", 0.00087),
+        ("sensor.scaled_mag", "scaled_mag", 0.001),
     ):
         true = getattr(exact.at(1)(name), attribute)
-        errors = [x - t for i in range(400) for x, t in zip(getattr(noisy.at(i / 100)(name), attribute), true)]
+        errors = [x - t for i in range(400) for x, t in zip(getattr(noisy.at(1 + i / 100)(name), attribute), true)]
         mean = sum(errors) / len(errors)
         assert abs(mean) < 4 * sigma / sqrt(len(errors))
         assert isclose(sqrt(sum(e * e for e in errors) / len(errors)), sigma, rel_tol=0.15)

@@ -7,7 +7,7 @@ import json
 import time
 from collections.abc import Iterable, Iterator, Sequence
 from importlib import import_module
-from typing import IO, Any
+from typing import IO, Any, NamedTuple
 
 from .. import __version__
 from ..binding import Described, Field, MissingExtra, Parameter, Structure, info
@@ -77,15 +77,33 @@ def write_mcap(
         for sample, moment in timed(packets, live and clock is None):
             kind = sample.kind
             if kind not in channels:
-                text = json.dumps(schema(kind.kind, named))
-                known = writer.register_schema(f"mip.{kind.name}", "jsonschema", text.encode())
-                topic = f"/mip/{kind.name.replace('.', '/')}"
+                topic = Topic.of(kind, named)
+                known = writer.register_schema(topic.schema_name, "jsonschema", topic.schema.encode())
                 about = {"descriptor": f"0x{kind.set:02X},0x{kind.kind.DESCRIPTOR:02X}", "time": meaning}
-                channels[kind] = writer.register_channel(topic, "json", known, about)
-            data = json.dumps(message(sample.value, named), separators=(",", ":"), allow_nan=False).encode()
+                channels[kind] = writer.register_channel(topic.name, "json", known, about)
+            data = encoded(sample.value, named)
             writer.add_message(channels[kind], moment, data, moment, sample.packet & 0xFFFFFFFF)
     finally:
         writer.finish()
+
+
+class Topic(NamedTuple):
+    """What messages of a field are called, and their schema."""
+
+    name: str
+    schema_name: str
+    schema: str
+
+    @classmethod
+    def of(cls, kind: Occurrence, named: bool) -> Topic:
+        """That of a field."""
+        text = json.dumps(schema(kind.kind, named))
+        return cls(f"/mip/{kind.name.replace('.', '/')}", f"mip.{kind.name}", text)
+
+
+def encoded(field: Field, named: bool) -> bytes:
+    """A message as JSON."""
+    return json.dumps(message(field, named), separators=(",", ":"), allow_nan=False).encode()
 
 
 class _Counted:
@@ -179,4 +197,15 @@ def _one(p: Parameter, named: bool) -> dict[str, Any]:
     return {"type": "boolean" if p.scalar == "bool" else "integer"}
 
 
-__all__ = ["Job", "check", "clock_meaning", "message", "require", "schema", "timed", "write_mcap"]
+__all__ = [
+    "Job",
+    "Topic",
+    "check",
+    "clock_meaning",
+    "encoded",
+    "message",
+    "require",
+    "schema",
+    "timed",
+    "write_mcap",
+]

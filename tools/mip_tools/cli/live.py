@@ -19,11 +19,13 @@ from .selection import Selection
 
 if TYPE_CHECKING:
     from ..columns.tables import Form
+    from .foxglove import Server
 
 #: What is looked at before the first line, for the clock and the columns: seconds and bytes, from the first packet on.
 PREVIEW = 1.0
 _MOST = 1 << 20
 
+#: Those that are written.
 FORMATS = ("jsonl", "csv", "mcap")
 
 
@@ -42,12 +44,7 @@ def write(
     """
     if form != "mcap":
         inputs.need_numpy()
-    seen = _preview(arriving)
-    found, clock = survey(seen, selection)
-    if options.time in ("utc", "unix"):  # the device may have its date later
-        clock = next(filter(dated, CLOCKS), None)
-    elif options.time == "none":
-        clock = None
+    seen, found, clock = _begun(arriving, options, selection)
     if form == "mcap":
         from .export_mcap import write_mcap
 
@@ -57,6 +54,28 @@ def write(
     if form == "csv" and not (types or found):
         raise Failure("nothing arrived of which the columns could be known; name the fields")
     _write_table(out, form, chain([seen], _batches(arriving)), options, selection, clock, types or found)
+
+
+def serve(server: Server, arriving: Iterator[Piece | None], options: argparse.Namespace, selection: Selection) -> None:
+    """Serves the fields of a stream to Foxglove until it ends."""
+    from . import foxglove
+
+    seen, _, clock = _begun(arriving, options, selection)
+    pieces = (piece for piece in chain(seen, arriving) if piece is not None)
+    foxglove.write(server, kept(samples(pieces, None, selection, clock), options.invalid), clock, options.named)
+
+
+def _begun(
+    arriving: Iterator[Piece | None], options: argparse.Namespace, selection: Selection
+) -> tuple[list[Piece], list[Occurrence], str | None]:
+    """The preview, its types of fields, and the clock of the times."""
+    seen = _preview(arriving)
+    found, clock = survey(seen, selection)
+    if options.time in ("utc", "unix"):  # the device may have its date later
+        clock = next(filter(dated, CLOCKS), None)
+    elif options.time == "none":
+        clock = None
+    return seen, found, clock
 
 
 def _write_table(
@@ -140,4 +159,4 @@ def _flushing(pieces: Iterator[Piece | None], out: IO[bytes]) -> Iterator[Piece]
             yield piece
 
 
-__all__ = ["FORMATS", "PREVIEW", "write"]
+__all__ = ["FORMATS", "PREVIEW", "serve", "write"]

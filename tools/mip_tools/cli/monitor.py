@@ -7,7 +7,8 @@ import shutil
 import sys
 import time
 from collections import deque
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from typing import NamedTuple
 
 from . import inputs, outputs, ports, show, signals, silence
 from .arguments import add_device, device_id, hertz, seconds
@@ -21,8 +22,14 @@ examples:
   mip monitor localhost:5000 filter_data sensor.scaled_accel --rate 10
   mip monitor /dev/ttyACM0 --duration 5 > values.txt
 
-Ctrl-C ends it. If the output is not a terminal, the values are printed one after another.
+On a terminal with the extra `monitor` (textual), the view fills the screen: arrows and the mouse
+scroll, / filters by names and values, space holds the values, q ends it. Without it, the first
+lines are shown, and Ctrl-C ends it. If the output is not a terminal, the values are printed one
+after another.
 """
+
+#: Seconds after which a value is old.
+STALE = 3.0
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -42,99 +49,151 @@ class _Latest:
 
     __slots__ = ("found", "times")
 
-    def __init__(self) -> None:
-        self.found: Found | None = None
+    def __init__(self, found: Found) -> None:
+        self.found = found
         self.times: deque[float] = deque(maxlen=200)
 
     def rate(self, now: float) -> float | None:
         """Hz over the last seconds."""
-        recent = [t for t in self.times if now - t < 3.0]
+        recent = [t for t in self.times if now - t < STALE]
         if len(recent) < 2:
             return None
         return (len(recent) - 1) / max(recent[-1] - recent[0], 1e-9)
 
 
+class Shown(NamedTuple):
+    """A field with its latest values."""
+
+    set: int
+    name: str  # in the set
+    rate: float | None  # in Hz
+    age: float  # in seconds
+    values: list[str]
+
+    @property
+    def hertz(self) -> str:
+        """The rate as text."""
+        return "" if self.rate is None else f"{self.rate:.4g} Hz"
+
+    @property
+    def old(self) -> str:
+        """How long ago it came, if that is long."""
+        return "" if self.age < STALE else f"{self.age:.0f} s ago"
+
+
+class Latest:
+    """The latest values of what arrives."""
+
+    def __init__(self, selection: Selection, device: str | None) -> None:
+        self._selection = selection
+        self._device = device
+        self._latest: dict[tuple[int, str], _Latest] = {}
+        self.packets = self.skipped = 0
+
+    def add(self, piece: Piece, now: float) -> None:
+        """What has arrived."""
+        if piece.packet is None:
+            self.skipped += len(piece.data)
+            return
+        self.packets += 1
+        for raw in raw_fields(piece.packet):
+            if self._selection.has(raw.set, raw.descriptor):
+                found = decoded(raw)
+                one = self._latest.setdefault((raw.set, name_of(found)), _Latest(found))
+                one.found = found
+                one.times.append(now)
+
+    @property
+    def summary(self) -> str:
+        """How much has arrived."""
+        return f"{self.packets} packets, {self.skipped} bytes skipped"
+
+    def shown(self, now: float) -> Iterator[Shown]:
+        """The fields in order of their sets."""
+        for (number, _), one in sorted(self._latest.items()):
+            found = one.found
+            name = show.short(found, show.set_name(number))
+            values = [show.inside(found, self._device)]
+            if found.value is not None:
+                values = list(show.leaves(found.value, self._device))
+            yield Shown(number, name, one.rate(now), now - one.times[-1], values)
+
+    def lines(self) -> list[str]:
+        """All of it as text."""
+        lines, set = [self.summary], None
+        for one in self.shown(time.monotonic()):
+            if one.set != set:
+                set = one.set
+                lines.append(f"{show.set_name(set)} (0x{set:02X})")
+            old = f", {one.old}" if one.old else ""
+            lines.append(f"  {one.name:<26} {one.hertz:>9}{old}")
+            lines += [f"      {text}" for text in one.values]
+        return lines
+
+
 def run(options: argparse.Namespace) -> int:
-    selection = Selection(options.names)
-    device = device_id(options.device)
-    screen = _Screen(options.input)
-    latest: dict[tuple[int, str], _Latest] = {}
-    shown = time.monotonic()
-    end: float | None = None
-    live = inputs.is_port(options.input)
-    packets = skipped = 0
-    with signals.handled(signals.interrupt):
+    latest = Latest(Selection(options.names), device_id(options.device))
+    if inputs.is_port(options.input) and sys.stdin.isatty() and outputs.redraws(sys.stdout):
         try:
-            for piece in _pieces(options, live):
-                now = time.monotonic()
-                if end is None and options.duration is not None:  # the port is open now
-                    end = now + options.duration
-                if piece is not None and piece.packet is not None:
-                    packets += 1
-                    for raw in raw_fields(piece.packet):
-                        if selection.has(raw.set, raw.descriptor):
-                            field = decoded(raw)
-                            one = latest.setdefault((raw.set, name_of(field)), _Latest())
-                            one.found = field
-                            one.times.append(now)
-                elif piece is not None:
-                    skipped += len(piece.data)
-                if now - shown >= 1 / options.rate:
-                    shown = now
-                    screen.draw(_lines(latest, now, packets, skipped, device))
-                if end is not None and now >= end:
-                    break
-            screen.draw(_lines(latest, time.monotonic(), packets, skipped, device))
-        except KeyboardInterrupt:  # the usual way to end it
-            screen.draw(_lines(latest, time.monotonic(), packets, skipped, device))
-        except ports.Lost:
-            screen.draw(_lines(latest, time.monotonic(), packets, skipped, device))
-            raise
-        finally:
-            screen.close()
+            from .monitor_screen import fill
+        except ImportError:  # textual is not installed
+            pass
+        else:
+            try:
+                fill(options, latest, pieces)
+            finally:
+                print("\n".join(_titled(options, latest)))
+            return 0
+    _draw(options, latest)
     return 0
 
 
-def _pieces(options: argparse.Namespace, live: bool) -> Iterator[Piece | None]:
-    if live:
-        yield from ports.pieces(options.input, options, options.duration)
-    else:
-        yield from inputs.arriving(options.input, progress=False)
+def _draw(options: argparse.Namespace, latest: Latest) -> None:
+    screen = _Screen()
+    shown = time.monotonic()
+    with signals.handled(signals.interrupt):
+        try:
+            for piece in pieces(options):
+                now = time.monotonic()
+                if piece is not None:
+                    latest.add(piece, now)
+                if now - shown >= 1 / options.rate:
+                    shown = now
+                    screen.draw(_titled(options, latest))
+        except KeyboardInterrupt:  # the usual way to end it
+            pass
+        finally:
+            screen.draw(_titled(options, latest))
+            screen.close()
 
 
-def _lines(
-    latest: dict[tuple[int, str], _Latest], now: float, packets: int, skipped: int, device: str | None
-) -> list[str]:
-    lines = [f"{packets} packets, {skipped} bytes skipped"]
-    set = None
-    for (number, _), one in sorted(latest.items()):
-        if number != set:
-            set = number
-            lines.append(f"{show.set_name(number)} (0x{number:02X})")
-        rate = one.rate(now)
-        assert one.found is not None
-        old = "" if now - one.times[-1] < 3 else f", {now - one.times[-1]:.0f} s ago"
-        head = f"  {show.short(one.found, show.set_name(number))}"
-        lines.append(f"{head:<28} {'' if rate is None else f'{rate:.4g} Hz':>9}{old}")
-        if one.found.value is None:
-            lines.append(f"      {show.inside(one.found, device)}")
-        else:
-            lines += [f"      {text}" for text in show.leaves(one.found.value, device)]
-    return lines
+def pieces(options: argparse.Namespace, say: Callable[[str], object] | None = None) -> Iterator[Piece | None]:
+    """What arrives, until the time is over. Raises Failure, and Lost as `ports.pieces`."""
+    if inputs.is_port(options.input):
+        yield from ports.pieces(options.input, options, options.duration, say=say)
+        return
+    end = None if options.duration is None else time.monotonic() + options.duration
+    for piece in inputs.arriving(options.input, progress=False):
+        yield piece
+        if end is not None and time.monotonic() >= end:
+            return
+
+
+def _titled(options: argparse.Namespace, latest: Latest) -> list[str]:
+    first, *lines = latest.lines()
+    return [f"{options.input}: {first}", *lines]
 
 
 class _Screen:
     """Draws over what was drawn before, on a terminal."""
 
-    def __init__(self, title: str) -> None:
-        self._title = title
+    def __init__(self) -> None:
         self._terminal = outputs.redraws(sys.stdout)
         if self._terminal:
             sys.stdout.write("\x1b[?1049h\x1b[?25l")
         self._last: list[str] = []
 
     def draw(self, lines: list[str]) -> None:
-        lines = [f"{self._title}: {lines[0]}", *lines[1:]]
         self._last = lines
         if not self._terminal:
             print("\n".join(lines), end="\n\n", flush=True)
@@ -142,7 +201,7 @@ class _Screen:
         width, height = shutil.get_terminal_size()
         if len(lines) > height - 1:
             shown = max(height - 2, 0)
-            more = f"… {len(lines) - shown} more lines; name the fields that you want"
+            more = f"… {len(lines) - shown} more lines; name the fields that you want, or pip install textual"
             lines = [*lines[:shown], more]
         text = "\r\n".join(line[:width] + "\x1b[K" for line in lines)
         sys.stdout.write(f"\x1b[H{text}\x1b[J")

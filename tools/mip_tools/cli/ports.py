@@ -103,18 +103,23 @@ def received(
 
 
 def pieces(
-    name: str, options: argparse.Namespace, seconds: float | None = None, begin: Begin | None = None
+    name: str,
+    options: argparse.Namespace,
+    seconds: float | None = None,
+    begin: Begin | None = None,
+    say: Callable[[str], object] | None = None,
 ) -> Iterator[Piece | None]:
     """The packets received at a port, and the bytes between them; None when nothing more has arrived.
 
-    A silence is reported, see `silence`. Raises Lost when the port closes, after all that was received.
+    A silence is reported, see `silence`, by `say` if it is given. Raises Lost when the port closes, after all that was
+    received.
     """
     scanner = Scanner()
     silence: Silence | None = None
     last = time.monotonic()
     try:
         for data in received(name, options, seconds, begin):
-            silence = silence or Silence(name, options)  # the port is open now
+            silence = silence or Silence(name, options, say)  # the port is open now
             if data:
                 last = time.monotonic()
                 silence.data()

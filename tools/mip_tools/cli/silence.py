@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import sys
 import time
+from collections.abc import Callable
 
 from ..errors import Failure
 from .arguments import seconds
@@ -24,8 +25,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 class Silence:
     """Watches what arrives at a port: reports a silence once, and ends it if there is a time-out."""
 
-    def __init__(self, name: str, options: argparse.Namespace) -> None:
+    def __init__(self, name: str, options: argparse.Namespace, say: Callable[[str], object] | None = None) -> None:
+        """`say` gets the report, in place of standard error."""
         self._name = name
+        self._say = say or self._print
         self._program = f"mip {options.command}"
         self._limit: float | None = getattr(options, "timeout", None)
         self._heard = self._understood = time.monotonic()
@@ -48,7 +51,10 @@ class Silence:
             raise Failure(f"{self._name}: {self._said(now, self._limit)}", SILENT)
         if spent >= PATIENCE and not self._reported:
             self._reported = True
-            print(f"{self._program}: {self._said(now, PATIENCE)}", file=sys.stderr)
+            self._say(self._said(now, PATIENCE))
+
+    def _print(self, text: str) -> None:
+        print(f"{self._program}: {text}", file=sys.stderr)
 
     def _said(self, now: float, waited: float) -> str:
         if now - self._heard < self._heard - self._understood:  # bytes arrive, but no packets

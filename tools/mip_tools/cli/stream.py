@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import re
+import sys
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -24,6 +25,7 @@ examples:
   mip stream /dev/ttyACM0 sensor.scaled_accel sensor.scaled_gyro --rate 100
   mip stream /dev/ttyACM0 sensor.scaled_accel@100 sensor.scaled_mag@20 --format csv | head
   mip stream localhost:5000 --format mcap -o drive.mcap --duration 60
+  mip stream /dev/ttyACM0 --format foxglove          open ws://localhost:8765 in Foxglove
   mip record /dev/ttyACM0 -o - | mip stream - --format csv
 
 With rates, the device is told to send these fields, in place of all others of their sets, and it
@@ -43,8 +45,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add("input", metavar="PORT", help="such as /dev/ttyACM0, COM3, HOST:PORT; a log, or - for standard input")
     add("names", nargs="*", default=[], metavar="NAME[@HZ]", help="these fields or sets only; fields with a rate")
     add("--rate", type=hertz, metavar="HZ", help="start the named fields at this rate")
-    add("--format", choices=live.FORMATS, default="jsonl", help="default: jsonl")
+    add("--format", choices=(*live.FORMATS, "foxglove"), default="jsonl", help="default: jsonl")
     add("-o", "--output", default="-", metavar="FILE", help="where to write (default: standard output)")
+    add("--listen", metavar="HOST:PORT", help="foxglove: where clients connect (default: 127.0.0.1:8765)")
     add("--duration", type=seconds, metavar="S", help="end after S seconds")
     add("--packets", type=positive, metavar="N", help="end after N packets")
     table_options.add_arguments(parser)
@@ -59,11 +62,36 @@ def run(options: argparse.Namespace) -> int:
     if rates and not at_port:
         raise Misuse(f"{options.input} is not a port; rates are for devices")
     outputs.refuse_input(options.output, options.input)
+    if options.listen and options.format != "foxglove":
+        raise Misuse("--listen is for --format foxglove")
+    if options.format == "foxglove":
+        return _serve(options, _counted(_arriving(options, rates, at_port), options.packets), selection)
     found = [one for name in names for one in _single(name)] if all(map(_single, names)) else []
     arriving = _counted(_arriving(options, rates, at_port), options.packets)
     with signals.handled(signals.interrupt), outputs.whole(options.output, keep=True) as out:
         try:
             live.write(out, options.format, arriving, options, selection, found)
+        except KeyboardInterrupt:  # the usual way to end it
+            pass
+    return 0
+
+
+def _serve(options: argparse.Namespace, arriving: Iterator[Piece | None], selection: Selection) -> int:
+    """Lets Foxglove connect."""
+    from . import foxglove
+
+    if options.output != "-":
+        raise Misuse("foxglove connects to this program, which writes no file; use --format mcap")
+    if not inputs.is_port(options.input) and options.input != "-":
+        raise Misuse(
+            f"{options.input} is a log; `mip export {options.input} -o log.mcap` makes a file that Foxglove opens"
+        )
+    server = foxglove.Server(options.input)
+    place = options.listen or foxglove.USUAL
+    with signals.handled(signals.interrupt), foxglove.serving(server, place) as url:
+        print(f"mip stream: open {url} in Foxglove", file=sys.stderr, flush=True)
+        try:
+            live.serve(server, arriving, options, selection)
         except KeyboardInterrupt:  # the usual way to end it
             pass
     return 0

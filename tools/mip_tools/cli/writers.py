@@ -67,17 +67,18 @@ def jsonl(out: IO[bytes]) -> Iterator[Write]:
 @contextmanager
 def parquet(out: IO[bytes]) -> Iterator[Write]:
     """Groups of some ten thousand rows."""
-    pa: Any = import_module("pyarrow")
-
-    def opened(schema: Any) -> Any:
-        # Floats are hardly ever the same twice: they take less without dictionaries, and with their bytes apart.
-        floats = [field.name for field in schema if pa.types.is_floating(field.type)]
-        others = [field.name for field in schema if not pa.types.is_floating(field.type) and field.name != "time"]
-        writer = import_module("pyarrow.parquet").ParquetWriter
-        return writer(out, schema, compression="zstd", use_dictionary=others, use_byte_stream_split=floats)
-
-    with _arrow(opened) as write:
+    with _arrow(lambda schema: parquet_writer(out, schema)) as write:
         yield write
+
+
+def parquet_writer(out: Any, schema: Any) -> Any:
+    """Floats are hardly ever the same twice: they take less without dictionaries, and with their bytes apart."""
+    pa: Any = import_module("pyarrow")
+    floats = [field.name for field in schema if pa.types.is_floating(field.type)]
+    alone = {*floats, "time", "offset"}
+    others = [field.name for field in schema if field.name not in alone]
+    writer = import_module("pyarrow.parquet").ParquetWriter
+    return writer(out, schema, compression="zstd", use_dictionary=others, use_byte_stream_split=floats)
 
 
 @contextmanager
@@ -197,4 +198,4 @@ FORMS: dict[str, Callable[[IO[bytes]], AbstractContextManager[Write]]] = {
     "arrow": arrow,
 }
 
-__all__ = ["FORMS", "Write", "require"]
+__all__ = ["FORMS", "Write", "parquet_writer", "require"]

@@ -11,6 +11,9 @@ import numpy as np
 
 from .scan import Array
 
+#: A read maps so many bytes around it, also some that were given back before.
+_AROUND = 1 << 18
+
 
 class Source:
     """Bytes that are looked at piece by piece."""
@@ -69,7 +72,8 @@ class Source:
         if self._map is None or not hasattr(mmap, "MADV_DONTNEED"):
             return
         page = mmap.PAGESIZE
-        first, last = (self._begin + begin) // page * page, (self._begin + end) // page * page
+        first = max(0, self._begin + begin - _AROUND) // page * page
+        last = (self._begin + end) // page * page
         if last > first:
             self._map.madvise(mmap.MADV_DONTNEED, first, last - first)
 

@@ -46,6 +46,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add = parser.add_argument
     add("device", nargs="?", metavar="DEVICE", help="which device, as listed by --list")
     add("--list", action="store_true", help="list the devices and end")
+    add("--no-effect", action="store_true", help="list the commands that change nothing on a virtual device and end")
     add("--certain", action="store_true", help="only the commands and data that the device is known to have")
     add("--pty", action="append", default=[], metavar="PATH", help="a pseudo-terminal, with a link to it at PATH")
     add("--tcp", action="append", default=[], metavar="[HOST:]PORT", help="a TCP port; 0: the system chooses one")
@@ -70,6 +71,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="PIN=HZ",
         help="a square wave at a pin of the device",
     )
+    add("--noise", type=_noise, default=1.0, metavar="X", help="times the usual noise (default: 1); 0: none")
     add("--seed", type=int, default=0, metavar="N", help="for noise and faults (default: 0)")
     add(
         "--speed",
@@ -99,6 +101,11 @@ def run(options: argparse.Namespace) -> int:
         for known in DEVICES.values():
             incomplete = f" (incomplete: {_known(known)})" if known.incomplete else ""
             print(f"{known.id:<{width}}  {known.title}{incomplete}")
+        return 0
+    if options.no_effect:
+        from .knowledge import without_effect
+
+        print("\n".join(without_effect()))
         return 0
     whole = _profile(options.device)
     profile = certain(whole) if options.certain else whole
@@ -141,7 +148,13 @@ def _device(options: argparse.Namespace, profile: Device, faults: Faults | None)
     except MotionError as error:
         raise Failure(f"--motion {error}", 1 if "file=" in options.motion else 2) from None
     device = VirtualDevice(
-        profile, motion=motion, seed=options.seed, start=options.start, storage=options.storage, faults=faults
+        profile,
+        motion=motion,
+        seed=options.seed,
+        noise=options.noise,
+        start=options.start,
+        storage=options.storage,
+        faults=faults,
     )
     for pin, hertz in options.signal:
         try:
@@ -227,6 +240,10 @@ def _signal(text: str) -> tuple[int, float]:
 
 def _seconds(text: str) -> float:
     return _number(text, 1e-9, 1e10, "duration in seconds; use a number above 0")
+
+
+def _noise(text: str) -> float:
+    return _number(text, 0, 1e3, "noise; use 1 for the usual one, 0 for none")
 
 
 def _speed(text: str) -> float:

@@ -26,10 +26,11 @@ from .effects import act
 from .events import Events
 from .facts import COMMANDS
 from .faults import Faults
+from .filter_effects import FILTER_EFFECTS
 from .link import Link
 from .motion import Motion, Standing, parse_motion
 from .profiles import device_named, port_named
-from .settings import Place, Settings, arguments, asking, command_type, home
+from .settings import Place, Settings, arguments, asking, command_type, home, is_setting, keys
 from .streams import SECOND, Stream, answers, packets
 from .world import World
 
@@ -57,12 +58,15 @@ class VirtualDevice:
         *,
         motion: Motion | str | None = None,
         seed: int = 0,
+        noise: float = 1.0,
         start: int | None = None,
         storage: Path | None = None,
         faults: Faults | None = None,
         trace: Callable[[str, bytes], None] | None = None,
     ) -> None:
         """`motion`: an object, or as `mip simulate --motion` has it: "circle:radius=20,speed=5".
+
+        `noise`: how much of the noise of sensors and the errors of the filter there is; 0: none, but biases.
 
         `start`: nanoseconds since the GPS epoch. `storage`: the file of saved settings.
 
@@ -73,8 +77,9 @@ class VirtualDevice:
         moving = parse_motion(motion) if isinstance(motion, str) else motion
         self.faults = faults
         self.settings = Settings(self.profile, storage)
-        self.world: World = World(moving or Standing(), seed=seed, start=start)
+        self.world: World = World(moving or Standing(), seed=seed, start=start, noise=noise)
         self.known = self.profile.fields
+        self.world.senses = values.senses(self.profile)
         self.links: list[Link] = []
         self.idle = False
         self.direct = False
@@ -313,10 +318,13 @@ class VirtualDevice:
         """All effects of the settings that the device starts with."""
         self.world.restart()
         for name, behavior in COMMANDS.items():
-            if behavior.effect in views.ORIENTATIONS and self.knows(name):
-                self.apply((home(command_type(name)).NAME, ()), None)
+            if self.knows(name) and (behavior.effect in views.ORIENTATIONS or behavior.effect in FILTER_EFFECTS):
+                kind = command_type(name)
+                if is_setting(kind) and not keys(kind):
+                    self.apply((home(kind).NAME, ()), None)
         for at, kept in list(self.settings.items()):
             self.apply(at, kept)
+        self.world.started = True
         ports.arrange(self)
         self.arrange()
         self.events.reset()

@@ -16,6 +16,7 @@ from .checks import NOTHING, data_sets
 from .codes import COMMAND_FAILED, INVALID_PARAMETER, READ, SETS, Refused
 from .earth import LAST_WEEK, WEEK
 from .facts import COMMANDS
+from .filter_effects import FILTER_EFFECTS
 from .names import named
 from .settings import arguments, command_type
 from .streams import SECOND
@@ -268,7 +269,20 @@ def _nothing(device: VirtualDevice, call: Call) -> Outcome:
     return DONE
 
 
+def _of_filter(name: str) -> Effect:
+    """An effect of a value, which refuses nothing; `kind` names the aiding measurement that a command is."""
+
+    def effect(device: VirtualDevice, call: Call) -> Outcome:
+        kind = call.command.NAME.replace(".", "_")
+        device.world.advance()
+        FILTER_EFFECTS[name](device, {"kind": kind, **call.values})
+        return DONE
+
+    return effect
+
+
 EFFECTS: dict[str, Effect] = {
+    **{name: _of_filter(name) for name in FILTER_EFFECTS},
     "accel_bias": _accel_bias,
     "action": _action,
     "all_settings": _all_settings,

@@ -27,6 +27,7 @@ class FieldValues:
     """What a field shows. `parameters`: parameter, or parameter.member of a structure -> value."""
 
     for_each: str = ""  # a quantity that is a list: the field is sent once for each item
+    valid_if: str = ""  # a quantity that says whether the values are valid; else all of them are 0
     parameters: dict[str, Value] = field(default_factory=dict)
 
 
@@ -82,7 +83,11 @@ def _tuples(value: Any) -> Any:
 
 
 def _shown(row: dict[str, Any]) -> FieldValues:
-    return FieldValues(row.get("for_each", ""), {path: Value(**x) for path, x in row.get("parameters", {}).items()})
+    return FieldValues(
+        row.get("for_each", ""),
+        row.get("valid_if", ""),
+        {path: Value(**x) for path, x in row.get("parameters", {}).items()},
+    )
 
 
 def _behavior(row: dict[str, Any]) -> Behavior:
@@ -95,6 +100,8 @@ _KNOWN = _tuples(data("simulation.json"))
 
 #: Letters of function selectors -> their numbers.
 FUNCTIONS: dict[str, int] = _KNOWN["functions"]
+#: Quantities -> the noise of the sensors that measure them: density, drift, period.
+NOISE: dict[str, dict[str, float]] = _KNOWN["noise"]
 #: Data fields and responses -> what their values show.
 VALUES = {name: _shown(row) for name, row in _KNOWN["values"].items()}
 #: Commands -> what they do besides storing a setting.
@@ -114,6 +121,7 @@ __all__ = [
     "COMMANDS",
     "DATA_SETS",
     "FUNCTIONS",
+    "NOISE",
     "PORTS",
     "VALUES",
     "Behavior",

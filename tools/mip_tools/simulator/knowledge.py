@@ -5,8 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
+from ..binding import Command, reflection, registry
 from . import formats, nmea, ports
-from .checks import data_sets
+from .checks import NOTHING, data_sets
+from .codes import SETS
+from .facts import COMMANDS
 
 if TYPE_CHECKING:
     from .device import VirtualDevice
@@ -137,6 +140,19 @@ def _stream(name: str) -> Quantity:
     return found
 
 
+def without_effect() -> list[str]:
+    """Commands that change nothing on a virtual device: those with settings only remember them."""
+    kinds = [kind for _, kind in registry.all_types() if issubclass(kind, Command)]
+    silencing = {(set, descriptor) for kind in kinds for set, descriptor, _, _ in kind.SILENCED_BY}
+    return [
+        kind.NAME
+        for kind in kinds
+        if not COMMANDS.get(kind.NAME, NOTHING).effect
+        and (kind.SET, kind.DESCRIPTOR) not in silencing
+        and (reflection.info(kind).parameters if not kind.RESPONSES else any(x in kind.REQUIRED for x in SETS))
+    ]
+
+
 QUANTITIES: dict[str, Quantity] = {
     "device.firmware_version": lambda device, context: 1000 * (device.profile.generation or 1),
     "device.model_name": lambda device, context: _padded(device.profile.title),
@@ -166,4 +182,4 @@ QUANTITIES: dict[str, Quantity] = {
     "receiver.list": _receivers,
 }
 
-__all__ = ["QUANTITIES", "descriptors", "has_room", "sentence", "trigger_type"]
+__all__ = ["QUANTITIES", "descriptors", "has_room", "sentence", "trigger_type", "without_effect"]

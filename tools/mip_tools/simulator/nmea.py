@@ -40,19 +40,20 @@ class _Fix(NamedTuple):
     longitude: float
     height: float
     velocity: Vector
-    deviation: tuple[float, float]  # of the position along one horizontal axis, and of the height
+    deviation: Vector  # of the position north, east and down
     receiver: int
 
 
 def _fix(world: World, receiver: int | None) -> _Fix:
     time = utc(world.gps)
     if receiver is None:
-        s, sigma = world.state, world.quantity("filter.position_uncertainty")
-        return _Fix(time, s.latitude, s.longitude, s.height, s.velocity, (sigma, sigma), 1)
-    a = world.antenna(receiver)
+        s = world.place
+        n, e, d = (world.quantity(f"uncertainty.{axis}") for axis in ("north", "east", "down"))
+        return _Fix(time, s.latitude, s.longitude, s.height, s.velocity, (n, e, d), 1)
+    a = world.fix(receiver)
     across = world.quantity("gnss.horizontal_accuracy") / 2**0.5
     up = world.quantity("gnss.vertical_accuracy")
-    return _Fix(time, a.latitude, a.longitude, a.height, a.velocity, (across, up), receiver)
+    return _Fix(time, a.latitude, a.longitude, a.height, a.velocity, (across, across, up), receiver)
 
 
 # --------------------------------------------------------------------------- parts of sentences
@@ -124,7 +125,7 @@ def _vtg(world: World, fix: _Fix) -> Iterator[str]:
 
 
 def _hdt(world: World, fix: _Fix) -> Iterator[str]:
-    yield f"HDT,{_course(degrees(euler(world.dcm)[2]))},T"
+    yield f"HDT,{_course(degrees(euler(world.attitude[1])[2]))},T"
 
 
 def _zda(world: World, fix: _Fix) -> Iterator[str]:
@@ -132,13 +133,14 @@ def _zda(world: World, fix: _Fix) -> Iterator[str]:
 
 
 def _gst(world: World, fix: _Fix) -> Iterator[str]:
-    across, up = fix.deviation
-    rms = hypot(across, across, up)
-    yield f"GST,{_clock(fix.time)},{rms:.2f},{across:.2f},{across:.2f},0.0,{across:.2f},{across:.2f},{up:.2f}"
+    n, e, d = fix.deviation
+    major, minor, direction = max(n, e), min(n, e), 0.0 if n >= e else 90.0
+    rms = hypot(n, e, d)
+    yield f"GST,{_clock(fix.time)},{rms:.2f},{major:.2f},{minor:.2f},{direction},{n:.2f},{e:.2f},{d:.2f}"
 
 
 def _msra(world: World, fix: _Fix) -> Iterator[str]:
-    roll, pitch, yaw = (degrees(angle) for angle in euler(world.dcm))
+    roll, pitch, yaw = (degrees(angle) for angle in euler(world.attitude[1]))
     yield f"PMSRA,{_clock(fix.time)},{roll:.3f},{pitch:.3f},{yaw:.3f}"
 
 

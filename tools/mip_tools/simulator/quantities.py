@@ -5,13 +5,15 @@ The item is that of a list (`for_each`), an `Output` for other data, and the val
 
 from __future__ import annotations
 
-from math import atan2, hypot, pi, sin
+from collections.abc import Callable, Sequence
+from math import atan2, hypot, pi, sin, sqrt
 from typing import Any, NamedTuple
 
 from . import earth
-from .earth import SECOND, WEEK, Vector
+from .earth import SECOND, WEEK, Matrix, Vector
+from .estimate import Filter, rotated
 from .receivers import GNSS, Function
-from .state import conjugate, euler, matrix, multiplied, rotation_vector
+from .state import conjugate, euler, matrix, multiplied, quaternion, rotation, rotation_vector
 from .world import Output, World
 
 
@@ -20,30 +22,90 @@ class Receiver(NamedTuple):
     clock: tuple[float, float]
 
 
-class Aid(NamedTuple):
-    source: int
-    type: str
-
-
 _RECEIVERS = (1, 2)
-_FLAGS = (("pps_valid", "time_initialized"), ("pps_valid", "time_initialized", "time_refresh"))
-_AIDS = (Aid(1, "gnss"), Aid(2, "gnss"), Aid(0, "dual_antenna"), Aid(0, "mag"), Aid(0, "pressure"))
+#: Sensors, by what they measure.
+ACCEL, GYRO, MAG = "measured.specific_force", "measured.angular_rate", "measured.magnetic_field"
+PRESSURE, SPEED = "measured.pressure", "measured.speed"
 
 
-def _sum(a: Vector, b: Vector) -> Vector:
+def _sum(a: Sequence[float], b: Sequence[float]) -> Vector:
     return a[0] + b[0], a[1] + b[1], a[2] + b[2]
 
 
-def _scaled(v: Vector, k: float) -> Vector:
+def _scaled(v: Sequence[float], k: float) -> Vector:
     return v[0] * k, v[1] * k, v[2] * k
 
 
-def _force(w: World, _: Any) -> Vector:
-    return w.vehicle(_sum(w.specific_force, w.accel_bias_left))
+def _flags(w: World) -> tuple[str, ...]:
+    found = ("time_initialized",) + ("pps_valid",) * w.synchronized
+    return (*found, "time_refresh") if w.gps // SECOND % 2 else found
 
 
-def _rate(w: World, _: Any) -> Vector:
-    return w.vehicle(_sum(w.state.rate, w.gyro_bias_left))
+def _measured(w: World, sensor: str, true: Vector, constant: Vector, out: Any) -> Vector:
+    """What an inertial sensor measures in the mean since the last output, in its own frame: `constant` is its bias
+    without drift, which is in the noise."""
+    noise = w.mean_noise(sensor, out)
+    return _sum(true, constant) if noise is None else _sum(_sum(true, constant), noise)
+
+
+def _force(w: World, out: Any) -> Vector:
+    found = w.within("accel", _measured(w, ACCEL, w.specific_force, w.accel_constant_left, out))
+    return w.vehicle(w.low_passed(ACCEL, out, found))  # type: ignore[arg-type]
+
+
+def _rate(w: World, out: Any) -> Vector:
+    found = w.within("gyro", _measured(w, GYRO, w.state.rate, w.gyro_constant_left, out))
+    return w.vehicle(w.low_passed(GYRO, out, found))  # type: ignore[arg-type]
+
+
+def _magnetic(w: World, out: Any) -> Vector:
+    found = _sum(_raw_magnetic(w, out), _scaled(w.hard_iron, -1.0))
+    found = w.within("mag", earth.turned(w.soft_iron, found))
+    return w.vehicle(w.low_passed(MAG, out, found))  # type: ignore[arg-type]
+
+
+def _raw_magnetic(w: World, out: Any) -> Vector:
+    noise = w.mean_noise(MAG, out)
+    true = _sum(earth.turned(w.state.dcm, w.magnetic_field), w.disturbance)
+    return true if noise is None else _sum(true, noise)
+
+
+def _single(sensor: str, true: float, w: World, out: Any) -> float:
+    noise = w.mean_noise(sensor, out)
+    return w.low_passed(sensor, out, (true if noise is None else true + noise[0],))[0]
+
+
+def _compensated_rate(w: World, out: Any) -> Vector:
+    """What the gyroscope measures, without the bias that the filter estimates."""
+    found = _sum(w.state.rate, _scaled(w.gyro_bias_error, -1.0))
+    noise = _white(w, GYRO, out)
+    return w.vehicle(w.low_passed(GYRO, out, found if noise is None else _sum(found, noise)))  # type: ignore[arg-type]
+
+
+def _compensated_force(w: World, true: Vector, out: Any) -> Vector:
+    found = _sum(true, _scaled(w.accel_bias_error, -1.0))
+    noise = _white(w, ACCEL, out)
+    return w.vehicle(w.low_passed(ACCEL, out, found if noise is None else _sum(found, noise)))  # type: ignore[arg-type]
+
+
+def _white(w: World, sensor: str, out: Any) -> Vector | None:
+    """The noise without the drift, which the filter knows as well as the bias."""
+    noise = w.mean_noise(sensor, out)
+    return None if noise is None else _sum(noise, _scaled(w.sensors[sensor].bias, -w.noise))
+
+
+def _overrange(w: World, _: Any) -> tuple[str, ...]:
+    """Axes that are near the end of their range."""
+    field = _raw_magnetic(w, None)
+    values = {"accel": _sum(w.specific_force, w.accel_bias_left), "gyro": _sum(w.state.rate, w.gyro_bias_left)}
+    values["mag"] = field
+    return tuple(
+        f"{sensor}_{axis}"
+        for sensor, v in values.items()
+        if sensor in w.ranges
+        for axis, x in zip("xyz", v)
+        if abs(x) > 0.98 * w.ranges[sensor]
+    )
 
 
 def _seconds(w: World, out: Output) -> float:
@@ -51,15 +113,18 @@ def _seconds(w: World, out: Output) -> float:
 
 
 def _rotation(w: World, out: Output) -> Vector:
-    turn = rotation_vector(out.attitude, w.state.quaternion)
-    return w.vehicle(_sum(turn, _scaled(w.gyro_bias_left, _seconds(w, out))))
+    turn = _sum(rotation_vector(out.attitude, w.state.quaternion), _scaled(w.gyro_constant_left, _seconds(w, out)))
+    noise = w.added_noise(GYRO, out)
+    return w.vehicle(turn if noise is None else _sum(turn, noise))
 
 
 def _velocity(w: World, out: Output) -> Vector:
     t = _seconds(w, out)
     (n, e, d), (a, b, c) = w.state.velocity, out.velocity
     change = earth.turned(matrix(out.attitude), (n - a, e - b, d - c - w.gravity * t))
-    return w.vehicle(_sum(change, _scaled(w.accel_bias_left, t)))
+    change = _sum(change, _scaled(w.accel_constant_left, t))
+    noise = w.added_noise(ACCEL, out)
+    return w.vehicle(change if noise is None else _sum(change, noise))
 
 
 def _matrix(w: World, out: Output) -> tuple[float, ...]:
@@ -70,9 +135,60 @@ def _matrix(w: World, out: Output) -> tuple[float, ...]:
 
 
 def _relative(w: World, _: Any) -> Vector:
-    x, y, z = (a - b for a, b in zip(w.ecef, w.origin))
+    x, y, z = (a - b for a, b in zip(_ecef(w), w.origin))
     latitude, longitude, _height = earth.llh(*w.origin)
     return earth.to_ned(latitude, longitude, (x, y, z))
+
+
+def _ecef(w: World) -> Vector:
+    x = w.place
+    return earth.ecef(x.latitude, x.longitude, x.height)
+
+
+def _deviations(w: World) -> tuple[tuple[Vector, Vector], ...]:
+    """Of attitude and gyroscope bias, of position and velocity, and of the accelerometer bias."""
+
+    def of(pairs: Any) -> tuple[Vector, Vector]:
+        a, b, c = pairs
+        return (sqrt(a.p), sqrt(b.p), sqrt(c.p)), (sqrt(a.r), sqrt(b.r), sqrt(c.r))
+
+    w.filter.advance()
+    return of(w.filter.attitude), of(w.filter.navigation), of(w.filter.accel_bias)
+
+
+def _deviation(group: int, part: int, axis: int | None = None) -> Function:
+    def found(w: World, _: Any) -> Any:
+        values = w.once("deviations", lambda: _deviations(w))[group][part]
+        return values if axis is None else values[axis]
+
+    return found
+
+
+def _earth_fixed(part: int) -> Function:
+    return lambda w, _: rotated(_deviation(1, part)(w, None), w.state.latitude, w.state.longitude)
+
+
+def _of_quaternion(w: World, _: Any) -> tuple[float, ...]:
+    """The deviation of each of its elements at most: half that of the whole rotation."""
+    return (hypot(*_deviation(0, 0)(w, None)) / 2,) * 4
+
+
+def _complementary(w: World) -> Matrix:
+    """The attitude by the complementary filter."""
+
+    def found() -> Matrix:
+        wrong = w.complementary.errors
+        return rotation(*_sum(euler(w.dcm), wrong))[1] if any(wrong) else w.dcm
+
+    return w.once("complementary", found)
+
+
+def _of_filter(read: Callable[[Filter], Any]) -> Function:
+    def found(w: World, _: Any) -> Any:
+        w.filter.advance()
+        return read(w.filter)
+
+    return found
 
 
 def _ticks(now: int, out: Any) -> int:
@@ -90,9 +206,10 @@ _TIME: dict[str, Function] = {
     "gps.seconds": lambda w, _: w.gps // SECOND,
     "gps.microseconds": lambda w, _: w.gps % SECOND // 1000,
     "gps.time": lambda w, _: w.gps,
-    "gps.flags": lambda w, _: _FLAGS[w.gps // SECOND % 2],
+    "gps.flags": lambda w, _: _flags(w),
+    "gps.synchronized": lambda w, _: w.synchronized,
     "gps.leap_seconds": lambda w, _: earth.leap_seconds(w.gps),
-    "gps.pulse_age": lambda w, _: 0,
+    "gps.pulse_age": lambda w, _: 0 if w.synchronized else 255,
     "utc.year": lambda w, _: earth.utc(w.gps).year,
     "utc.month": lambda w, _: earth.utc(w.gps).month,
     "utc.day": lambda w, _: earth.utc(w.gps).day,
@@ -112,13 +229,18 @@ _TIME: dict[str, Function] = {
 _SENSORS: dict[str, Function] = {
     "measured.specific_force": _force,
     "measured.angular_rate": _rate,
-    "measured.magnetic_field": lambda w, _: w.body(w.magnetic_field),
-    "measured.pressure": lambda w, _: w.air[1],
-    "measured.speed": lambda w, _: earth.turned(w.state.dcm, w.state.velocity)[0],
-    "counts.specific_force": lambda w, _: _scaled(_sum(w.specific_force, w.accel_error), 1000.0),
-    "counts.angular_rate": lambda w, _: _scaled(_sum(w.state.rate, w.gyro_error), 5000.0),
-    "counts.magnetic_field": lambda w, _: _scaled(earth.turned(w.state.dcm, w.magnetic_field), 5000.0),
-    "counts.pressure": lambda w, _: w.air[1] * 100,
+    "measured.magnetic_field": _magnetic,
+    "measured.pressure": lambda w, out: _single(PRESSURE, w.air[1], w, out),
+    "measured.speed": lambda w, out: _single(SPEED, earth.turned(w.state.dcm, w.state.velocity)[0], w, out),
+    "odometer.uncertainty": lambda w, _: max(0.01, w.odometer * hypot(*w.state.velocity)),
+    "odometer.configured": lambda w, _: w.odometer > 0,
+    "overrange.axes": _overrange,
+    "counts.specific_force": lambda w, out: _scaled(
+        _measured(w, ACCEL, w.specific_force, w.accel_constant, out), 1000.0
+    ),
+    "counts.angular_rate": lambda w, out: _scaled(_measured(w, GYRO, w.state.rate, w.gyro_constant, out), 5000.0),
+    "counts.magnetic_field": lambda w, out: _scaled(_raw_magnetic(w, out), 5000.0),
+    "counts.pressure": lambda w, out: 100 * _single(PRESSURE, w.air[1], w, out),
     "counts.temperature": lambda w, _: (2350, 2350, 2350, 2400),
     "delta.rotation": _rotation,
     "delta.velocity": _velocity,
@@ -133,49 +255,83 @@ _SENSORS: dict[str, Function] = {
 }
 
 _MOTION: dict[str, Function] = {
-    "attitude.quaternion": lambda w, _: w.quaternion,
-    "attitude.dcm": lambda w, _: w.dcm,
-    "attitude.roll": lambda w, _: euler(w.dcm)[0],
-    "attitude.pitch": lambda w, _: euler(w.dcm)[1],
-    "attitude.yaw": lambda w, _: euler(w.dcm)[2],
+    "attitude.quaternion": lambda w, _: w.attitude[0],
+    "attitude.dcm": lambda w, _: w.attitude[1],
+    "attitude.roll": lambda w, _: euler(w.attitude[1])[0],
+    "attitude.pitch": lambda w, _: euler(w.attitude[1])[1],
+    "attitude.yaw": lambda w, _: euler(w.attitude[1])[2],
     "attitude.sensor_heading": lambda w, _: euler(w.state.dcm)[2],
-    "motion.angular_rate": lambda w, _: w.vehicle(w.state.rate),
-    "motion.specific_force": lambda w, _: w.vehicle(w.specific_force),
-    "motion.acceleration": lambda w, _: w.body(w.state.acceleration),
-    "gravity.vector": lambda w, _: w.body((0.0, 0.0, w.gravity)),
-    "gravity.magnitude": lambda w, _: w.gravity,
-    "bias.angular_rate": lambda w, _: w.gyro_bias_left,
-    "bias.specific_force": lambda w, _: w.accel_bias_left,
+    "complementary.quaternion": lambda w, _: quaternion(m) if (m := _complementary(w)) is not w.dcm else w.quaternion,
+    "complementary.dcm": lambda w, _: _complementary(w),
+    "complementary.roll": lambda w, _: euler(_complementary(w))[0],
+    "complementary.pitch": lambda w, _: euler(_complementary(w))[1],
+    "complementary.yaw": lambda w, _: euler(_complementary(w))[2],
+    "motion.angular_rate": _compensated_rate,
+    "motion.specific_force": lambda w, out: _compensated_force(w, w.specific_force, out),
+    "motion.acceleration": lambda w, out: _compensated_force(w, earth.turned(w.state.dcm, w.state.acceleration), out),
+    "gravity.vector": lambda w, _: earth.turned(w.attitude[1], (0.0, 0.0, w.gravity)),
+    "gravity.magnitude": lambda w, _: earth.gravity(w.modelled[0], w.modelled[2]),
+    "bias.angular_rate": lambda w, _: _sum(w.gyro_bias_left, w.gyro_bias_error),
+    "bias.specific_force": lambda w, _: _sum(w.accel_bias_left, w.accel_bias_error),
     "bias.gyro_setting": lambda w, _: w.gyro_bias,
     "identity.matrix": lambda w, _: (1, 0, 0, 0, 1, 0, 0, 0, 1),
     "identity.quaternion": lambda w, _: (1, 0, 0, 0),
     "covariance.magnetic_field": lambda w, _: (1e-6, 0, 0, 0, 1e-6, 0, 0, 0, 1e-6),
-    "position.latitude": lambda w, _: w.state.latitude,
-    "position.longitude": lambda w, _: w.state.longitude,
-    "position.height": lambda w, _: w.state.height,
+    "position.latitude": lambda w, _: w.place.latitude,
+    "position.longitude": lambda w, _: w.place.longitude,
+    "position.height": lambda w, _: w.place.height,
     "position.msl_height": lambda w, _: w.msl_height,
-    "position.ecef": lambda w, _: w.ecef,
+    "position.ecef": lambda w, _: _ecef(w),
     "position.relative": _relative,
-    "velocity.north": lambda w, _: w.state.velocity[0],
-    "velocity.east": lambda w, _: w.state.velocity[1],
-    "velocity.down": lambda w, _: w.state.velocity[2],
-    "velocity.ecef": lambda w, _: earth.from_ned(w.state.latitude, w.state.longitude, w.state.velocity),
+    "velocity.north": lambda w, _: w.place.velocity[0],
+    "velocity.east": lambda w, _: w.place.velocity[1],
+    "velocity.down": lambda w, _: w.place.velocity[2],
+    "velocity.ecef": lambda w, _: earth.from_ned(w.place.latitude, w.place.longitude, w.place.velocity),
 }
 
+
+def _inclination(north: float, east: float, down: float) -> float:
+    return atan2(down, hypot(north, east))
+
+
+def _declination(north: float, east: float, down: float) -> float:
+    return atan2(east, north)
+
+
 _SURROUNDINGS: dict[str, Function] = {
-    "magnetic.north": lambda w, _: w.magnetic_field[0],
-    "magnetic.east": lambda w, _: w.magnetic_field[1],
-    "magnetic.down": lambda w, _: w.magnetic_field[2],
-    "magnetic.inclination": lambda w, _: atan2(w.magnetic_field[2], hypot(*w.magnetic_field[:2])),
-    "magnetic.declination": lambda w, _: atan2(w.magnetic_field[1], w.magnetic_field[0]),
+    "magnetic.north": lambda w, _: earth.magnetic_field(*w.modelled)[0],
+    "magnetic.east": lambda w, _: earth.magnetic_field(*w.modelled)[1],
+    "magnetic.down": lambda w, _: earth.magnetic_field(*w.modelled)[2],
+    "magnetic.inclination": lambda w, _: _inclination(*earth.magnetic_field(*w.modelled)),
+    "magnetic.declination": lambda w, _: _declination(*earth.magnetic_field(*w.modelled)),
     "air.altitude": lambda w, _: w.altitude,
     "air.temperature": lambda w, _: w.air[0],
     "air.pressure": lambda w, _: w.air[1],
     "air.density": lambda w, _: w.air[2],
-    "filter.position_uncertainty": lambda w, _: 0.6,
-    "filter.aids": lambda w, _: _AIDS,
+    "uncertainty.roll": _deviation(0, 0, 0),
+    "uncertainty.pitch": _deviation(0, 0, 1),
+    "uncertainty.yaw": _deviation(0, 0, 2),
+    "uncertainty.quaternion": _of_quaternion,
+    "uncertainty.gyro_bias": _deviation(0, 1),
+    "uncertainty.accel_bias": _deviation(2, 0),
+    "uncertainty.north": _deviation(1, 0, 0),
+    "uncertainty.east": _deviation(1, 0, 1),
+    "uncertainty.down": _deviation(1, 0, 2),
+    "uncertainty.position": _earth_fixed(0),
+    "uncertainty.velocity_north": _deviation(1, 1, 0),
+    "uncertainty.velocity_east": _deviation(1, 1, 1),
+    "uncertainty.velocity_down": _deviation(1, 1, 2),
+    "uncertainty.velocity": _earth_fixed(1),
+    "filter.has_attitude": _of_filter(lambda f: f.level),
+    "filter.has_position": _of_filter(lambda f: f.placed),
+    "filter.state": _of_filter(lambda f: f.state),
+    "filter.dynamics": lambda w, _: (w.filter.options.dynamics, "default", "portable"),
+    "filter.flags": _of_filter(lambda f: f.flags),
+    "filter.headings": _of_filter(lambda f: f.headings),
+    "filter.aids": _of_filter(lambda f: tuple(f.aids())),
     "aid.source": lambda w, aid: aid.source,
     "aid.type": lambda w, aid: aid.type,
+    "aid.indicator": lambda w, aid: aid.indicator,
     "filter.receivers": lambda w, _: tuple(Receiver(i, w.clock(i)) for i in _RECEIVERS),
     "receiver.id": lambda w, receiver: receiver.id,
     "receiver.clock_bias": lambda w, receiver: receiver.clock[0],
@@ -189,14 +345,11 @@ INTERVALS = frozenset(
     ("reference.delta", "external.delta", "ticks.delta", "delta.rotation", "delta.velocity", "delta.matrix")
 )
 
-#: Standard deviation of what is measured, in the unit of the quantity.
-NOISE = {
-    "measured.specific_force": 0.01,
-    "measured.angular_rate": 0.001,
-    "measured.magnetic_field": 0.0005,
-    "measured.pressure": 0.02,
-    "measured.speed": 0.01,
-}
-"""White noise, drawn for each field and element."""
+#: Those that are a mean since the last time: so is their item, one for each field.
+MEANS = frozenset(
+    name
+    for name in QUANTITIES
+    if name.partition(".")[0] in ("measured", "counts", "motion") and name != "counts.temperature"
+)
 
-__all__ = ["INTERVALS", "NOISE", "QUANTITIES", "Function"]
+__all__ = ["INTERVALS", "MEANS", "QUANTITIES", "Function"]

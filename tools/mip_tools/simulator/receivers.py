@@ -18,8 +18,16 @@ def _length(v: Vector) -> float:
 
 
 def _base_station(w: World, _: Any) -> Vector:
-    latitude, longitude, height = earth.llh(*w.origin)
+    latitude, longitude, height = earth.llh(*w.start_place)
     return earth.ecef(latitude + 5000.0 / earth.A, longitude, height)
+
+
+def _aiding(w: World) -> tuple[str, ...]:
+    """How the receivers aid the filter."""
+    if not w.gnss:
+        return ("no_fix",)
+    used = {"gps": "gps_l1", "glonass": "glonass_l1", "galileo": "galileo_e1", "beidou": "beidou_b1"}
+    return ("tight_coupling", *(name for constellation, name in used.items() if constellation not in w.signals_off))
 
 
 def _gnss(receiver: int) -> dict[str, Function]:
@@ -30,20 +38,20 @@ def _gnss(receiver: int) -> dict[str, Function]:
         return min(pi, 0.1 / max(hypot(n, e), 1e-3))
 
     def ecef_velocity(w: World, _: Any) -> Vector:
-        a = w.antenna(receiver)
+        a = w.fix(receiver)
         return earth.from_ned(a.latitude, a.longitude, a.velocity)
 
     own: dict[str, Function] = {
-        "latitude": lambda w, _: w.antenna(receiver).latitude,
-        "longitude": lambda w, _: w.antenna(receiver).longitude,
-        "height": lambda w, _: w.antenna(receiver).height,
-        "msl_height": lambda w, _: w.antenna(receiver).height - w.geoid,
-        "ecef": lambda w, _: w.antenna(receiver).ecef,
-        "velocity": lambda w, _: w.antenna(receiver).velocity,
+        "latitude": lambda w, _: w.fix(receiver).latitude,
+        "longitude": lambda w, _: w.fix(receiver).longitude,
+        "height": lambda w, _: w.fix(receiver).height,
+        "msl_height": lambda w, _: w.fix(receiver).height - w.geoid,
+        "ecef": lambda w, _: w.fix(receiver).ecef,
+        "velocity": lambda w, _: w.fix(receiver).velocity,
         "ecef_velocity": ecef_velocity,
-        "speed": lambda w, _: _length(w.antenna(receiver).velocity),
-        "ground_speed": lambda w, _: hypot(*w.antenna(receiver).velocity[:2]),
-        "course": lambda w, _: w.course(w.antenna(receiver).velocity),
+        "speed": lambda w, _: _length(w.fix(receiver).velocity),
+        "ground_speed": lambda w, _: hypot(*w.fix(receiver).velocity[:2]),
+        "course": lambda w, _: w.course(w.fix(receiver).velocity),
         "course_accuracy": course_accuracy,
         "clock_bias": lambda w, _: w.clock(receiver)[0],
         "clock_drift": lambda w, _: w.clock(receiver)[1],
@@ -53,6 +61,10 @@ def _gnss(receiver: int) -> dict[str, Function]:
 
 
 _GNSS: dict[str, Function] = {
+    "gnss.fix": lambda w, _: w.gnss,
+    "gnss.fix_type": lambda w, _: "fix_3d" if w.gnss else "fix_none",
+    "gnss.fix_flags": lambda w, _: ("sbas_used",) * (w.gnss and w.augmented),
+    "gnss.aiding": lambda w, _: _aiding(w),
     **_gnss(1),
     **_gnss(2),
     "dop.gdop": lambda w, _: w.dop.gdop,
@@ -82,7 +94,8 @@ _GNSS: dict[str, Function] = {
     "gnss.gps_satellites": lambda w, _: satellites.only(w.satellites(1), "gps"),
     "sbas.system": lambda w, _: satellites.sbas(w.state.longitude)[0],
     "sbas.id": lambda w, _: satellites.sbas(w.state.longitude)[1],
-    "sbas.corrections": lambda w, _: len(satellites.only(w.satellites(1), "gps")),
+    "sbas.corrections": lambda w, _: len(satellites.only(w.satellites(1), "gps")) if w.augmented else 0,
+    "sbas.used": lambda w, _: w.gnss and w.augmented,
     "base_station.ecef": _base_station,
 }
 

@@ -160,6 +160,12 @@ def only(satellites: Sequence[Seen], constellation: str) -> tuple[Seen, ...]:
     return tuple(s._replace(number=i, of=len(kept)) for i, s in enumerate(kept, 1))
 
 
+def without(satellites: Sequence[Seen], constellations: frozenset[str]) -> tuple[Seen, ...]:
+    """Those of other constellations, counted anew."""
+    kept = [s for s in satellites if s.satellite.constellation not in constellations]
+    return tuple(s._replace(number=i, of=len(kept)) for i, s in enumerate(kept, 1))
+
+
 def ephemerides(satellites: Sequence[Seen], constellation: str, gps: int) -> tuple[Ephemeris, ...]:
     """Of the satellites in view of one constellation: the last ones with a reference time before now."""
     step = (1800 if constellation == "glonass" else 7200) * SECOND

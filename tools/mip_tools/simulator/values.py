@@ -5,13 +5,13 @@ from __future__ import annotations
 import struct
 from collections.abc import Callable, Iterator
 from enum import IntEnum, IntFlag
-from random import Random
+from functools import cache
 from typing import Any
 
-from ..binding import Device, Field, Parameter, reflection
+from ..binding import Device, Field, Parameter, reflection, registry
 from .facts import FieldValues, Value, shown
 from .names import named
-from .quantities import INTERVALS, NOISE, QUANTITIES, Function
+from .quantities import INTERVALS, MEANS, QUANTITIES, Function
 from .replay import Replay
 from .settings import filled
 from .world import Output, World
@@ -50,6 +50,34 @@ def encoder(kind: type[Field], profile: Device, world: World, set: int, channel:
     return lambda: motion.recorded(set, descriptor, world.time) or simulated()
 
 
+#: What a device has -> the quantity that one of its data fields then shows.
+_SENSES = {
+    "mag": "measured.magnetic_field", "pressure": "measured.pressure", "position": "position.latitude",
+    "gnss_1": "gnss_1.latitude", "gnss_2": "gnss_2.latitude",
+}  # fmt: skip
+
+
+def senses(profile: Device) -> frozenset[str]:
+    """What the device measures, and whether its filter has a position."""
+    found: set[str] = set()
+    for number, kind in registry.all_types():
+        if (number, kind.DESCRIPTOR) in profile.fields:
+            found.update(v.quantity for v in shown(kind, number).parameters.values())
+    return frozenset(sense for sense, quantity in _SENSES.items() if quantity in found)
+
+
+@cache
+def receiver_of(number: int) -> int:
+    """The GNSS receiver whose data a set has; 0: none."""
+    found = {
+        v.quantity[:6]
+        for set, kind in registry.all_types()
+        if set == number
+        for v in shown(kind, set).parameters.values()
+    }
+    return next((receiver for receiver in (1, 2) if f"gnss_{receiver}" in found), 0)
+
+
 def _packs(p: Parameter) -> bool:
     """Is it made of a known number of numbers?"""
     known = p.kind in ("scalar", "constant", "array") and isinstance(p.length, (int, type(None)))
@@ -71,20 +99,38 @@ def _recorded(source: FieldValues) -> bool:
 
 
 def _encoder(kind: type[Field], profile: Device, world: World, set: int, source: FieldValues, channel: str) -> Encoder:
-    readers, layout = _readers(kind, profile, world, set, source)
+    readers, layout = _readers(kind, profile, world, source)
     pack = _packer(layout)
+    encode = _valid_encoder(kind, profile, world, set, source, channel, readers, pack)
+    if not source.valid_if:
+        return encode
+    valid, nothing = QUANTITIES[source.valid_if], bytes(struct.calcsize(">" + layout))
+    return lambda: encode() if valid(world, None) else [nothing]
+
+
+def _valid_encoder(
+    kind: type[Field],
+    profile: Device,
+    world: World,
+    set: int,
+    source: FieldValues,
+    channel: str,
+    readers: list[Reader],
+    pack: Callable[..., bytes],
+) -> Encoder:
     if source.for_each:
         items = QUANTITIES[source.for_each]
         return lambda: [pack(*_joined(readers, item)) for item in items(world, None)]
     rate = profile.base_rates.get(set) or 0.0
     counting = [v.quantity for v in source.parameters.values() if v.quantity in INTERVALS]
-    if not counting:
+    means = any(v.quantity in MEANS for v in source.parameters.values())
+    if not counting and not means:
         plain = Output(rate)
         if len(readers) == 1:
             (only,) = readers
             return lambda: [pack(*only(plain))]
         return lambda: [pack(*_joined(readers, plain))]
-    output = world.output(set, counting[0], rate, channel)
+    output = world.output(set, counting[0], rate, channel) if counting else Output(rate, (set, kind.DESCRIPTOR))
 
     def encode() -> list[bytes]:
         output.begin(world)
@@ -114,11 +160,8 @@ def _joined(readers: list[Reader], item: Any) -> tuple[Any, ...]:
     return values
 
 
-def _readers(
-    kind: type[Field], profile: Device, world: World, set: int, source: FieldValues
-) -> tuple[list[Reader], str]:
+def _readers(kind: type[Field], profile: Device, world: World, source: FieldValues) -> tuple[list[Reader], str]:
     """What reads the parameters, neighbouring constants as one, and their layout."""
-    noise = Random(f"{world.seed}:{kind.name_in(set)}")
     readers: list[Reader] = []
     constants: tuple[Any, ...] = ()
     layout = ""
@@ -127,7 +170,7 @@ def _readers(
         letter = _LETTERS[p.scalar]
         layout += letter * count
         type_ = profile.readings.get(f"{kind.NAME}.{path}") or p.type
-        read = _reader(p, source.parameters.get(path), letter, count, type_, world, noise)
+        read = _reader(p, source.parameters.get(path), letter, count, type_, world)
         if count == 1 and isinstance(type_, type) and issubclass(type_, IntFlag):
             read = _with(read, _valid(kind, source, path, type_))
         if isinstance(read, tuple):
@@ -173,7 +216,7 @@ def _with(read: Reader | tuple[Any, ...], flags: int) -> Reader | tuple[Any, ...
 
 
 def _reader(
-    p: Parameter, value: Value | None, letter: str, count: int, type_: Any, world: World, noise: Random
+    p: Parameter, value: Value | None, letter: str, count: int, type_: Any, world: World
 ) -> Reader | tuple[Any, ...]:
     """What reads a parameter; its numbers themselves if they never change."""
     if p.constant is not None:
@@ -185,13 +228,14 @@ def _reader(
     function, factor = QUANTITIES[value.quantity], value.factor
     if isinstance(type_, type) and issubclass(type_, (IntEnum, IntFlag)):
         return _names(function, type_, world)
-    deviation = NOISE.get(value.quantity, 0.0) * world.noise * factor
     if letter not in "fd":
         return _whole(function, factor, letter, count, world)
     if count == 1:
-        return _single(function, factor, deviation, world, noise)
+        if factor == 1:
+            return lambda item: (function(world, item),)
+        return lambda item: (function(world, item) * factor,)
     if count == 3:
-        return _vector(function, factor, deviation, world, noise)
+        return _vector(function, factor, world)
     return lambda item: tuple([x * factor for x in function(world, item)])
 
 
@@ -211,31 +255,12 @@ def _numbers(given: Any, letter: str, count: int) -> tuple[Any, ...]:
     return tuple(kind(x) for x in (values + (0,) * count)[:count])
 
 
-def _single(function: Function, factor: float, deviation: float, world: World, noise: Random) -> Reader:
-    gauss = noise.gauss
-    if deviation:
-        return lambda item: (function(world, item) * factor + gauss(0.0, deviation),)
-    if factor == 1:
-        return lambda item: (function(world, item),)
-    return lambda item: (function(world, item) * factor,)
-
-
-def _vector(function: Function, factor: float, deviation: float, world: World, noise: Random) -> Reader:
-    gauss = noise.gauss
-
-    def noisy(item: Any) -> tuple[Any, ...]:
-        x, y, z = function(world, item)
-        return (
-            x * factor + gauss(0.0, deviation),
-            y * factor + gauss(0.0, deviation),
-            z * factor + gauss(0.0, deviation),
-        )
-
-    def exact(item: Any) -> tuple[Any, ...]:
+def _vector(function: Function, factor: float, world: World) -> Reader:
+    def read(item: Any) -> tuple[Any, ...]:
         x, y, z = function(world, item)
         return x * factor, y * factor, z * factor
 
-    return noisy if deviation else exact
+    return read
 
 
 def _whole(function: Function, factor: float, letter: str, count: int, world: World) -> Reader:

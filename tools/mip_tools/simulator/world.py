@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from math import cos, hypot, pi, sin
+from math import atan2, cos, hypot, pi, sin, sqrt
 from random import Random
-from typing import Any, TypeVar
+from typing import Any, NamedTuple, TypeVar
 
 from . import earth
 from .earth import SECOND, Matrix, Vector, turned, turned_back
-from .satellites import DAY, Dop, Seen, dop, seen
-from .state import Motion, Quaternion, State, quaternion
+from .estimate import Complementary, Filter
+from .facts import NOISE
+from .noise import Noise, Values
+from .satellites import DAY, Dop, Seen, dop, seen, without
+from .state import Motion, Quaternion, State, euler, quaternion, rotation
 
 T = TypeVar("T")
 
@@ -19,7 +22,25 @@ START = 2296 * earth.WEEK
 
 _IDENTITY: Matrix = (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)
 _GEOID = 45.0
+_SINGLE = ("measured.pressure", "measured.speed")  # sensors of one axis
 _ANTENNAS = {1: (-0.5, 0.0, -0.2), 2: (0.5, 0.0, -0.2)}
+
+
+_ZERO: Vector = (0.0, 0.0, 0.0)
+
+
+def _sum(a: Vector, b: Vector) -> Vector:
+    return a[0] + b[0], a[1] + b[1], a[2] + b[2]
+
+
+def _scaled(v: Sequence[float], k: float) -> Vector:
+    x, y, z = v
+    return x * k, y * k, z * k
+
+
+def _vector(v: Sequence[float]) -> Vector:
+    x, y, z = v
+    return x, y, z
 
 
 def _random(source: Random, limit: float) -> Vector:
@@ -27,13 +48,16 @@ def _random(source: Random, limit: float) -> Vector:
 
 
 class Output:
-    """One stream's view of quantities that count from the last time that they were sent."""
+    """One stream's view of quantities that count from the last time that they were sent, or that are its mean."""
 
-    __slots__ = ("attitude", "previous", "rate", "velocity")
+    __slots__ = ("attitude", "field", "filtered", "integrals", "previous", "rate", "velocity")
 
-    def __init__(self, rate: float) -> None:
+    def __init__(self, rate: float, field: tuple[int, int] = (0, 0)) -> None:
         self.rate = rate  # base rate of the data, Hz
+        self.field = field  # set and descriptor
         self.previous: int | None = None  # ns
+        self.integrals: dict[str, Values] = {}  # of the noise, when it was last sent
+        self.filtered: Values = ()  # what its low-pass filter showed then
         self.attitude: Quaternion = (1.0, 0.0, 0.0, 0.0)
         self.velocity: Vector = (0.0, 0.0, 0.0)
 
@@ -44,6 +68,8 @@ class Output:
             self.previous = max(world.booted, world.now - period)
             state = world.motion.at(self.previous / SECOND)
             self.attitude, self.velocity = state.quaternion, state.velocity
+            self.integrals.clear()
+            self.filtered = ()
 
     def end(self, world: World) -> None:
         """After all values of a field are sent."""
@@ -56,8 +82,9 @@ class Antenna:
 
     __slots__ = ("ecef", "height", "latitude", "longitude", "velocity")
 
-    def __init__(self, state: State, offset: Vector) -> None:
-        n, e, d = turned_back(state.dcm, offset)
+    def __init__(self, state: State, offset: Vector, wrong: Vector = _ZERO, faster: Vector = _ZERO) -> None:
+        """`wrong` and `faster`: errors of the position and the velocity, north, east, down."""
+        n, e, d = _sum(turned_back(state.dcm, offset), wrong)
         (m, across), height = earth.radii(state.latitude), state.height
         self.latitude = state.latitude + n / (m + height)
         self.longitude = state.longitude + e / ((across + height) * cos(state.latitude))
@@ -65,9 +92,17 @@ class Antenna:
         self.ecef = earth.ecef(self.latitude, self.longitude, self.height)
         p, q, r = state.rate
         x, y, z = offset
-        a, b, c = turned_back(state.dcm, (q * z - r * y, r * x - p * z, p * y - q * x))
-        u, v, w = state.velocity
-        self.velocity = (u + a, v + b, w + c)
+        turning = turned_back(state.dcm, (q * z - r * y, r * x - p * z, p * y - q * x))
+        self.velocity = _sum(_sum(state.velocity, turning), faster)
+
+
+class Place(NamedTuple):
+    """Where the filter believes the point to be that the user has chosen."""
+
+    latitude: float
+    longitude: float
+    height: float
+    velocity: Vector
 
 
 class World:
@@ -85,23 +120,52 @@ class World:
         self.booted = 0  # when the device was last restarted
         self.time = 0.0  # the same in seconds
         self.gps = self.start  # ns since the GPS epoch
-        self.accel_bias: Vector = (0.0, 0.0, 0.0)  # settings: the sensors subtract them, m/s^2 and rad/s
-        self.gyro_bias: Vector = (0.0, 0.0, 0.0)
         self.pins: dict[int, bool] = {}  # levels of outputs, by pin from 1
         self.signals: dict[int, bool] = {}  # levels that come from outside
         self.pulled_up: set[int] = set()  # pins that are high without a signal
         self.trigger = 0  # the event trigger that causes what is sent now; 0: none
+        self.senses: frozenset[str] | None = None  # what a device has of mag, pressure, position, gnss_1; None: all
+        self.gnss = True  # the receivers receive satellites
+        self.disturbance: Vector = _ZERO  # of the magnetic field, in the sensor frame
+        self.started = False  # settings are applied
+        self.set_up()
         bias = Random(f"{seed}:bias")
         #: The whole biases of the sensors.
-        self.accel_error = _random(bias, 0.02)
-        self.gyro_error = _random(bias, 5e-4)
+        self._accel_error = _random(bias, 0.02)
+        self._gyro_error = _random(bias, 5e-4)
+        self.sensors = {
+            name: Noise(1 if name in _SINGLE else 3, Random(f"{seed}:{name}"), **figures)
+            for name, figures in NOISE.items()
+        }
+        self.filter = Filter(self, settled=True)
+        self.complementary = Complementary(self)
         self._outputs: dict[tuple[int, str, str], Output] = {}
         self._state: State | None = None
         self._known: dict[str, Any] = {}
         self._turn: Matrix | None = None
         first = motion.at(0.0)
         #: Reference point of the relative position.
-        self.origin: Vector = earth.ecef(first.latitude, first.longitude, first.height)
+        self.start_place: Vector = earth.ecef(first.latitude, first.longitude, first.height)
+
+    def set_up(self) -> None:
+        """What settings change is as on a new device."""
+        self.accel_bias = self.gyro_bias = _ZERO
+        self.hard_iron: Vector = _ZERO
+        self.soft_iron: Matrix = _IDENTITY
+        self.ranges: dict[str, float] = {}  # of sensors: accel in m/s^2, gyro in rad/s, mag in gauss
+        self.cutoffs: dict[tuple[int, int], float] = {}  # of low-pass filters in Hz, by set and descriptor
+        self.offset: Vector = _ZERO  # of the point whose position is shown, in the vehicle frame
+        self.reference: Vector | None = None  # point of the relative position, Earth-fixed; None: the start
+        self.model: Vector | None = None  # latitude, longitude, height for gravity and magnetic field; None: its own
+        self.odometer = 0.0  # relative uncertainty; 0: there is none
+        self.pulse = True  # the pulse per second is used
+        self.signals_off: frozenset[str] = frozenset()  # constellations that are switched off
+        self.augmented = True  # SBAS is used
+
+    @property
+    def origin(self) -> Vector:
+        """Reference point of the relative position."""
+        return self.reference or self.start_place
 
     def move_to(self, nanoseconds: int) -> None:
         """The time since the start."""
@@ -128,9 +192,17 @@ class World:
         return found
 
     def restart(self) -> None:
-        """The device restarts: its own clock is at 0, and it removes no bias."""
+        """The device restarts: its own clock is at 0, and its settings have yet to be applied."""
         self.booted = self.now
-        self.accel_bias = self.gyro_bias = (0.0, 0.0, 0.0)
+        self.set_up()
+        self.started = False
+        if self.now:
+            self.filter = Filter(self, settled=False)
+
+    def advance(self) -> None:
+        """What goes on by itself is at this time, before a setting changes it: unless the device is starting."""
+        if self.started:
+            self.filter.advance()
 
     def set_gps(self, week: int | None = None, tow: float | None = None) -> None:
         """Sets the GPS week, or the whole seconds of the time of week."""
@@ -175,6 +247,10 @@ class World:
         """A vector of the sensor frame in the vehicle frame."""
         return v if self._turn is None else turned(self._turn, v)
 
+    def vehicle_of(self, state: State) -> Matrix:
+        """The attitude of the vehicle in a state."""
+        return state.dcm if self._turn is None else earth.product(self._turn, state.dcm)
+
     def body(self, v: Vector) -> Vector:
         """A vector of the local level frame in the vehicle frame."""
         return self.vehicle(turned(self.state.dcm, v))
@@ -207,21 +283,174 @@ class World:
         return turned(self.state.dcm, (n, e, d - self.gravity))
 
     @property
+    def accel_error(self) -> Vector:
+        """The whole bias of the sensor at this time."""
+        return self._error("measured.specific_force", self._accel_error)
+
+    @property
+    def gyro_error(self) -> Vector:
+        return self._error("measured.angular_rate", self._gyro_error)
+
+    @property
+    def accel_constant(self) -> Vector:
+        """The part of it that does not change."""
+        return self._accel_error
+
+    @property
+    def gyro_constant(self) -> Vector:
+        return self._gyro_error
+
+    @property
+    def accel_constant_left(self) -> Vector:
+        return _sum(self._accel_error, _scaled(self.accel_bias, -1.0))
+
+    @property
+    def gyro_constant_left(self) -> Vector:
+        return _sum(self._gyro_error, _scaled(self.gyro_bias, -1.0))
+
+    def _error(self, sensor: str, constant: Vector) -> Vector:
+        noise = self.sensors.get(sensor)
+        if noise is None or not self.noise:
+            return constant
+        noise.integral(self.now)
+        return _sum(constant, _scaled(noise.bias, self.noise))
+
+    @property
     def accel_bias_left(self) -> Vector:
         """The part that the setting does not remove."""
-        (a, b, c), (x, y, z) = self.accel_error, self.accel_bias
-        return a - x, b - y, c - z
+        return _sum(self.accel_error, _scaled(self.accel_bias, -1.0))
 
     @property
     def gyro_bias_left(self) -> Vector:
-        (a, b, c), (x, y, z) = self.gyro_error, self.gyro_bias
-        return a - x, b - y, c - z
+        return _sum(self.gyro_error, _scaled(self.gyro_bias, -1.0))
+
+    def mean_noise(self, sensor: str, out: Any) -> Values | None:
+        """The noise of a sensor, its drift among it, in the mean since the last output; None: there is none."""
+        added = self.added_noise(sensor, out)
+        passed = (self.now - out.previous) / SECOND if added else 0.0
+        return tuple([x / passed for x in added]) if added and passed > 0 else None
+
+    def added_noise(self, sensor: str, out: Any) -> Values | None:
+        """The same, as an integral."""
+        noise = self.sensors.get(sensor)
+        if noise is None or not self.noise or not isinstance(out, Output):
+            return None
+        now = noise.integral(self.now)
+        before = out.integrals.get(sensor)
+        if before is None:
+            before = noise.before(out.previous or 0, self.now)
+        out.integrals[sensor] = now
+        return tuple([self.noise * (x - y) for x, y in zip(now, before)])
+
+    def low_passed(self, sensor: str, out: Any, values: Values) -> Values:
+        """What the low-pass filter of a field makes of values, which are means since the last output.
+
+        Without a setting, its cutoff is half the rate of the output: that is the mean.
+        """
+        cutoff = self.cutoffs.get(out.field) if isinstance(out, Output) else None
+        passed = (self.now - out.previous) / SECOND if cutoff is not None else 0.0
+        if cutoff is None or passed <= 0:
+            return values
+        ratio = 2 * cutoff * passed
+        if ratio < 1:  # a filter of the first order that leaves this part of the variance
+            gain = 2 * ratio / (1 + ratio)
+            before = out.filtered or values
+            values = out.filtered = tuple([y + gain * (x - y) for x, y in zip(values, before)])
+            return values
+        noise = self.sensors.get(sensor)
+        more = min(2 * cutoff, max(out.rate, 1 / passed)) - 1 / passed
+        if noise is None or not self.noise or more <= 0:
+            return values
+        return tuple([x + y for x, y in zip(values, noise.white(self.noise * noise.density * sqrt(more)))])
+
+    def within(self, sensor: str, v: Vector) -> Vector:
+        """A measurement within the range of its sensor."""
+        most = self.ranges.get(sensor)
+        if most is None:
+            return v
+        x, y, z = v
+        return min(max(x, -most), most), min(max(y, -most), most), min(max(z, -most), most)
 
     @property
     def magnetic_field(self) -> Vector:
         """North, east, down."""
         s = self.state
         return earth.magnetic_field(s.latitude, s.longitude, s.height)
+
+    @property
+    def declination(self) -> float:
+        north, east, _ = self.magnetic_field
+        return atan2(east, north)
+
+    @property
+    def modelled(self) -> Vector:
+        """Latitude, longitude and height for which gravity and the magnetic field are computed."""
+        s = self.state
+        return self.model or (s.latitude, s.longitude, s.height)
+
+    @property
+    def synchronized(self) -> bool:
+        """Is there a pulse per second?"""
+        return self.pulse and self.gnss
+
+    def has(self, sense: str) -> bool:
+        """Does the device measure or estimate this?"""
+        return self.senses is None or sense in self.senses
+
+    # ------------------------------------------------------------------ filter
+
+    @property
+    def attitude(self) -> tuple[Quaternion, Matrix]:
+        """Of the vehicle, as the filter estimates it."""
+        return self.once("attitude", self._attitude)
+
+    def _attitude(self) -> tuple[Quaternion, Matrix]:
+        self.filter.advance()
+        since = self.filter.since
+        wrong = [pair.error + pair.rate * since for pair in self.filter.attitude]
+        if not any(wrong):
+            return self.quaternion, self.dcm
+        roll, pitch, yaw = euler(self.dcm)
+        return rotation(roll + wrong[0], pitch + wrong[1], yaw + wrong[2])
+
+    @property
+    def place(self) -> Place:
+        """Position and velocity as the filter estimates them."""
+        return self.once("place", self._place)
+
+    def _place(self) -> Place:
+        s = self.state
+        p: Any = Antenna(s, turned_back(self.sensor_to_vehicle, self.offset)) if self.offset != _ZERO else s
+        self.filter.advance()
+        if not self.filter.placed:
+            return Place(p.latitude, p.longitude, p.height, p.velocity)
+        since = self.filter.since
+        a, b, c = self.filter.navigation
+        along, across = earth.radii(p.latitude)
+        u, v, w = p.velocity
+        return Place(
+            p.latitude + (a.error + a.rate * since) / (along + p.height),
+            p.longitude + (b.error + b.rate * since) / ((across + p.height) * cos(p.latitude)),
+            p.height - (c.error + c.rate * since),
+            (u + a.rate, v + b.rate, w + c.rate),
+        )
+
+    @property
+    def gyro_bias_error(self) -> Vector:
+        """How wrong the estimate of the bias is that the setting does not remove."""
+        self.filter.advance()
+        known = self.filter.options.estimated
+        if known is not None and "gyro_bias" not in known:
+            return _scaled(self.gyro_bias_left, -1.0)
+        return _scaled([pair.rate for pair in self.filter.attitude], -1.0)
+
+    @property
+    def accel_bias_error(self) -> Vector:
+        self.filter.advance()
+        known = self.filter.options.estimated
+        if known is not None and "accel_bias" not in known:
+            return _scaled(self.accel_bias_left, -1.0)
+        return _vector([pair.error for pair in self.filter.accel_bias])
 
     # ------------------------------------------------------------------ surroundings
 
@@ -253,6 +482,15 @@ class World:
     def antenna(self, receiver: int) -> Antenna:
         return self.once(f"antenna {receiver}", lambda: Antenna(self.state, _ANTENNAS[receiver]))
 
+    def fix(self, receiver: int) -> Antenna:
+        """Where the receiver believes its antenna to be."""
+        return self.once(f"fix {receiver}", lambda: self._fix(receiver))
+
+    def _fix(self, receiver: int) -> Antenna:
+        self.filter.advance()
+        wrong, faster = self.filter.fix_errors[receiver]
+        return Antenna(self.state, _ANTENNAS[receiver], wrong, faster) if self.noise else self.antenna(receiver)
+
     def clock(self, receiver: int) -> tuple[float, float]:
         """Bias and drift of the clock of a receiver: it swings once a day."""
         rate = 2 * pi / 86_400
@@ -261,9 +499,12 @@ class World:
 
     def satellites(self, receiver: int) -> tuple[Seen, ...]:
         def look() -> tuple[Seen, ...]:
+            if not self.gnss:
+                return ()
             a = self.antenna(receiver)
             moves = earth.from_ned(a.latitude, a.longitude, a.velocity)
-            return seen(self.gps, a.latitude, a.longitude, a.height, moves, *self.clock(receiver))
+            found = seen(self.gps, a.latitude, a.longitude, a.height, moves, *self.clock(receiver))
+            return without(found, self.signals_off) if self.signals_off else found
 
         return self.once(f"satellites {receiver}", look)
 

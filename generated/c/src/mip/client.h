@@ -11,8 +11,9 @@
  *     mip_client_expect(&request, &mip_..._response_codec, &response);
  *     ... send mip_builder_finish(&builder) ...
  *     while (request.state == MIP_REQUEST_WAITING) {
- *         ... mip_client_receive(&client, &packet) for each packet that mip_parser_next gives ...
- *         while (mip_client_poll(&client, &parser, now, &packet)) {
+ *         ... read, at most, `size` bytes to `data` ...
+ *         while (mip_parser_next(&parser, &data, &size, &packet) ||
+ *                mip_client_poll(&client, &parser, now, &packet)) {
  *             mip_client_receive(&client, &packet);
  *         }
  *     }
@@ -98,16 +99,8 @@ struct mip_command {
 
 /** One command that was sent. */
 struct mip_request {
-    /** A MIP_REQUEST_... value. */
-    uint8_t state;
-    /** The acknowledge code of the answer, if there is one: a value of enum mip_ack_code. */
-    uint8_t code;
-    /** Has the response been stored? */
-    bool responded;
-    /** A mip_error: what is wrong with the response; its structure is then zeroed. */
-    uint8_t error;
-    /** The barrier that must be answered first, by the payload of its answer. 0: none. */
-    uint8_t behind;
+    /** The next waiting request. */
+    struct mip_request *next;
     /** How the command is answered. */
     const struct mip_exchange *exchange;
     /** The response that it requests; NULL if it requests none. */
@@ -119,8 +112,16 @@ struct mip_request {
     void *response;
     /** When the request times out, in the caller's milliseconds. */
     uint32_t deadline;
-    /** The next waiting request. */
-    struct mip_request *next;
+    /** A MIP_REQUEST_... value. */
+    uint8_t state;
+    /** The acknowledge code of the answer, if there is one: a value of enum mip_ack_code. */
+    uint8_t code;
+    /** A mip_error: what is wrong with the response; its structure is then zeroed. */
+    uint8_t error;
+    /** Has the response been stored? */
+    bool responded;
+    /** The barrier that must be answered first, by the payload of its answer. 0: none. */
+    uint8_t behind;
 };
 
 /** The commands that are waiting for an answer, oldest first. */
@@ -222,10 +223,6 @@ MIP_API bool mip_client_passes(struct mip_client *client, const struct mip_packe
  * packet is to be sent behind a barrier. */
 MIP_API void mip_client_miss(struct mip_client *client);
 
-/** The fields of a barrier without its header, for mip/device.h, where nothing else waits: their
- * size, or 0. */
-MIP_API size_t mip_client_guard(struct mip_client *client, uint8_t *fields);
-
 /**
  * The same step by step, for callers that also use the other fields of the packet: continues a
  * walk, from its start or any other point. False at the end. Otherwise, either `*answered` is the
@@ -241,11 +238,11 @@ MIP_API bool mip_client_next(struct mip_client *client, struct mip_walk *walk,
                              struct mip_request **answered, struct mip_field *field);
 
 /**
- * Updates the time. Call it until it returns false; then the overdue requests have timed out.
- * Before that, it searches the bytes that the parser holds back, because noise that looks like the
- * start of a packet may hide an answer: it returns true if it finds a packet, which the caller
- * handles like any other. An incomplete packet is kept. `parser` is the parser of the packets, or
- * NULL.
+ * Updates the time. Call it when mip_parser_next has returned false, until both do; then the
+ * overdue requests have timed out. Before that, it searches the bytes that the parser holds back,
+ * because noise that looks like the start of a packet may hide an answer: it returns true if it
+ * finds a packet, which the caller handles like any other. An incomplete packet is kept. `parser`
+ * is the parser of the packets, or NULL.
  */
 MIP_API bool mip_client_poll(struct mip_client *client, struct mip_parser *parser, uint32_t now,
                              struct mip_packet *packet);

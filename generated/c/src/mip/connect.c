@@ -10,9 +10,8 @@ static const uint32_t bauds[] = {115200, 3000000, 921600, 460800, 230400,
                                  57600,  38400,   19200,  9600,   4800};
 
 /** A packet: something has been heard. */
-static void hear(void *user, const struct mip_device *device, bool begins) {
+static void hear(void *user, const struct mip_device *device) {
     (void)device;
-    (void)begins;
     *(bool *)user = true;
 }
 
@@ -60,7 +59,7 @@ typedef struct mip_result step(struct mip_device *device, void *shared);
 /** Sends commands, each as often as it needs, until one fails. */
 static struct mip_result run(struct mip_device *device, step *const *steps, size_t count,
                              void *shared) {
-    struct mip_result result = {MIP_ACKNOWLEDGED, 0, MIP_OK};
+    struct mip_result result = {MIP_ACKNOWLEDGED, 0, MIP_OK, false};
     for (size_t i = 0; i < count && mip_succeeded(result); i++) {
         struct mip_retry retry = MIP_RETRY;
         do {
@@ -158,7 +157,7 @@ static uint16_t decimation(float base, float wanted) {
 /** No command: computes the decimations, if the device has all rates. */
 static struct mip_result divide(struct mip_device *device, void *shared) {
     struct plan *plan = (struct plan *)shared;
-    struct mip_result result = {MIP_ACKNOWLEDGED, 0, MIP_OK};
+    struct mip_result result = {MIP_ACKNOWLEDGED, 0, MIP_OK, false};
     const uint16_t base = plan->base.rate;
     (void)device;
     for (size_t i = 0; i < plan->count; i++) {
@@ -214,7 +213,7 @@ struct mip_result mip_device_stream(struct mip_device *device, uint8_t descripto
     static step *const steps[] = {base_rate, divide, format, stream, resume};
     struct plan plan;
     if (count > sizeof(plan.fields) / sizeof(plan.fields[0])) {
-        const struct mip_result result = {MIP_NOT_SENT, 0, MIP_ERROR_COUNT};
+        const struct mip_result result = {MIP_NOT_SENT, 0, MIP_ERROR_COUNT, false};
         return result;
     }
     plan.descriptor_set = descriptor_set;

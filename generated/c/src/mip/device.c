@@ -13,34 +13,29 @@ void mip_device_init(struct mip_device *device, const struct mip_port *port,
     device->client.timeout = MIP_DEFAULT_TIMEOUT;
 }
 
+/* No field has descriptor 0. */
 const struct mip_codec mip_any_field = {0, 0, 0, 0, 0, 0, 0, NULL, NULL};
 
 /** Is a handler for this field? */
 static bool is_for(const struct mip_handler *handler, const struct mip_field *field) {
-    return (handler->descriptor_set == MIP_ANY_SET ||
+    const struct mip_codec *type = handler->type;
+    return type != NULL &&
+           (handler->descriptor_set == MIP_ANY_SET ||
             handler->descriptor_set == field->descriptor_set) &&
-           (handler->type == MIP_ANY_FIELD ||
-            (handler->type != NULL && mip_field_is(field, handler->type)));
-}
-
-/** Tells the observer, if there is one. */
-static void tell(const struct mip_device *device, bool begins) {
-    const struct mip_observer *observer = device->observer;
-    if (observer != NULL) {
-        observer->packet(observer->user, device, begins);
-    }
+           (type->descriptor == 0 || mip_field_is(field, type));
 }
 
 /** Gives the answers in a packet to the client, and the other fields to the handlers. */
 static void handle(struct mip_device *device, const struct mip_packet *packet) {
-    struct mip_walk walk = mip_walk_packet(packet);
+    struct mip_walk walk = {packet->bytes + MIP_HEADER_SIZE,
+                            packet->bytes + packet->size - MIP_CHECKSUM_SIZE,
+                            packet->descriptor_set, MIP_OK};
     struct mip_request *answered;
     struct mip_field field;
     if (mip_client_passes(&device->client, packet)) {
         return;
     }
     device->packet = packet;
-    tell(device, true);
     while (mip_client_next(&device->client, &walk, &answered, &field)) {
         const struct mip_handler *h = device->handlers;
         size_t left = answered == NULL ? device->handler_count : 0;
@@ -51,7 +46,9 @@ static void handle(struct mip_device *device, const struct mip_packet *packet) {
             h->handle(h->user, &field, device->heard);
         }
     }
-    tell(device, false);
+    if (device->observer != NULL) {
+        device->observer->packet(device->observer->user, device);
+    }
     device->packet = NULL;
 }
 
@@ -73,8 +70,7 @@ static bool update(struct mip_device *device, uint8_t *bytes) {
     const bool ended =
         !open || (device->silence > 0 && (uint32_t)(now - device->heard) >= device->silence);
     if (size == MIP_MAX_PACKET) { /* the answer may already be waiting after what was read */
-        const uint32_t timeout = device->client.timeout;
-        now -= timeout < MIP_DEFAULT_TIMEOUT ? timeout : MIP_DEFAULT_TIMEOUT;
+        now -= device->client.timeout;
     }
     while (mip_parser_next(&device->parser, &data, &size, &packet) ||
            (ended && mip_parser_flush(&device->parser, &packet)) ||
@@ -94,59 +90,51 @@ bool mip_device_poll(struct mip_device *device) {
 /** The place of a command's data in its packet. */
 #define DATA (MIP_HEADER_SIZE + 2)
 
-/** Sends a packet whose fields are at their place. */
-static bool transmit(const struct mip_device *device, uint8_t descriptor_set, uint8_t *bytes,
-                     size_t size) {
-    const size_t end = MIP_HEADER_SIZE + size;
-    bytes[0] = MIP_SYNC_1;
-    bytes[1] = MIP_SYNC_2;
-    bytes[2] = descriptor_set;
-    bytes[3] = (uint8_t)size;
-    mip_put_16(bytes + end, mip_checksum(bytes, end));
-    return device->port.write(device->port.user, bytes, end + MIP_CHECKSUM_SIZE);
-}
-
-/** Before a command: false in a handler. */
-static bool begin(struct mip_device *device, struct mip_request *request, uint8_t *bytes) {
-    if (request->response != NULL) {
-        memset(request->response, 0, request->codec->size);
-    }
-    if (device->packet != NULL) {
-        request->state = MIP_BUSY;
-        return false;
-    }
-    const size_t size = mip_client_guard(&device->client, bytes + MIP_HEADER_SIZE);
-    if (size > 0 && !transmit(device, MIP_BARRIER_SET, bytes, size)) {
-        mip_client_miss(&device->client); /* the next one is another */
-        return false;
-    }
-    return true;
+/** Sends the barrier that must come before the next command, if there is one. */
+static bool guard(struct mip_device *device) {
+    uint8_t bytes[MIP_MAX_BARRIER];
+    const size_t size = mip_client_barrier(&device->client, bytes);
+    return size == 0 || device->port.write(device->port.user, bytes, size);
 }
 
 /** Sends a command, whose data are at their place in the packet, and waits for its answer. */
 static void carry_out(struct mip_device *device, struct mip_request *request, uint8_t *bytes,
                       size_t size) {
-    const struct mip_port *port = &device->port;
-    bytes[4] = (uint8_t)(size + 2);
-    bytes[5] = request->exchange->descriptor;
-    if (transmit(device, request->exchange->descriptor_set, bytes, size + 2)) {
-        mip_client_wait(&device->client, request, bytes + MIP_HEADER_SIZE, port->now(port->user));
-        while (request->state == MIP_REQUEST_WAITING) {
-            if (!update(device, bytes)) {                    /* the packet is gone */
-                mip_client_cancel(&device->client, request); /* unless the last bytes answered it */
+    if (request->response != NULL) {
+        memset(request->response, 0, request->codec->size);
+    }
+    if (device->packet != NULL) { /* in a handler */
+        request->state = MIP_BUSY;
+    } else if (request->error == MIP_OK) {
+        const struct mip_port *port = &device->port;
+        bytes[4] = (uint8_t)(size + 2);
+        bytes[5] = request->exchange->descriptor;
+        size = mip_packet_seal(bytes, request->exchange->descriptor_set, size + 2);
+        if (guard(device) && port->write(port->user, bytes, size)) {
+            mip_client_wait(&device->client, request, bytes + MIP_HEADER_SIZE,
+                            port->now(port->user));
+            while (request->state == MIP_REQUEST_WAITING) {
+                if (!update(device, bytes)) {                    /* the packet is gone */
+                    mip_client_cancel(&device->client, request); /* unless it was just answered */
+                }
             }
+        } else {
+            mip_client_miss(&device->client); /* a part may have been sent */
         }
-    } else {
-        mip_client_miss(&device->client); /* a part may have been sent */
     }
 }
 
 /** The states of a request are its outcomes; one that never waited was not sent. */
 static struct mip_result result_of(const struct mip_request *request) {
     struct mip_result result;
+    if (sizeof(result) == 4) { /* one word, in the same order */
+        memcpy(&result, &request->state, 4);
+        return result;
+    }
     result.outcome = (enum mip_outcome)request->state;
     result.code = request->code;
     result.error = request->error;
+    result.responded = request->responded;
     return result;
 }
 
@@ -154,19 +142,15 @@ struct mip_result mip_device_call(struct mip_device *device, const struct mip_co
                                   const void *value, const struct mip_codec *codec,
                                   void *response) {
     uint8_t bytes[MIP_MAX_PACKET];
+    struct mip_builder builder;
     struct mip_request request;
     memset(&request, 0, sizeof(request));
     request.exchange = command->exchange;
     request.codec = codec;
     request.response = response;
-    if (begin(device, &request, bytes)) {
-        struct mip_builder builder;
-        mip_builder_start(&builder, bytes, sizeof(bytes), command->exchange->descriptor_set);
-        request.error = (uint8_t)mip_command_encode(command, value, &builder);
-        if (request.error == MIP_OK) {
-            carry_out(device, &request, bytes, builder.length - DATA);
-        }
-    }
+    mip_builder_start(&builder, bytes, sizeof(bytes), command->exchange->descriptor_set);
+    request.error = (uint8_t)mip_command_encode(command, value, &builder);
+    carry_out(device, &request, bytes, builder.length - DATA);
     return result_of(&request);
 }
 
@@ -179,15 +163,11 @@ struct mip_result mip_device_send(struct mip_device *device, const struct mip_ex
     request.exchange = exchange;
     request.codec = codec;
     request.response = response;
-    if (begin(device, &request, bytes)) {
-        if (size > MIP_MAX_FIELD_DATA) {
-            request.error = MIP_ERROR_COUNT;
-        } else {
-            if (size > 0) {
-                memcpy(bytes + DATA, data, size);
-            }
-            carry_out(device, &request, bytes, size);
-        }
+    if (size > MIP_MAX_FIELD_DATA) {
+        request.error = MIP_ERROR_COUNT;
+    } else if (size > 0) {
+        memcpy(bytes + DATA, data, size);
     }
+    carry_out(device, &request, bytes, size);
     return result_of(&request);
 }

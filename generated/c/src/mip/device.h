@@ -74,13 +74,13 @@ struct mip_device;
 /** Is told of packets, for programs that handle all fields of a packet together. */
 struct mip_observer {
     /**
-     * Is called before the fields of a packet are handled, and after that: `begins` tells which.
-     * `device->packet` is the packet, and `device->heard` the time when its last bytes had been
-     * read. If `device->parser.skipped` has changed since the packet before, there was a gap: bytes
-     * that are not part of a packet, such as an NMEA sentence or a damaged packet. What handlers
-     * must not do, it must not do either.
+     * Is called after the fields of a packet were handled, if there were any. `device->packet` is
+     * the packet, and `device->heard` the time when its last bytes had been read. If
+     * `device->parser.skipped` has changed since the packet before, there was a gap: bytes that are
+     * not part of a packet, such as an NMEA sentence or a damaged packet. What handlers must not
+     * do, it must not do either.
      */
-    void (*packet)(void *user, const struct mip_device *device, bool begins);
+    void (*packet)(void *user, const struct mip_device *device);
     /** Is passed to it. */
     void *user;
 };
@@ -102,7 +102,7 @@ struct mip_device {
      * that belong together, such as a time stamp and the values of that time. NULL outside
      * handlers and observers. */
     const struct mip_packet *packet;
-    /** Is told where packets begin and end; NULL, unless the program sets it. It stays where it is,
+    /** Is told where each packet ends; NULL, unless the program sets it. It stays where it is,
      * and may be constant. */
     const struct mip_observer *observer;
     /** Its `timeout` is how long the device may take to answer. */
@@ -138,13 +138,15 @@ enum mip_outcome {
 };
 
 /** The outcome of a command, and the reason. */
-struct mip_result {
+struct MIP_WORD mip_result {
     /** The outcome. */
     enum mip_outcome outcome;
     /** The acknowledge code of the answer, if there was one: a value of enum mip_ack_code. */
     uint8_t code;
     /** A mip_error, with MIP_NOT_SENT and MIP_UNDECODABLE. */
     uint8_t error;
+    /** Has the response been stored? */
+    bool responded;
 };
 
 /** Has the command been carried out, as far as is known? */
@@ -213,7 +215,7 @@ MIP_API bool mip_device_poll(struct mip_device *device);
  * further wait.
  *
  * While each read fills all the room that it is given, the answer may be in what is read next: then
- * the call waits up to twice as long as `timeout`, but at most one second longer.
+ * the call waits up to twice as long as `timeout`.
  */
 MIP_API struct mip_result mip_device_call(struct mip_device *device,
                                           const struct mip_command *command, const void *value,

@@ -139,9 +139,10 @@ template <class Command, class Response, std::uint8_t... Function> struct fixed_
 
   private:
     static mip_result send(mip_device *device, const mip_codec *codec, void *answer) {
-        const std::uint8_t data[] = {Function..., 0};
-        return mip_device_send(device, &exchange<Command>::answers(), data, sizeof...(Function),
-                               codec, answer);
+        static constexpr std::uint8_t data[] = {Function..., 0};
+        return mip_device_send(device, &exchange<Command>::answers(),
+                               sizeof...(Function) > 0 ? data : nullptr, sizeof...(Function), codec,
+                               answer);
     }
 };
 
@@ -220,10 +221,12 @@ template <std::size_t Handlers = 8> class device {
                       "a handler takes the value, and perhaps the field and the time");
         add(&traits<T>::codec(), descriptor_set, handler,
             [](void *user, const mip_field *from, std::uint32_t arrived) {
-                const field received(*from);
                 T value;
-                if (received.decode(value) == MIP_OK) {
-                    detail::call(*std::launder(static_cast<F *>(user)), value, received, arrived);
+                c_type<T> &to = value;
+                if (mip_decode_only(&traits<T>::codec(), traits<T>::descriptor, &to, sizeof(to),
+                                    from) == MIP_OK) {
+                    detail::call(*std::launder(static_cast<F *>(user)), value, field(*from),
+                                 arrived);
                 }
             });
     }
@@ -299,13 +302,21 @@ template <std::size_t Handlers = 8> class device {
         static_assert(std::is_trivially_copyable_v<F> && std::is_trivially_destructible_v<F> &&
                           sizeof(F) <= sizeof(room) && alignof(F) <= alignof(room),
                       "a handler captures too much: capture a reference, or use std::ref");
+        if (void *at = enter(type, descriptor_set, handle)) {
+            new (at) F(handler);
+        }
+    }
+    /** The part of it that all handlers share; returns the place of what they capture. */
+    void *enter(const mip_codec *type, std::uint8_t descriptor_set,
+                void (*handle)(void *, const mip_field *, std::uint32_t)) {
         const std::size_t next = device_.handler_count;
         if (next == Handlers) {
             full_ = true;
-            return;
+            return nullptr;
         }
-        entries_[next] = {type, descriptor_set, handle, new (captured_[next].bytes) F(handler)};
         device_.handler_count++;
+        entries_[next] = {type, descriptor_set, handle, captured_[next].bytes};
+        return captured_[next].bytes;
     }
 
     mip_device device_;

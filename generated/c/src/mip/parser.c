@@ -168,9 +168,16 @@ MIP_APART bool scan(struct mip_parser *parser, const uint8_t **data, size_t *siz
 }
 #endif
 
-/** Looks for a packet in the buffer, with as many of the caller's bytes as it needs. */
+#ifdef __OPTIMIZE_SIZE__
+#define search mip_parser_next /* the only way */
+#else
 static bool search(struct mip_parser *parser, const uint8_t **data, size_t *size,
-                   struct mip_packet *packet) {
+                   struct mip_packet *packet);
+#endif
+
+/** Looks for a packet in the buffer, with as many of the caller's bytes as it needs. */
+bool search(struct mip_parser *parser, const uint8_t **data, size_t *size,
+            struct mip_packet *packet) {
 #ifndef __OPTIMIZE_SIZE__
     const size_t given = *size;
     parser->missing = 0;
@@ -264,11 +271,9 @@ MIP_APART bool begin(struct mip_parser *parser, const uint8_t **data, size_t *si
 }
 #endif
 
+#ifndef __OPTIMIZE_SIZE__
 bool mip_parser_next(struct mip_parser *parser, const uint8_t **data, size_t *size,
                      struct mip_packet *packet) {
-#ifdef __OPTIMIZE_SIZE__
-    return search(parser, data, size, packet);
-#else
     /* Packet after packet, without a call; the shortest ones apart, as they have no whole block. */
     const uint8_t *bytes = *data;
     if (parser->length > 0) {
@@ -291,8 +296,8 @@ bool mip_parser_next(struct mip_parser *parser, const uint8_t **data, size_t *si
     *data += packet->size;
     *size -= packet->size;
     return true;
-#endif
 }
+#endif
 
 bool mip_parser_look_behind(struct mip_parser *parser, struct mip_packet *packet) {
     const uint8_t *nothing = parser->buffer;

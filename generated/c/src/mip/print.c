@@ -449,14 +449,16 @@ static void put_head(const struct mip_print *print, uint8_t descriptor_set, size
 
 static void put_fields(const struct mip_print *print, const struct mip_packet *packet) {
     struct mip_walk walk = mip_walk_packet(packet);
+    const uint8_t *at = walk.at;
     struct mip_field field;
     put(print, "\n");
     while (mip_walk_next(&walk, &field)) {
         put_field(print, 1, &field);
+        at = walk.at;
     }
     if (walk.error != MIP_OK) {
         put_error(print, 1, mip_error_name(walk.error));
-        put_bytes(print, 1, "raw:", walk.at, (size_t)(walk.end - walk.at));
+        put_bytes(print, 1, "raw:", at, (size_t)(walk.end - at));
     }
 }
 

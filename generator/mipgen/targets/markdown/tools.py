@@ -36,4 +36,10 @@ TOOLS = (
         "Finds a field by its descriptor in any form, its name, a symbol in C, Python or Rust, the vendor's name, "
         "or other words. So does the search at the top of every page.",
     ),
+    Tool(
+        "live",
+        "Live device",
+        "Connects to a device at a serial port, or to one that `mip serve` shares: plots and numbers, attitude, "
+        "commands, recordings and settings.",
+    ),
 )

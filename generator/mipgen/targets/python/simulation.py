@@ -15,6 +15,7 @@ def document(model: m.Model) -> str:
     shown = {s.field.full_name if s.set is None else s.field.name_in(s.set): s for s in simulation.sources}
     parts: dict[str, dict[str, Any]] = {
         "functions": {f.letter: f.value for f in model.protocol.functions},
+        "noise": {q.name: dict(q.noise) for q in simulation.quantities if q.noise},
         "values": {name: _source(s) for name, s in shown.items()},
         "commands": {b.command.full_name: _behavior(b) for b in simulation.behaviors},
     }
@@ -31,7 +32,7 @@ def _json(value: object) -> str:
 
 
 def _source(s: Source) -> dict[str, Any]:
-    entry = {"for_each": s.for_each, "parameters": {v.path: _value(v) for v in s.values}}
+    entry = {"for_each": s.for_each, "valid_if": s.valid_if, "parameters": {v.path: _value(v) for v in s.values}}
     return {k: x for k, x in entry.items() if x}
 
 

@@ -193,7 +193,7 @@ static inline struct mip_sums vectors(const uint8_t *bytes, size_t size) {
 #endif
 
 /** The checksum of some bytes. */
-static inline uint16_t mip_sum(const uint8_t *bytes, size_t size) {
+MIP_INLINE uint16_t mip_sum(const uint8_t *bytes, size_t size) {
 #if MIP_CHECKSUM == MIP_CHECKSUM_PLAIN
     const struct mip_sums s = plain(bytes, size);
 #elif MIP_CHECKSUM == MIP_CHECKSUM_WORDS

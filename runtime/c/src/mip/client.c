@@ -146,7 +146,6 @@ static uint8_t judge(struct mip_request *request, uint8_t code, const struct mip
 static void leave(struct mip_request **at, uint8_t state) {
     struct mip_request *request = *at;
     *at = request->next;
-    request->next = NULL;
     request->state = state;
 }
 
@@ -167,9 +166,9 @@ bool mip_client_next(struct mip_client *client, struct mip_walk *walk,
     if (field->descriptor != MIP_ACKNOWLEDGE_DESCRIPTOR || field->size < 2) {
         return true;
     }
-    struct mip_walk ahead = *walk;
+    const uint8_t *const resume = walk->at;
     struct mip_field behind = *field; /* no response, if there is nothing */
-    mip_walk_next(&ahead, &behind);
+    mip_walk_next(walk, &behind);
     for (struct mip_request **at = &client->waiting; (r = *at) != NULL; at = &r->next) {
         if (r->behind != 0 || r->exchange->descriptor != field->data[0] ||
             r->exchange->descriptor_set != field->descriptor_set) {
@@ -185,16 +184,17 @@ bool mip_client_next(struct mip_client *client, struct mip_walk *walk,
             break;
         }
     }
-    if (found == NULL) {
-        return true;
+    walk->at = resume;
+    if (found != NULL) {
+        r = *found;
+        leave(found, state);
+        r->code = field->data[1];
+        if (r->asked != NULL && state != MIP_REQUEST_REFUSED &&
+            state != MIP_REQUEST_MISSING_RESPONSE) {
+            mip_walk_next(walk, field); /* its response */
+        }
+        *answered = r;
     }
-    r = *found;
-    leave(found, state);
-    r->code = field->data[1];
-    if (r->asked != NULL && state != MIP_REQUEST_REFUSED && state != MIP_REQUEST_MISSING_RESPONSE) {
-        mip_walk_next(walk, field); /* its response */
-    }
-    *answered = r;
     return true;
 }
 
@@ -206,46 +206,34 @@ void mip_client_miss(struct mip_client *client) {
     client->missed = next < FIRST_BARRIER ? FIRST_BARRIER : next; /* after the last one, too */
 }
 
-size_t mip_client_guard(struct mip_client *client, uint8_t *fields) {
-    size_t size = 0;
-    if (MIP_BARRIER_SET != 0 && client->behind != client->missed) {
-        client->behind = client->missed;
-        while (size < client->missed / 2U) {
-            fields[size++] = 2;
-            fields[size++] = MIP_BARRIER_DESCRIPTOR;
-        }
-    }
-    return size;
-}
-
 size_t mip_client_barrier(struct mip_client *client, uint8_t *bytes) {
-    if (client->missed == 0 || client->behind == client->missed) {
+    size_t size = 0;
+    if (MIP_BARRIER_SET == 0 || client->behind == client->missed) {
         return 0;
     }
     for (const struct mip_request *r = client->waiting; r != NULL; r = r->next) {
         mip_client_miss(client); /* they may be of its kind */
     }
-    const size_t size = mip_client_guard(client, bytes + MIP_HEADER_SIZE);
-    const size_t end = MIP_HEADER_SIZE + size;
-    bytes[0] = MIP_SYNC_1;
-    bytes[1] = MIP_SYNC_2;
-    bytes[2] = MIP_BARRIER_SET;
-    bytes[3] = (uint8_t)size;
-    mip_put_16(bytes + end, mip_checksum(bytes, end));
-    return size > 0 ? end + MIP_CHECKSUM_SIZE : 0;
+    client->behind = client->missed;
+    while (size < client->missed / 2U) {
+        bytes[MIP_HEADER_SIZE + size++] = 2;
+        bytes[MIP_HEADER_SIZE + size++] = MIP_BARRIER_DESCRIPTOR;
+    }
+    return mip_packet_seal(bytes, MIP_BARRIER_SET, size);
 }
 
 bool mip_client_passes(struct mip_client *client, const struct mip_packet *packet) {
     const uint8_t size = client->behind;
-    const uint8_t *field = packet->bytes + MIP_HEADER_SIZE;
+    const uint8_t *field = packet->bytes;
     const uint32_t answer = /* of each command: length, descriptor, what it acknowledges */
         UINT32_C(0x40000) + MIP_ACKNOWLEDGE_DESCRIPTOR * 256U + MIP_BARRIER_DESCRIPTOR;
     if (MIP_BARRIER_SET == 0 || size == 0 || packet->descriptor_set != MIP_BARRIER_SET ||
         packet->bytes[3] != size) {
         return false;
     }
-    for (size_t at = 0; at < size; at += 4) { /* with any code */
-        if (mip_get_32(field + at) >> 8 != answer) {
+    for (size_t left = size; left > 0; left -= 4) { /* with any code */
+        field += 4;
+        if (mip_get_32(field) >> 8 != answer) {
             return false;
         }
     }
@@ -284,11 +272,6 @@ static bool is_late(const struct mip_request *request, uint32_t now) {
 
 bool mip_client_poll(struct mip_client *client, struct mip_parser *parser, uint32_t now,
                      struct mip_packet *packet) {
-    const uint8_t *nothing = NULL;
-    size_t none = 0;
-    if (parser != NULL && mip_parser_next(parser, &nothing, &none, packet)) {
-        return true;
-    }
     for (struct mip_request **at = &client->waiting; *at != NULL;) {
         if (!is_late(*at, now)) {
             at = &(*at)->next;

@@ -27,6 +27,8 @@ static uint8_t *move_narrow(uint8_t *wire, uint8_t *memory, size_t count, bool w
 }
 
 #ifdef __OPTIMIZE_SIZE__
+/** Does size matter more than speed? */
+#define SMALL true
 
 /** Reads or writes numbers of one kind. Few programs do both. */
 MIP_INLINE uint8_t *move(uint8_t *wire, uint8_t *memory, unsigned kind, size_t count,
@@ -70,6 +72,8 @@ static inline bool move_shape(const struct mip_codec *codec, const uint8_t *wire
 }
 
 #else
+/** Does size matter more than speed? */
+#define SMALL false
 
 /** Reads or writes a number of 8, 16, 32 or 64 bits at a place. */
 #define MOVE_1(bits, at)                                    \
@@ -185,7 +189,7 @@ bool mip_codec_belongs(const struct mip_codec *codec, uint8_t descriptor_set) {
     if (mip_set_has(descriptor_set, codec->descriptor_set)) {
         return true;
     }
-    for (size_t i = 1; i <= codec->more_sets; i++) {
+    for (size_t i = codec->more_sets; i > 0; i--) {
         if (*(codec->program - i) == descriptor_set) {
             return true;
         }
@@ -223,18 +227,19 @@ MIP_QUICK bool decode_shape(const struct mip_codec *codec, void *value,
 
 mip_error mip_decode(const struct mip_codec *codec, void *value, const struct mip_field *field,
                      size_t *trailing) {
-    size_t left = field->size;
     if (trailing == NULL && field->descriptor == codec->descriptor &&
         decode_shape(codec, value, field)) {
         return MIP_OK;
     }
-    mip_error error = check(field, codec);
-    if (error != MIP_OK || codec->size != codec->numbers) { /* gaps between members, too */
+    const mip_error error = check(field, codec);
+    size_t left = field->size;
+    if (SMALL || error != MIP_OK || codec->size != codec->numbers) { /* gaps between members, too */
         memset(value, 0, codec->size);
     }
-    if (error == MIP_OK && codec->interpreter != NULL) {
-        error = codec->interpreter->read(codec, value, field, &left);
-    } else if (error == MIP_OK) {
+    if (error == MIP_OK) {
+        if (codec->interpreter != NULL) {
+            return codec->interpreter->read(codec, value, field, trailing);
+        }
         /* Nothing is written to the field. */
         move_all(codec->program, (uint8_t *)(uintptr_t)field->data, (uint8_t *)value, false);
         left -= codec->numbers;

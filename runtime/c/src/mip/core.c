@@ -33,6 +33,16 @@ mip_error mip_packet_check(const uint8_t *bytes, size_t size, struct mip_packet 
 
 /* ------------------------------------------------------------------------------- packet builder */
 
+size_t mip_packet_seal(uint8_t *bytes, uint8_t descriptor_set, size_t size) {
+    const size_t end = MIP_HEADER_SIZE + size;
+    bytes[0] = MIP_SYNC_1;
+    bytes[1] = MIP_SYNC_2;
+    bytes[2] = descriptor_set;
+    bytes[3] = (uint8_t)size;
+    mip_put_16(bytes + end, mip_checksum(bytes, end));
+    return end + MIP_CHECKSUM_SIZE;
+}
+
 mip_error mip_builder_add(struct mip_builder *builder, uint8_t descriptor, const void *data,
                           size_t size) {
     uint8_t *to;

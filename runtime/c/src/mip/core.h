@@ -153,11 +153,12 @@ static inline struct mip_walk mip_walk_packet(const struct mip_packet *packet) {
 /** Gets the next field. False at the end; `error` then says whether all fields have been seen. */
 static inline bool mip_walk_next(struct mip_walk *walk, struct mip_field *field) {
     const size_t left = (size_t)(walk->end - walk->at);
-    if (left == 0 || walk->error != MIP_OK) {
+    if (left == 0) {
         return false;
     }
     const uint8_t length = walk->at[0];
     if (length < 2 || length > left) {
+        walk->at = walk->end;
         walk->error = MIP_ERROR_FIELD_LENGTH;
         return false;
     }
@@ -255,6 +256,10 @@ static inline struct mip_packet mip_builder_finish(struct mip_builder *builder) 
     }
     return packet;
 }
+
+/** Writes the header and the checksum around a payload of `size` bytes, which is at its place:
+ * bytes + MIP_HEADER_SIZE. Returns the size of the packet. */
+MIP_API size_t mip_packet_seal(uint8_t *bytes, uint8_t descriptor_set, size_t size);
 
 /* -------------------------------------------------------------------------------- stream parser */
 

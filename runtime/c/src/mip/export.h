@@ -30,9 +30,13 @@
 /** Before a function whose result says whether it has done anything: compilers warn if that is
  * ignored. */
 #define MIP_CHECKED __attribute__((warn_unused_result))
+/** A structure of four bytes that functions return in a register. */
+#define MIP_WORD __attribute__((aligned(4)))
 #else
 /** Before a function whose result says whether it has done anything. */
 #define MIP_CHECKED
+/** A structure of four bytes. */
+#define MIP_WORD
 #endif
 
 #if defined(__GNUC__)

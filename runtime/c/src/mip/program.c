@@ -284,7 +284,9 @@ static mip_error read_field(const struct mip_codec *codec, void *value,
     if (s.error != MIP_OK) {
         memset(value, 0, codec->size);
     }
-    *trailing = (size_t)(data + field->size - s.at);
+    if (trailing != NULL) {
+        *trailing = (size_t)(data + field->size - s.at);
+    }
     return (mip_error)s.error;
 }
 

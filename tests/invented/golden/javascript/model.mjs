@@ -157,7 +157,7 @@ export default {
 ],
 "simulation": {
 "quantities": [
-{"name":"specific_force","unit":"m/s^2","elements":3,"description":"Of the sensor."},
+{"name":"specific_force","unit":"m/s^2","elements":3,"description":"Of the sensor.","noise":[["density",0.001],["drift",0.01],["period",100.0]]},
 {"name":"device.uptime","unit":"s","elements":1,"description":"Since start."},
 {"name":"satellites","elements":1,"description":"A list."},
 {"name":"satellite.number","elements":1,"description":"Of one of them."},
@@ -173,7 +173,7 @@ export default {
 {"field":"measurements.numbers","for_each":"satellites","values":[{"path":"u8","quantity":"satellite.number"},{"path":"double","number":1.5}]},
 {"field":"measurements.strings","for_each":"","values":[{"path":"model","text":"Model"}]},
 {"field":"measurements.health","for_each":"","values":[{"path":"result","bits":["clock"]}]},
-{"field":"measurements.gust","for_each":"","values":[{"path":"place.x","number":1},{"path":"height","number":-2}]},
+{"field":"measurements.gust","for_each":"","values":[{"path":"place.x","number":1},{"path":"height","number":-2}],"valid_if":"device.uptime"},
 {"field":"tools.status_long","for_each":"","values":[{"path":"uptime","quantity":"device.uptime"}]},
 {"field":"tools.status_short","for_each":"","values":[{"path":"flags","bits":["clock","general"]}]},
 {"field":"more.strings","for_each":"","values":[{"path":"model","text":"Other"}]},

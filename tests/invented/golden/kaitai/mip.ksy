@@ -387,6 +387,7 @@ types:
             doc: A colour.
           - id: striped
             type: tools_stripes
+            parent: false
             if: _parent.fill == tools_fill::striped
   tools_path:
     doc: A counted array at its end.
@@ -560,9 +561,11 @@ types:
         seq:
           - id: circle
             type: tools_circle
+            parent: false
             if: _parent.shape == tools_shape::circle
           - id: path
             type: tools_path
+            parent: false
             if: _parent.shape == tools_shape::path
           - id: rotation
             type: quatf
@@ -711,9 +714,11 @@ types:
         seq:
           - id: circle
             type: tools_circle
+            parent: false
             if: _parent.shape == tools_shape::circle
           - id: path
             type: tools_path
+            parent: false
             if: _parent.shape == tools_shape::path
           - id: rotation
             type: quatf

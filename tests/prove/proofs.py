@@ -1,0 +1,352 @@
+"""Proves properties of the C library with CBMC: for all inputs within bounds, not for some.
+
+    make prove                              the core and every layout; what is unchanged is not proved again
+    make prove FIELD=base.comm_speed        one layout
+    make prove COUNT=10 SEED=3              the core and ten layouts drawn by the seed
+
+A proof depends on its harness, the sources that it includes and the prover. A result is kept in build/prove/ under the
+hash of these, and a complete run writes the tables of docs/proofs.md.
+"""
+
+from __future__ import annotations
+
+import argparse
+import hashlib
+import json
+import random
+import resource
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
+sys.path[:0] = [str(ROOT / "generator"), str(ROOT / "tests")]
+
+from mipgen import model as m  # noqa: E402
+from mipgen.targets.c import bytecode, names  # noqa: E402
+from support import all_fields, model, set_of  # noqa: E402
+
+SOURCES = ROOT / "generated/c/src"
+KEPT = ROOT / "build/prove"
+TABLE = ROOT / "docs/proofs.md"
+MEMORY = 6 << 30  # bytes
+#: Around what `make prove` writes.
+BEGIN, END = "<!-- written by make prove -->", "<!-- end -->"
+
+#: What is proved of the core: bounds, and options of the prover. All but these are of any size.
+CORE = {
+    "walk": ("any payload, from any place in it", "--unwind 1"),
+    "walk_begins": ("any packet", "--unwind 1"),
+    "builder": ("any packet that is being built, any field", "-DANY_CHECKSUM --unwind 4"),
+    "packet": ("up to 16 bytes", "--unwind 17"),
+    "checksum": ("up to 16 bytes, byte by byte", "--unwind 17"),
+}
+#: What the harness looks at of an array whose length varies: up to so many items.
+ITEMS = 3
+
+
+@dataclass(frozen=True)
+class Proof:
+    name: str  # of a layout: "base.ping, decode"
+    bounds: str
+    harness: str
+    function: str
+    options: tuple[str, ...]
+    sources: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Result:
+    outcome: str  # "proved", "refuted", or "not proved" in the time or the memory
+    seconds: int
+    properties: int
+
+
+def core() -> Iterator[Proof]:
+    for name, (bounds, options) in CORE.items():
+        given = ("-DMIP_CHECKSUM=0", "-DLARGEST=16", *options.split())
+        yield Proof(name, bounds, "core.c", name, given, ("core.c", "core.h", "checksum.h"))
+
+
+def layouts() -> Iterator[Proof]:
+    of = model("real")
+    for f in all_fields(of):
+        yield from layout(f, of)
+
+
+def layout(f: m.Field, of: m.Model) -> Iterator[Proof]:
+    numbers = bytecode.is_numbers(f, of.layouts(f))
+    module = names.module(f.family) if f.family in {x.name for x in of.families} else "protocol"
+    structure = names.field_name(f)
+    open_array = next((p for p in f.parameters if p.open), None)
+    if numbers:
+        largest, bounds = m.MAX_FIELD_DATA, "any size"
+    elif open_array is None:
+        largest, bounds = f.max_size + 1, f"up to {f.max_size + 1} bytes"
+    else:
+        item = open_array.item.struct.max_size if open_array.item.struct else sum(q.size for q in [open_array.leaf])
+        largest = f.min_size + sum(p.size for p in f.parameters if p is not open_array and p.kind == "scalar")
+        largest = largest + ITEMS * item + 1
+        bounds = f"up to {ITEMS} items of `{open_array.name}`"
+    largest = min(largest, m.MAX_FIELD_DATA)
+    given = [
+        "-DMIP_CHECKSUM=0", f'-DHEADER="mip/{module}.h"', f"-DTYPE=struct {structure}", f"-DCODEC={structure}_codec",
+        f"-DSET={set_of(f, of)}", f"-DLARGEST={largest}", "--unwind", str(max(270, 4 * largest)),
+        "--unwindset", "run:3", "--max-field-sensitivity-array-size", "1000", "--object-bits", "16",
+    ]  # fmt: skip
+    if not numbers:
+        given += [f"-DWIRE={joined(wire(f))}", f"-DMEMORY={joined(memory(f))}"]
+    sources = ("core.c", "codec.c", "program.c", "double.c", f"{module}.c", "core.h", "program.h", f"{module}.h")
+    for function in ("decode", "encode"):
+        yield Proof(f"{f.full_name}, {function}", bounds, "layout.c", function, tuple(given), sources)
+
+
+def deciding(f: m.Field) -> Iterator[tuple[m.Parameter, list[int]]]:
+    """The bytes that decide how others are read, with the values that are looked at: all that mean something, and
+    one that does not."""
+    tags = {p.union.tag: p.union for p in f.parameters if p.union}
+    for p in f.parameters:
+        if p.selector:
+            yield p, [0, *(x.value for x in f.functions), 255]
+        elif p.kind == "counter":
+            yield p, [*range(ITEMS + 1), 255]
+        elif p.name in tags and p.size == 1:
+            yield p, [*(c.tag.value for c in tags[p.name].cases), 255]
+
+
+def wire(f: m.Field) -> Iterator[tuple[str, list[int]]]:
+    values, at = dict(deciding(f)), 0
+    for p in f.parameters:
+        if p in values:
+            yield str(at), values[p]
+        if p.open or p.union or p.struct:
+            break  # what follows has no fixed place
+        at += p.size if p.count is None else p.count * p.item.size
+
+
+def memory(f: m.Field) -> Iterator[tuple[str, list[int]]]:
+    if f.optional:
+        yield "0", [*range(f.groups[-1].last + 1), 255]
+    for p, values in deciding(f):
+        yield f"offsetof(TYPE, {names.member(p.name)})", values
+    for p in f.parameters:
+        if p.fills:
+            yield f"offsetof(TYPE, {names.member(p.name)}_count)", [*range(ITEMS + 1), 255]
+
+
+def joined(splits: Iterable[tuple[str, list[int]]]) -> str:
+    return "".join(f"{{{at}, {len(v)}, {{{', '.join(map(str, v))}}}}}, " for at, v in splits)
+
+
+# --------------------------------------------------------------------------- the prover
+
+
+def prover() -> str | None:
+    found = shutil.which("cbmc") or ROOT / "build/tools/cbmc/cbmc"
+    return str(found) if Path(found).is_file() else None
+
+
+def key(proof: Proof, sources: Path, cbmc: str) -> str:
+    digest = hashlib.sha256(repr((proof.function, proof.options, version(cbmc))).encode())
+    for path in (HERE / proof.harness, *(sources / "mip" / name for name in proof.sources)):
+        digest.update(path.read_bytes())
+    return digest.hexdigest()[:24]
+
+
+def version(cbmc: str, known: dict[str, str] = {}) -> str:  # noqa: B006
+    if cbmc not in known:
+        known[cbmc] = subprocess.run([cbmc, "--version"], capture_output=True, text=True, check=True).stdout.split()[0]
+    return known[cbmc]
+
+
+def prove(proof: Proof, cbmc: str, seconds: int, sources: Path = SOURCES) -> Result:
+    """Proves it, or finds what refutes it, within so many seconds of processor time."""
+    also = (
+        [sources / "mip" / name for name in proof.sources if name.endswith(".c")] if proof.harness == "layout.c" else []
+    )
+    command = [cbmc, HERE / proof.harness, *also, "-I", sources, "--function", proof.function, "--json-ui",
+               "--unwinding-assertions", "--drop-unused-functions", *proof.options]  # fmt: skip
+
+    def limit() -> None:
+        resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds))
+        resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+
+    began = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+    done = subprocess.run([str(c) for c in command], capture_output=True, text=True, preexec_fn=limit)
+    spent = round(resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - began)
+    if done.returncode not in (0, 10):
+        if "CONVERSION ERROR" in done.stdout or "PARSING ERROR" in done.stdout:
+            sys.exit(f"{proof.name}: {done.stdout[-3000:]}{done.stderr[-2000:]}")
+        return Result("not proved", spent, 0)
+    found = next(x["result"] for x in json.loads(done.stdout) if "result" in x)
+    refuted = [p for p in found if p["status"] == "FAILURE"]
+    for p in refuted[:3]:
+        print(f"  {p['description']} ({p.get('sourceLocation', {}).get('line', '?')})")
+    return Result("refuted" if refuted else "proved", spent, len(found))
+
+
+def place(proof: Proof, cbmc: str) -> Path:
+    return KEPT / f"{key(proof, SOURCES, cbmc)}.json"
+
+
+def found(proof: Proof, cbmc: str) -> Result | None:
+    """The result of an earlier run, if all that it depends on is unchanged."""
+    path = place(proof, cbmc)
+    return Result(**json.loads(path.read_text("utf-8"))) if path.is_file() else None
+
+
+def kept(proof: Proof, cbmc: str, seconds: int) -> Result:
+    result = found(proof, cbmc)
+    if result is None or (result.outcome == "not proved" and result.seconds + 2 < seconds):
+        result = prove(proof, cbmc, seconds)
+        if result.outcome != "refuted":
+            KEPT.mkdir(parents=True, exist_ok=True)
+            place(proof, cbmc).write_text(json.dumps(result.__dict__), "utf-8")
+    return result
+
+
+# --------------------------------------------------------------------------- planted bugs
+
+#: Where, what is changed, into what, and the proof that must refute it.
+PLANTS = [
+    ("core.h", "if (left == 0 || walk->error != MIP_OK)", "if (walk->error != MIP_OK)", "walk"),
+    ("core.h", "if (left == 0 || walk->error != MIP_OK)", "if (left == 0)", "walk"),
+    ("core.h", "length < 2 || length > left", "length < 2", "walk"),
+    ("core.h", "length < 2 || length > left", "length < 1 || length > left", "walk"),
+    ("core.h", "length < 2 || length > left", "length < 2 || length >= left", "walk"),
+    ("core.h", "length < 2 || length > left", "length < 2 || length > left + 1", "walk"),
+    ("core.h", "field->data = walk->at + 2;", "field->data = walk->at + 1;", "walk"),
+    ("core.h", "field->size = (uint8_t)(length - 2);", "field->size = length;", "walk"),
+    ("core.h", "field->descriptor = walk->at[1];", "field->descriptor = walk->at[0];", "walk"),
+    ("core.h", "walk->error = MIP_ERROR_FIELD_LENGTH;", "", "walk"),
+    ("core.h", "packet->size >= MIP_HEADER_SIZE", "packet->size + 1 >= MIP_HEADER_SIZE", "walk_begins"),
+    ("core.h", "walk.end += packet->size - MIP_CHECKSUM_SIZE;", "walk.end += packet->size;", "walk_begins"),
+    ("core.h", "capacity < MIP_HEADER_SIZE + MIP_CHECKSUM_SIZE", "capacity < MIP_HEADER_SIZE", "builder"),
+    ("core.h", "capacity < MIP_MAX_PACKET ? capacity", "capacity > MIP_MAX_PACKET ? capacity", "builder"),
+    ("core.h", "end + MIP_CHECKSUM_SIZE > builder->capacity", "end > builder->capacity", "builder"),
+    ("core.h", "end + MIP_CHECKSUM_SIZE > builder->capacity", "end + 1 > builder->capacity", "builder"),
+    ("core.h", "at[0] = (uint8_t)(size + 2);", "at[0] = (uint8_t)size;", "builder"),
+    ("core.h", "(uint8_t)(end - MIP_HEADER_SIZE);", "(uint8_t)end;", "builder"),
+    ("core.c", "size > MIP_MAX_FIELD_DATA", "size >= MIP_MAX_FIELD_DATA", "builder"),
+    ("core.c", "memmove(to, data, size);", "memmove(to, data, size - 1);", "builder"),
+    ("core.c", "size < 2 || bytes[0]", "size < 1 || bytes[0]", "packet"),
+    ("core.c", "!mip_set_valid(bytes[2]) ||", "", "packet"),
+    ("core.c", "bytes[size - 1] != (sum & 0xFFU)", "false", "packet"),
+    ("core.c", "bytes[size - 2] != sum >> 8", "bytes[size - 2] != (sum & 0xFFU)", "packet"),
+    ("core.c", "mip_checksum(bytes, size - MIP_CHECKSUM_SIZE)", "mip_checksum(bytes, size - 1)", "packet"),
+    ("checksum.h", "s.b += s.a;", "s.b += bytes[i];", "checksum"),
+    ("checksum.h", "size_t i = 0; i < size; i++", "size_t i = 1; i < size; i++", "checksum"),
+    ("checksum.h", "(s.a & 0xFFU) << 8 | (s.b & 0xFFU)", "(s.b & 0xFFU) << 8 | (s.a & 0xFFU)", "checksum"),
+    ("codec.c", "codec->numbers > field->size", "codec->numbers > field->size + 1", "sensor.scaled_accel, decode"),
+    ("codec.c", "left -= codec->numbers;", "left -= 1;", "sensor.scaled_accel, decode"),
+    ("codec.c", "start + size + MIP_CHECKSUM_SIZE > builder->capacity", "start + size > builder->capacity + 1",
+     "sensor.scaled_accel, encode"),
+    ("core.h", "(uint32_t)from[0] << 24 | (uint32_t)from[1] << 16", "(uint32_t)from[1] << 24 | (uint32_t)from[0] << 16",
+     "sensor.scaled_accel, decode"),
+    ("sensor.c", "32_BITS(3, MIP_AT(struct mip_sensor_scaled_accel", "32_BITS(4, MIP_AT(struct mip_sensor_scaled_accel",
+     "sensor.scaled_accel, decode"),
+    ("program.c", "s->at = bytes + size;", "s->at = bytes;", "filter.heading_source, decode"),
+    ("program.c", "*counter = (uint8_t)number;", "*counter = (uint8_t)(number + 1);",
+     "base.get_device_descriptors_response, decode"),
+    ("program.c", "s->last = last;", "s->last = before;", "filter.heading_source, decode"),
+    ("program.c", "s->optional = last > s->required;", "s->optional = true;", "filter.heading_source, decode"),
+    ("program.c", "s->stopped = s->optional && s->at == s->end;", "s->stopped = s->at == s->end;",
+     "filter.heading_source, decode"),
+]  # fmt: skip
+
+
+def planted(number: int, cbmc: str) -> Result:
+    """What the proof says of a copy of the sources with this bug."""
+    file, old, new, name = PLANTS[number]
+    proof = next(p for p in (*core(), *layouts()) if p.name == name)
+    with tempfile.TemporaryDirectory() as folder:
+        shutil.copytree(SOURCES, folder, dirs_exist_ok=True)
+        path = Path(folder) / "mip" / file
+        text = path.read_text("utf-8")
+        if text.count(old) < 1:
+            sys.exit(f"{file} no longer contains {old!r}: mend PLANTS")
+        path.write_text(text.replace(old, new, 1), "utf-8")
+        return prove(proof, cbmc, 60, Path(folder))
+
+
+def run(proofs: list[Proof], cbmc: str, seconds: int) -> list[tuple[Proof, Result]]:
+    results = []
+    for proof in proofs:
+        result = kept(proof, cbmc, seconds)
+        results.append((proof, result))
+        print(
+            f"{proof.name}: {result.outcome} ({proof.bounds}; {result.properties} properties, {result.seconds} s)",
+            flush=True,
+        )
+    return results
+
+
+def write(cbmc: str) -> None:
+    """The tables of docs/proofs.md, from what is kept of the sources as they are."""
+    rows, known = [], {p: result for p in (*core(), *layouts()) if (result := found(p, cbmc))}
+    for p in core():
+        r = known.get(p)
+        rows.append(f"| {p.name} | {p.bounds} | {f'{r.outcome}, {r.properties} properties' if r else 'not tried'} |")
+    groups: dict[tuple[str, str], list[Proof]] = {}
+    for p in layouts():
+        kind = "numbers only" if p.bounds == "any size" else "arrays" if "items" in p.bounds else "others"
+        groups.setdefault((kind, p.function), []).append(p)
+    bounds = {"numbers only": "fields of any size", "others": "all sizes up to one more than the longest",
+              "arrays": f"all sizes up to {ITEMS} items"}  # fmt: skip
+    rows += ["", "| Layouts | Looked at | Proved | Not in the time | Not tried |", "|---|---|---|---|---|"]
+    for (kind, function), members in sorted(groups.items(), reverse=True):
+        counts = [
+            sum((known[p].outcome if p in known else "") == o for p in members) for o in ("proved", "not proved", "")
+        ]
+        rows.append(f"| {kind}, {function} | {bounds[kind]} | " + " | ".join(map(str, counts)) + " |")
+    late = [p.name for p, r in known.items() if r.outcome == "not proved"]
+    if late:
+        rows += ["", f"Not in the time: {'; '.join(late)}."]
+    text = TABLE.read_text("utf-8")
+    before, _, rest = text.partition(BEGIN)
+    head = ["| Core | Looked at | Result |", "|---|---|---|"]
+    TABLE.write_text(before + BEGIN + "\n".join(["", "", *head, *rows, "", ""]) + END + rest.partition(END)[2], "utf-8")
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(prog="make prove")
+    parser.add_argument("--field", default="", help="the layouts whose name begins so; without it, the core and all")
+    parser.add_argument("--count", type=int, help="the core, and so many layouts drawn by the seed")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--seconds", type=int, default=60, help="processor time for each proof (60)")
+    parser.add_argument(
+        "--plant", action="store_true", help="instead, plant each bug and look whether its proof sees it"
+    )
+    given = parser.parse_args()
+    cbmc = prover()
+    if cbmc is None:
+        sys.exit("make: cbmc is missing; `make prove` says how to get it")
+    if given.plant:
+        unseen = 0
+        for i, (file, old, new, name) in enumerate(PLANTS):
+            outcome = planted(i, cbmc).outcome
+            unseen += outcome != "refuted"
+            print(f"{file}: {old} -> {new or 'nothing'}: {outcome} ({name})", flush=True)
+        print(f"{len(PLANTS) - unseen} of {len(PLANTS)} planted bugs are seen")
+        return 1 if unseen else 0
+    proofs = [p for p in layouts() if p.name.startswith(given.field)]
+    if given.count is not None:
+        proofs = random.Random(given.seed).sample(proofs, given.count)
+        print(f"seed {given.seed}")
+    began = time.monotonic()
+    results = run([*([] if given.field else core()), *proofs], cbmc, given.seconds)
+    counts = {o: sum(r.outcome == o for _, r in results) for o in ("proved", "refuted", "not proved")}
+    if not given.field and given.count is None:
+        write(cbmc)
+    print(", ".join(f"{n} {o}" for o, n in counts.items()) + f" in {time.monotonic() - began:.0f} s")
+    return 1 if counts["refuted"] else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,135 @@
+"""What `make release` builds: the same bytes each time, and each artefact works in an empty environment."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import re
+import subprocess
+import sys
+import tarfile
+import zipfile
+from functools import cache
+from pathlib import Path
+
+import pytest
+from support import BUILD, ROOT, heavy, need
+
+MESSAGE = "75 65 80 0E 0E 04 3E 7A 63 A0 BB 8E 3B 29 7F E5 BF 7F 84 EE"
+RELEASE = "packages as they are released"
+
+
+def run(*command: str | Path, cwd: Path) -> str:
+    clean = {name: value for name, value in os.environ.items() if not name.startswith(("PYTHON", "MIP"))}
+    done = subprocess.run([str(c) for c in command], cwd=cwd, env=clean, capture_output=True, text=True)
+    assert done.returncode == 0, f"{command}: {done.stdout}{done.stderr}"
+    return done.stdout
+
+
+def built(name: str) -> Path:
+    dist = BUILD / "release" / name
+    run(sys.executable, ROOT / "tools/release/build.py", "--dist", dist, cwd=ROOT)
+    return dist
+
+
+@cache
+def dist() -> Path:
+    return built("once")
+
+
+def the(pattern: str) -> Path:
+    (found,) = dist().glob(pattern)
+    return found
+
+
+@heavy(RELEASE)
+def test_a_second_build_has_the_same_bytes() -> None:
+    once, twice = ({p.name: p.read_bytes() for p in d.iterdir()} for d in (dist(), built("twice")))
+    assert once.keys() == twice.keys()
+    assert [name for name in once if once[name] != twice[name]] == []
+
+
+@heavy(RELEASE)
+def test_sums_bill_and_notes_name_everything() -> None:
+    listed = dict(line.split("  ")[::-1] for line in (dist() / "SHA256SUMS").read_text("utf-8").splitlines())
+    assert listed.keys() == {p.name for p in dist().iterdir()} - {"SHA256SUMS"}
+    assert all(hashlib.sha256((dist() / name).read_bytes()).hexdigest() == digest for name, digest in listed.items())
+    bill = json.loads((dist() / "sbom.cdx.json").read_text("utf-8"))
+    files = {c["name"]: c["hashes"][0]["content"] for c in bill["components"] if c["type"] == "file"}
+    assert files == {n: d for n, d in listed.items() if n not in ("sbom.cdx.json", "NOTES.md")}
+    references = {c["bom-ref"] for c in bill["components"]}
+    assert all({d["ref"], *d["dependsOn"]} <= references for d in bill["dependencies"])
+    assert (dist() / "NOTES.md").read_text("utf-8").startswith("- ")
+
+
+@heavy(RELEASE)
+@pytest.mark.parametrize("form", ["wheel", "source"])
+def test_python(tmp_path: Path, form: str) -> None:
+    run(sys.executable, "-m", "venv", "--without-pip", tmp_path / "venv", cwd=tmp_path)
+    python = tmp_path / "venv/bin/python"
+    if form == "wheel":
+        packages = [the("mip_protocol*.whl"), the("mip_tools*.whl")]
+        run(
+            sys.executable,
+            "-m",
+            "pip",
+            "--python",
+            python,
+            "install",
+            "--no-index",
+            "--no-deps",
+            *packages,
+            cwd=tmp_path,
+        )
+        assert "scaled_accel = (x=0.24452066" in run(tmp_path / "venv/bin/mip", "dump", *MESSAGE.split(), cwd=tmp_path)
+    else:
+        run("tar", "xf", the("mip_protocol*.tar.gz"), "--strip-components=1", cwd=tmp_path)
+        assert (tmp_path / "README.md").is_file() and (tmp_path / "LICENSE").is_file()
+    assert "g" in run(python, ROOT / "generated/python/quickstart.py", cwd=tmp_path)
+
+
+@heavy(RELEASE)
+def test_rust(tmp_path: Path) -> None:
+    with tarfile.open(the("*.crate")) as crate:
+        crate.extractall(tmp_path, filter="data")
+    (folder,) = tmp_path.iterdir()
+    target = BUILD / "release/target"
+    out = run("cargo", "run", "--quiet", "--offline", "--example", "quickstart", "--target-dir", target, cwd=folder)
+    assert " g along x" in out
+
+
+@heavy(RELEASE)
+def test_javascript(tmp_path: Path) -> None:
+    run(need("npm"), "install", "--silent", "--offline", "--no-audit", the("*.tgz"), cwd=tmp_path)
+    readme = (tmp_path / "node_modules/mip-protocol/README.md").read_text("utf-8")
+    first = re.search(r"```javascript\n(.*?)```", readme, re.S)
+    assert first
+    (tmp_path / "first.mjs").write_text(first[1], "utf-8")
+    assert " g along x" in run(need("node"), "first.mjs", cwd=tmp_path)
+
+
+@heavy(RELEASE)
+def test_c(tmp_path: Path) -> None:
+    with zipfile.ZipFile(the("mip-c-*.zip")) as packed:
+        packed.extractall(tmp_path)
+    sources = sorted(str(p.relative_to(tmp_path)) for p in tmp_path.glob("mip/src/mip/*.c"))
+    readme = (tmp_path / "mip/README.md").read_text("utf-8")
+    assert "cc -Imip/src -Imip/ports mip/examples/stream.c mip/src/mip/*.c mip/ports/*.c -o stream" in readme
+    objects = tmp_path / "objects"
+    objects.mkdir()
+    run("cc", "-c", "-I../mip/src", *(f"../{s}" for s in sources), cwd=objects)
+    made = sorted(objects.glob("*.o"))
+    ports = sorted(tmp_path.glob("mip/ports/*.c"))
+    run("cc", "-Imip/src", "-Imip/ports", "mip/examples/stream.c", *made, *ports, "-o", "stream", cwd=tmp_path)
+    run("cc", "-Imip/src", "mip/quickstart.c", *made, "-o", "quickstart", cwd=tmp_path)
+    assert " g" in run(tmp_path / "quickstart", cwd=tmp_path)
+
+
+@heavy(RELEASE)
+def test_single_files() -> None:
+    json.loads((dist() / "mip.json").read_text("utf-8"))
+    json.loads((dist() / "mip.schema.json").read_text("utf-8"))
+    for name in ("mip.lua", "mip.ksy"):
+        folder = {"mip.lua": "wireshark", "mip.ksy": "kaitai"}[name]
+        assert (dist() / name).read_bytes() == (ROOT / "generated" / folder / name).read_bytes()

@@ -1,0 +1,280 @@
+"""Many logs as one data set: its rows are those of the logs, whenever a run was interrupted."""
+
+from __future__ import annotations
+
+import os
+import random
+import shutil
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import pytest
+from mip_tools import fleet, read_log
+from mip_tools.errors import Failure, Misuse
+from mip_tools.fleet import dataset, pack, run, sources
+from program import ENVIRONMENT, command, log, mip
+from support import NIGHTLY, heavy, later
+
+arrow = later("pyarrow")
+parquet = later("pyarrow.parquet")
+
+GROUP = 10_000  # bytes: small enough for several groups in these logs
+
+
+def logs(folder: Path, count: int = 5) -> Path:
+    """Logs of different length, and two that are none."""
+    for i in range(count):
+        path = folder / f"car {i % 2}" / f"drive{i}.bin"
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(log(1.0 + i))
+    (folder / "text.bin").write_bytes(b"no packets\n" * 100)
+    (folder / "empty.bin").write_bytes(b"")
+    return folder
+
+
+@pytest.fixture
+def here(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Workers are threads of this process, which takes a tenth of the time."""
+
+    @contextmanager
+    def client(dask: Any, workers: Any, scheduler: Any) -> Iterator[Any]:
+        with dask.Client(processes=False, n_workers=1, threads_per_worker=2, dashboard_address="127.0.0.1:0") as one:
+            yield one
+
+    monkeypatch.setattr(run, "_client", client)
+
+
+def rows(out: Path) -> dict[tuple[str, str, str], Any]:
+    """(clock, field, log) -> its rows; only of files that count. Each file is read as it is."""
+    found: dict[tuple[str, str, str], list[Any]] = {}
+    for one in fleet.open(out).manifest.files:
+        table = parquet.read_table(out / one.path, partitioning=None)
+        assert len(table) == one.rows
+        for name in sorted(set(table["log"].to_pylist())):
+            own = table.filter(arrow.compute.equal(table["log"].cast("string"), name))
+            found.setdefault((one.clock, one.field, name), []).append(own)
+    return {key: arrow.concat_tables(t).sort_by("offset") for key, t in found.items()}
+
+
+def expected(folder: Path) -> dict[tuple[str, str, str], Any]:
+    """The same from `Log.frame`."""
+    found = {}
+    for path in sorted(folder.rglob("drive*.bin")):
+        with read_log(path) as source:
+            for one in source.types():
+                if one.type is not None and one.set >= 0x80:
+                    kind = one.type.name_in(one.set)
+                    table = source.frame(kind, library="pyarrow", position=True).drop_columns(["packet"])
+                    clock = source.times(source[kind]).clock or "none"
+                    found[clock, kind, path.relative_to(folder).as_posix()] = table.sort_by("offset")
+    return found
+
+
+def assert_complete(out: Path, folder: Path) -> None:
+    """The rows, the columns and their metadata are those of the logs, and nothing else is in the folder."""
+    have, want = rows(out), expected(folder)
+    assert have.keys() == want.keys()
+    for key, table in want.items():
+        same = have[key].drop_columns(["log", "device"])
+        assert same.schema.equals(table.schema, check_metadata=True), key
+        assert same.equals(table), key
+    manifest = fleet.open(out).manifest
+    every = {p.relative_to(out).as_posix() for p in out.rglob("*") if p.is_file()}
+    assert every == {one.path for one in manifest.files} | {"_manifest.json", "_catalogue.parquet", "_lock"}
+    assert manifest.rows == sum(map(len, want.values())) == sum(one.rows for one in manifest.logs)
+
+
+@heavy("Dask")
+def test_a_data_set_has_the_rows_of_its_logs(tmp_path: Path, here: None, capsys: Any) -> None:
+    folder, out = logs(tmp_path / "logs"), tmp_path / "out"
+    code, said, errors = mip("fleet", folder, "-o", out, "--device-from", "^(car .)/")
+    assert code == 1 and "5 logs added, 0 known, 2 failed" in said
+    assert errors == "mip fleet: empty.bin: it has no MIP packets\nmip fleet: text.bin: it has no MIP packets\n"
+    assert_complete(out, folder)
+    catalogue = fleet.open(out).catalogue().to_pylist()
+    assert {row["log"] for row in catalogue} == {one.name for one in fleet.open(out).manifest.logs}
+    sensor = next(row for row in catalogue if row["log"] == "car 1/drive3.bin" and row["set"] == "sensor")
+    assert sensor["device"] == "car 1" and sensor["rate"] == pytest.approx(100) and sensor["gaps"] == 0
+    assert (sensor["last_utc"] - sensor["first_utc"]).total_seconds() == pytest.approx(4, abs=0.1)
+    table = fleet.open(out).dataset("sensor.scaled_accel").to_table()
+    assert set(table["device"].to_pylist()) == {"car 0", "car 1"}
+    with pytest.raises(LookupError, match="no such rows"):
+        fleet.open(out).files("sensor.scaled_gyrox")
+    # Again: nothing is added. A log under another name is known, another one under the same name is not taken.
+    before = rows(out)
+    shutil.copy(folder / "car 0/drive0.bin", folder / "copy.bin")
+    (folder / "car 0/drive2.bin").write_bytes(log(0.5))
+    built = fleet.build(folder, out, device="^(car .)/")
+    assert built.added == [] and "copy.bin" in built.known and "has changed" in built.failed["car 0/drive2.bin"]
+    assert rows(out).keys() == before.keys()
+    with pytest.raises(Failure, match=r"only .*; use the same, or another folder"):
+        fleet.build(folder, out, only=["sensor"], device="^(car .)/")
+
+
+@heavy("Dask")
+def test_groups_of_rows_are_large_and_small_files_grow(tmp_path: Path, here: None) -> None:
+    folder, out = logs(tmp_path / "logs", 3), tmp_path / "out"
+    fleet.build(folder, out, group=GROUP)
+    logs(folder, 5)
+    fleet.build(folder, out, group=GROUP)
+    assert_complete(out, folder)
+    sizes: dict[str, list[float]] = {}
+    for one in fleet.open(out).manifest.files:
+        found = parquet.read_metadata(out / one.path)
+        counts = [found.row_group(i).num_rows for i in range(found.num_row_groups)]
+        sizes.setdefault(one.field, []).extend(count * one.bytes / one.rows for count in counts)
+    assert len(sizes["sensor.scaled_accel"]) > 2
+    for field, several in sizes.items():
+        assert len(several) == 1 or min(several) > 0.99 * GROUP, field
+
+
+@heavy("Dask")
+def test_a_run_that_fails_anywhere_goes_on(tmp_path: Path, here: None, monkeypatch: pytest.MonkeyPatch) -> None:
+    folder, out = logs(tmp_path / "logs", 2), tmp_path / "out"
+    fleet.build(folder, out, group=GROUP)
+    logs(folder, 4)
+    whole = tmp_path / "whole"
+    fleet.build(folder, whole, group=GROUP)
+    replace, places = os.replace, 0
+
+    def counted(*paths: Any) -> None:
+        nonlocal places
+        if places == 0:
+            raise OSError("no more")
+        places -= 1
+        replace(*paths)
+
+    before = rows(out)
+    for stop in (0, 1, 6, 13, 20, 26, 27, 28):
+        trial = tmp_path / f"trial{stop}"
+        shutil.copytree(out, trial)
+        monkeypatch.setattr(dataset.os, "replace", counted)
+        places = stop
+        try:
+            fleet.build(folder, trial, group=GROUP)
+        except Failure:
+            assert rows(trial).keys() == before.keys()  # what counts is what was there
+        monkeypatch.setattr(dataset.os, "replace", replace)
+        if places == 0:
+            fleet.build(folder, trial, group=GROUP)
+        assert_complete(trial, folder)
+        shutil.rmtree(trial)
+
+
+PROGRAM = """
+import sys
+from mip_tools import fleet
+if __name__ == "__main__":
+    fleet.build(*sys.argv[1:3], workers=2, group=10000)
+"""
+
+
+@heavy("Dask")
+def test_workers_and_the_parent_are_killed(tmp_path: Path) -> None:
+    import psutil
+
+    random_ = random.Random(int(os.environ.get("SEED", "1")))
+    folder, out = logs(tmp_path / "logs", 8), tmp_path / "out"
+    for turn in range(30 if NIGHTLY else 4):
+        started = subprocess.Popen(
+            [sys.executable, "-c", PROGRAM, folder, out], env=ENVIRONMENT, stderr=subprocess.DEVNULL
+        )
+        process = psutil.Process(started.pid)
+        wait_for(out, "_work/*.*" if turn % 2 == 0 else "_work/*.*/*")
+        time.sleep(random_.random() * 0.5)
+        family = process.children(recursive=True) if started.poll() is None else []
+        victims = [one for one in family if "spawn_main" in " ".join(cmdline(one))]
+        if turn % 2 and victims:  # a worker: the run goes on without it
+            random_.choice(victims).kill()
+            assert started.wait(120) == 0
+        else:  # the parent: its workers end by themselves
+            started.kill()
+            started.wait(10)
+            psutil.wait_procs(family, 20)
+            assert not [one for one in family if one.is_running() and one.status() != "zombie"]
+        if turn % 2:
+            assert_complete(out, folder)
+            shutil.rmtree(out)
+    assert subprocess.run([sys.executable, "-c", PROGRAM, folder, out], env=ENVIRONMENT).returncode == 0
+    assert_complete(out, folder)
+
+
+def cmdline(process: Any) -> list[str]:
+    import psutil
+
+    try:
+        return list(process.cmdline())
+    except psutil.Error:
+        return []
+
+
+def wait_for(out: Path, pattern: str) -> None:
+    end = time.monotonic() + 60
+    while not any(out.glob(pattern)):
+        assert time.monotonic() < end
+        time.sleep(0.02)
+
+
+@heavy("Dask")
+def test_urls_and_what_is_wrong(tmp_path: Path, here: None) -> None:
+    import fsspec
+
+    memory = fsspec.filesystem("memory")
+    memory.makedirs("/fleet/a", exist_ok=True)
+    with memory.open("/fleet/a/drive0.bin", "wb") as file:
+        file.write(log(1.0))
+    (tmp_path / "logs/a").mkdir(parents=True)
+    (tmp_path / "logs/a/drive0.bin").write_bytes(log(1.0))
+    fleet.build("memory://fleet", tmp_path / "out")
+    assert_complete(tmp_path / "out", tmp_path / "logs")
+    with pytest.raises(Misuse, match=r"both called drive0\.bin"):
+        fleet.build([tmp_path / "logs/a", "memory://fleet/a"], tmp_path / "out")
+    with dataset.alone(tmp_path / "out"), pytest.raises(Failure, match="another run is at work"):
+        fleet.build(tmp_path / "logs", tmp_path / "out")
+    done = subprocess.run(
+        command("fleet", tmp_path / "logs", "-o", tmp_path / "x", "--scheduler", "tcp://127.0.0.1:9"),
+        env={**ENVIRONMENT, "DASK_DISTRIBUTED__COMM__TIMEOUTS__CONNECT": "1"},
+        capture_output=True,
+        text=True,
+    )
+    assert done.returncode == 1 and "no Dask scheduler answers at tcp://127.0.0.1:9" in done.stderr
+
+
+def test_names_of_logs(tmp_path: Path) -> None:
+    for name in ("a/1.bin", "b/1.bin", "b/2.mip"):
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).write_bytes(name.encode())
+    both = sources.found([str(tmp_path)], "*.bin")
+    assert [one.name for one in both] == ["a/1.bin", "b/1.bin"]
+    assert sources.found([str(tmp_path / "a"), str(tmp_path / "a/1.bin")], "*.bin")[0].name == "1.bin"
+    with pytest.raises(Misuse, match=r"are both called 1\.bin"):
+        sources.found([str(tmp_path / "a"), str(tmp_path / "b")], "*.bin")
+    for given, said in ((tmp_path / "c", "does not exist"), (tmp_path / "b", r"has no files \*.log")):
+        with pytest.raises(Misuse, match=said):
+            sources.found([str(given)], "*.log")
+    code, _, error = mip("fleet", tmp_path, "-o", tmp_path / "out", "--only", "sensor.acel")
+    assert code == 2 and "did you mean" in error
+    code, _, error = mip("fleet", tmp_path, "-o", tmp_path / "out", "--device-from", "car")
+    assert code == 2 and "has no group" in error
+
+
+def test_which_files_are_made(tmp_path: Path) -> None:
+    def source(i: int, size: int) -> Any:
+        return pack.Source(tmp_path / f"_work/{i}/0.arrow", size, str(i))
+
+    before = [dataset.Part("clock=gps/field=a/old.parquet", "gps", "a", 1, 40)]
+    fresh = [("gps", "a", source(i, 70)) for i in range(3)] + [("gps", "b", source(4, 5))]
+    packs, remaining = pack.planned(tmp_path, tmp_path / "_work", fresh, before, 100)
+    assert remaining == [] and [(name, [s.bytes for s in p.sources]) for _, name, p in packs] == [
+        ("a", [40, 70]),
+        ("a", [70, 70]),
+        ("b", [5]),
+    ]
+    again, remaining = pack.planned(tmp_path, tmp_path / "_work", fresh[3:], before, 100)
+    assert remaining == before and [p.path for *_, p in again] == [packs[2][2].path]
+    assert [[s.bytes for s in part] for part in pack._enough([source(i, 60) for i in range(3)], 100)] == [[60, 60, 60]]

@@ -1,0 +1,254 @@
+"""`mip serve`: a device for pages that know the token, and for nobody else."""
+
+from __future__ import annotations
+
+import os
+import socket
+import threading
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import Any
+
+import pytest
+from mip_protocol import base
+from mip_tools.errors import Failure
+from mip_tools.simulator import LivePort, VirtualDevice
+from mip_tools.web.frames import BINARY, CLOSE, LONGEST, PING, PONG, TEXT, Frames, Wrong, frame
+from mip_tools.web.server import Server
+from program import DEVICE, PATIENCE, mip, running, simulated
+
+PING_COMMAND = bytes(base.Ping().packet())
+ACKNOWLEDGE = bytes.fromhex("7565010404f10100d56a")
+
+
+def masked(kind: int, data: bytes = b"", final: bool = True, mask: bytes = b"\1\2\3\4") -> bytes:
+    """A frame of a client."""
+    size = len(data)
+    head = bytes((0x80 * final | kind, 0x80 | size if size < 126 else 0x80 | 126))
+    head += size.to_bytes(2, "big") if size >= 126 else b""
+    return head + mask + bytes(x ^ mask[i % 4] for i, x in enumerate(data))
+
+
+class Page:
+    """What a browser does."""
+
+    def __init__(self, server: Any, path: str, host: str = "", key: str = "dGhlIHNhbXBsZSBub25jZQ==") -> None:
+        self.socket = socket.create_connection(("127.0.0.1", server.number), PATIENCE)
+        lines = [f"GET {path} HTTP/1.1", f"Host: {host or f'127.0.0.1:{server.number}'}", "Origin: https://else.where"]
+        if key:
+            lines += [
+                "Upgrade: websocket",
+                "Connection: Upgrade",
+                f"Sec-WebSocket-Key: {key}",
+                "Sec-WebSocket-Version: 13",
+            ]
+        self.socket.sendall("\r\n".join([*lines, "", ""]).encode())
+        self.held = b""
+        head = b""
+        while not head.endswith(b"\r\n\r\n"):
+            head += self.socket.recv(1)
+        self.status = head.split()[1].decode()
+        self.head = head.decode()
+
+    def send(self, *frames: bytes) -> None:
+        self.socket.sendall(b"".join(frames))
+
+    def message(self) -> tuple[int, bytes]:
+        """The next message of the server, which are short."""
+        head = self.exactly(2)
+        size = head[1] if head[1] < 126 else int.from_bytes(self.exactly(2), "big")
+        return head[0] & 0x0F, self.exactly(size)
+
+    def exactly(self, size: int) -> bytes:
+        found = b""
+        while len(found) < size:
+            data = self.socket.recv(size - len(found))
+            assert data, "the server has closed the connection"
+            found += data
+        return found
+
+    def receive(self, wanted: bytes) -> None:
+        found = b""
+        while wanted not in found:
+            kind, data = self.message()
+            assert kind == BINARY, (kind, data)
+            found += data
+
+    def close(self) -> None:
+        self.socket.close()
+
+
+@contextmanager
+def serving(opened: Callable[[], Any] | None = None, **options: Any) -> Iterator[Any]:
+    device = VirtualDevice(DEVICE)
+    said: list[str] = []
+    with Server(opened or (lambda: LivePort(device)), say=said.append, **options) as server:
+        thread = threading.Thread(target=server.run, daemon=True)
+        thread.start()
+        server.said = said  # type: ignore[attr-defined]
+        yield server
+    thread.join(PATIENCE)
+    assert not thread.is_alive()
+
+
+def test_a_page_that_knows_the_token_uses_the_device() -> None:
+    with serving() as server:
+        page = Page(server, f"/{server.token}")
+        assert page.status == "101" and "s3pPLMBiTxaQ9kYGzzhZRbK+xOo=" in page.head
+        page.send(masked(BINARY, PING_COMMAND))
+        page.receive(ACKNOWLEDGE)
+        page.send(masked(BINARY, PING_COMMAND[:3], final=False), masked(PING, b"x"), masked(0, PING_COMMAND[3:]))
+        assert page.message() == (PONG, b"x")
+        page.receive(ACKNOWLEDGE)
+        page.send(masked(TEXT, b"no bytes of the port"), masked(CLOSE, b"\x03\xe8"))
+        assert page.message() == (CLOSE, b"\x03\xe8")
+        page.close()
+
+
+@pytest.mark.parametrize(
+    ("path", "host", "key", "status"),
+    [
+        ("/", "", "x", "403"),
+        ("/guess", "", "x", "403"),
+        ("/{token}x", "", "x", "403"),
+        ("/{token}", "evil.example:{number}", "x", "403"),  # a name that was made to lead here
+        ("/{token}", "evil.example", "x", "403"),
+        ("/{token}", "", "", "426"),
+        ("/{token}", "localhost:{number}", "dGhlIHNhbXBsZSBub25jZQ==", "101"),
+    ],
+)
+def test_nobody_else_does(path: str, host: str, key: str, status: str) -> None:
+    opened: list[Any] = []
+    device = VirtualDevice(DEVICE)
+
+    def open_port() -> LivePort:
+        opened.append(device)
+        return LivePort(device)
+
+    with serving(open_port) as server:
+        known = {"token": server.token, "number": server.number}
+        page = Page(server, path.format(**known), host.format(**known), key)
+        assert page.status == status
+        if status == "101":
+            page.send(masked(BINARY, PING_COMMAND))
+            page.receive(ACKNOWLEDGE)
+        else:
+            assert page.socket.recv(1) == b"" and opened == []
+            assert server.token not in "".join(server.said)
+        page.close()
+
+
+def test_it_listens_on_this_machine_only_and_each_token_is_new() -> None:
+    with serving() as one, serving() as other:
+        assert one._listener.getsockname()[0] == "127.0.0.1"
+        assert one.token != other.token and len(one.token) >= 20
+        with pytest.raises(Failure, match=f"TCP port {one.number} cannot be used"):
+            Server(lambda: None, one.number)
+
+
+def test_one_page_at_a_time() -> None:
+    with serving() as server:
+        first = Page(server, f"/{server.token}")
+        first.send(masked(BINARY, PING_COMMAND))
+        first.receive(ACKNOWLEDGE)
+        second = Page(server, f"/{server.token}")
+        kind, data = second.message()
+        assert kind == CLOSE and data[2:] == b"another page is connected; disconnect it first"
+        first.close()
+        second.close()
+        while server._taken.locked():  # until the first has left
+            os.sched_yield()
+        third = Page(server, f"/{server.token}")
+        third.send(masked(BINARY, PING_COMMAND))
+        third.receive(ACKNOWLEDGE)
+        third.close()
+
+
+def test_a_port_that_is_lost_or_cannot_be_opened_is_said_to_the_page() -> None:
+    device = VirtualDevice(DEVICE)
+    ports: list[LivePort] = []
+
+    def open_port() -> LivePort:
+        if ports:
+            raise Failure("it is gone")
+        ports.append(LivePort(device))
+        return ports[0]
+
+    with serving(open_port) as server:
+        page = Page(server, f"/{server.token}")
+        page.send(masked(BINARY, PING_COMMAND))
+        page.receive(ACKNOWLEDGE)
+        ports[0].close()
+        kind, data = page.message()
+        assert kind == CLOSE and data[2:].startswith(b"the port is lost: ")
+        page.close()
+        while server._taken.locked():
+            os.sched_yield()
+        page = Page(server, f"/{server.token}")
+        assert page.message() == (CLOSE, b"\x03\xf5it is gone")
+        page.close()
+
+
+@pytest.mark.parametrize(
+    ("sent", "code"),
+    [
+        (frame(BINARY, b"x"), 1002),  # without a mask
+        (masked(0, b"x"), 1002),
+        (masked(PING, b"x", final=False), 1002),
+        (bytes((0xC2, 0x81)), 1002),  # an extension
+        (bytes((0x82, 0xFF)) + (1 << 40).to_bytes(8, "big") + b"mask", 1009),
+        (masked(BINARY, bytes(60000), final=False) + masked(0, bytes(60000)), 1009),
+    ],
+)
+def test_what_no_browser_sends(sent: bytes, code: int) -> None:
+    with pytest.raises(Wrong) as wrong:
+        list(Frames().feed(sent))
+    assert wrong.value.code == code
+
+
+def test_frames_in_pieces_of_any_size() -> None:
+    sent = masked(BINARY, bytes(range(200))) + masked(TEXT, b"") + masked(BINARY, bytes(LONGEST - 1)[:65535])
+    for size in (1, 7, len(sent)):
+        frames = Frames()
+        found = [one for at in range(0, len(sent), size) for one in frames.feed(sent[at : at + size])]
+        assert found == [(BINARY, bytes(range(200))), (TEXT, b""), (BINARY, bytes(65535))]
+
+
+def test_the_command() -> None:
+    """Of a port, which is a virtual device at TCP here; its first line is the address."""
+    with simulated() as place, running("serve", place) as process:
+        assert process.stdout is not None
+        address = process.stdout.readline().decode().strip()
+        assert address.startswith("ws://127.0.0.1:")
+        number, _, token = address.rpartition(":")[2].partition("/")
+
+        class At:
+            number = 0
+
+        at = At()
+        at.number = int(number)
+        page = Page(at, f"/{token}")
+        page.send(masked(BINARY, PING_COMMAND))
+        page.receive(ACKNOWLEDGE)
+        process.terminate()
+        while (message := page.message())[0] != CLOSE:
+            pass
+        assert message[1][2:] == b"mip serve has ended"
+        page.close()
+        assert process.wait(PATIENCE) == 0
+
+
+@pytest.mark.parametrize(
+    ("words", "status", "said"),
+    [
+        ([], 2, "name either a port or, with --simulate, a virtual device"),
+        (["x", "--simulate", DEVICE], 2, "name either a port or, with --simulate, a virtual device"),
+        (["x", "--fault", "lose=0.1"], 2, "--motion and --fault are for a virtual device"),
+        (["--simulate", DEVICE, "--motion", "flying"], 2, "--motion"),
+        (["--simulate", "no-such"], 2, "no-such"),
+        (["x", "--tcp", "x"], 2, "'x' is not a TCP port; use a number up to 65535"),
+    ],
+)
+def test_what_cannot_be_served(words: list[str], status: int, said: str) -> None:
+    code, out, error = mip("serve", *words)
+    assert (code, out) == (status, "") and said in error

@@ -1,0 +1,260 @@
+"""The filter of the virtual device: its states, and errors that are as large as its uncertainties."""
+
+from __future__ import annotations
+
+from math import degrees, hypot, pi, radians, remainder, sin
+from typing import Any
+
+import pytest
+from mip_protocol import aiding, filter_data, mip_3dm
+from mip_protocol import filter as commands
+from mip_tools.simulator import VirtualDevice
+from mip_tools.simulator.motion import Circle, Standing
+from mip_tools.simulator.state import euler
+from simulated_world import SETS, TYPES
+from simulator_host import Host
+from support import heavy
+
+CV7 = "3dm-cv7-gnss-ins"
+INIT, VERTICAL_GYRO, AHRS, FULL_NAV = 1, 2, 3, 4
+STABLE, CONVERGING, HEADING, POSITION, VELOCITY = 1, 2, 8, 16, 32
+
+
+def show(device: VirtualDevice, name: str) -> Any:
+    """A data field at this time."""
+    kind = TYPES[name]
+    return kind.decode(device.encoder(SETS[name], kind.DESCRIPTOR)()[0].data)
+
+
+def state(device: VirtualDevice) -> int:
+    return int(show(device, "filter_data.status").filter_state)
+
+
+def flags(device: VirtualDevice) -> int:
+    return int(show(device, "filter_data.status").status_flags)
+
+
+def initialization(alignment: Any, wait: int = 0, heading: float = 0.0, given: int = 0) -> Any:
+    zero = (0.0, 0.0, 0.0)
+    return commands.InitializationConfig.write(wait, given, alignment, heading, 0.0, 0.0, zero, zero, 2)
+
+
+DUAL_ANTENNA, KINEMATIC, MAG, EXTERNAL = 1, 2, 4, 8
+
+
+# --------------------------------------------------------------------------- states
+
+
+def test_states_after_a_reset() -> None:
+    """Nothing, then the level, then a heading and a position."""
+    host = Host(VirtualDevice(CV7, motion=Circle(20, 5)))
+    assert (state(host.device), flags(host.device)) == (FULL_NAV, STABLE)
+    host.ok(commands.Reset())
+    assert state(host.device) == INIT
+    assert show(host.device, "filter_data.euler_angles").valid_flags == 0
+    states = []
+    for _ in range(30):
+        host.device.advance(0.2)
+        states.append(state(host.device))
+        position = show(host.device, "filter_data.llh_position")
+        assert (position.valid_flags == 1) == (state(host.device) == FULL_NAV) == (position.latitude != 0)
+    assert states == sorted(states) and set(states) == {INIT, VERTICAL_GYRO, AHRS, FULL_NAV}
+    assert flags(host.device) & 3 == CONVERGING
+    host.device.advance(120)
+    assert flags(host.device) == STABLE
+
+
+@pytest.mark.parametrize(
+    ("alignment", "motion", "reached"),
+    [
+        (DUAL_ANTENNA, Standing(), FULL_NAV), (MAG, Standing(), FULL_NAV), (KINEMATIC, Circle(20, 5), FULL_NAV),
+        (KINEMATIC, Standing(), VERTICAL_GYRO), (KINEMATIC, Circle(20, 1.5), VERTICAL_GYRO),
+        (0, Circle(), VERTICAL_GYRO), (EXTERNAL, Standing(), VERTICAL_GYRO),
+    ],
+)  # fmt: skip
+def test_ways_to_align_the_heading(alignment: int, motion: Any, reached: int) -> None:
+    """Kinematic alignment begins at 2 m/s."""
+    host = Host(VirtualDevice(CV7, motion=motion))
+    host.ok(initialization(alignment))
+    host.ok(commands.Reset())
+    host.device.advance(10)
+    assert state(host.device) == reached
+
+
+def heading(value: float) -> Any:
+    return aiding.TrueHeading(aiding.MeasurementTime(timebase=3, nanoseconds=0), 1, value, 0.01, 1)
+
+
+def test_alignment_by_the_user() -> None:
+    host = Host(VirtualDevice(CV7, motion=Standing(heading=60)))
+    host.ok(aiding.FrameConfig.write(1, 1, False, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0)))
+    host.ok(initialization(EXTERNAL))
+    host.ok(commands.Reset())
+    host.device.advance(2)
+    assert state(host.device) == VERTICAL_GYRO
+    for _ in range(5):
+        host.ok(heading(radians(60)))
+        host.device.advance(0.5)
+    assert state(host.device) == FULL_NAV
+    assert show(host.device, "filter_data.euler_angles").yaw == pytest.approx(radians(60), abs=0.03)
+
+
+def test_a_given_heading_and_the_command_to_run() -> None:
+    host = Host(VirtualDevice(CV7, motion=Standing(heading=10)))
+    for source in (1, 4):
+        host.ok(commands.AidingMeasurementEnable.write(source, False))
+    host.ok(initialization(0, wait=1, heading=15.0, given=1))
+    host.ok(commands.Reset())
+    host.device.advance(20)
+    assert state(host.device) == INIT
+    host.ok(commands.Run())
+    host.device.advance(1.8)
+    assert state(host.device) >= AHRS
+    assert degrees(show(host.device, "filter_data.euler_angles").yaw) == pytest.approx(15, abs=3)
+
+
+def test_a_heading_that_is_not_aided_is_relative() -> None:
+    """A 3DM-GX5-15 has no reference of its own: it begins at 0, and has reached all that it can."""
+    device = VirtualDevice("3dm-gx5-15", motion=Standing(heading=90))
+    assert abs(show(device, "filter_data.euler_angles").yaw) < 0.2
+    assert int(show(device, "filter_data.status").filter_state) == 2, "a valid solution"
+    assert show(device, "filter_data.euler_angles_uncertainty").yaw > 1
+
+
+# --------------------------------------------------------------------------- aiding
+
+
+DEVICES = 40
+
+
+def errors(device: VirtualDevice) -> tuple[list[float], list[float]]:
+    """What is estimated minus what is true, and the uncertainties: angles, velocity, position."""
+    s, world = device.world.state, device.world
+    e, u = show(device, "filter_data.euler_angles"), show(device, "filter_data.euler_angles_uncertainty")
+    v, uv = show(device, "filter_data.ned_velocity"), show(device, "filter_data.ned_velocity_uncertainty")
+    p, up = show(device, "filter_data.llh_position"), show(device, "filter_data.llh_position_uncertainty")
+    roll, pitch, yaw = (world.quantity(f"attitude.{x}") for x in ("roll", "pitch", "yaw"))
+    assert (e.roll, e.pitch, e.yaw) == pytest.approx((roll, pitch, yaw), abs=1e-6)
+    wrong = [remainder(a - b, 2 * pi) for a, b in zip((e.roll, e.pitch, e.yaw), euler(s.dcm))]
+    wrong += [a - b for a, b in zip((v.north, v.east, v.down), s.velocity)]
+    wrong += world.filter._from(s, (radians(p.latitude), radians(p.longitude), p.ellipsoid_height))
+    return wrong, [u.roll, u.pitch, u.yaw, uv.north, uv.east, uv.down, up.north, up.east, up.down]
+
+
+@heavy("ten minutes of forty devices")
+@pytest.mark.parametrize("gnss", [True, False])
+def test_errors_are_as_large_as_the_uncertainties(gnss: bool) -> None:
+    """Squares of errors by deviations, whose mean is 1: within 95 % bounds over ten minutes, of many devices.
+
+    The errors of one device at different times depend on each other, those of devices do not.
+    """
+    sums, count = [0.0] * 9, 0
+    for seed in range(DEVICES):
+        device = VirtualDevice(CV7, motion=Circle(50, 5), seed=seed)
+        device.world.filter.advance()
+        device.world.gnss = gnss
+        for _ in range(3):
+            device.advance(200)
+            wrong, deviations = errors(device)
+            sums = [total + (x / d) ** 2 for total, x, d in zip(sums, wrong, deviations)]
+            count += 1
+    # The square of a normal distribution has a variance of 2; nine of them are judged, so 3 deviations.
+    effective = count if gnss else DEVICES  # without GNSS, an error is there to stay
+    for total in sums:
+        assert abs(total / count - 1) < 3 * (2 / effective) ** 0.5
+
+
+def test_an_outage_of_gnss_and_the_recovery() -> None:
+    device = VirtualDevice(CV7, motion=Circle(50, 5), seed=4)
+    device.advance(1)
+    before = show(device, "filter_data.llh_position_uncertainty").north
+    device.world.gnss = False
+    grown = []
+    for _ in range(3):
+        device.advance(40)
+        grown.append(show(device, "filter_data.llh_position_uncertainty").north)
+    assert before < 1 and 10 < grown[0] < grown[1] < grown[2] and grown[2] > 5 * grown[0], "faster than the time"
+    assert state(device) == FULL_NAV and flags(device) == CONVERGING | POSITION | VELOCITY
+    assert show(device, "gnss_1.fix_info").fix_type.name == "FIX_NONE"
+    assert show(device, "gnss_1.llh_position").valid_flags == 0
+    aids = [TYPES["filter_data.aiding_measurement_summary"].decode(x.data) for x in device.encoder(0x82, 0x46)()]
+    assert all(not a.indicator.USED & a.indicator for a in aids if a.type.name in ("GNSS", "DUAL_ANTENNA"))
+    device.world.gnss = True
+    device.advance(60)
+    assert flags(device) == STABLE and show(device, "filter_data.llh_position_uncertainty").north < 1
+    wrong, deviations = errors(device)
+    assert all(abs(x) < 5 * d for x, d in zip(wrong, deviations))
+
+
+def test_aiding_that_is_switched_off_is_not_used() -> None:
+    host = Host(VirtualDevice(CV7, motion=Circle(50, 5)))
+    for source in (0, 1, 4):
+        host.ok(commands.AidingMeasurementEnable.write(source, False))
+    host.device.advance(600)
+    aids = {
+        (a.type.name, a.source): int(a.indicator)
+        for a in (
+            TYPES["filter_data.aiding_measurement_summary"].decode(x.data) for x in host.device.encoder(0x82, 0x46)()
+        )
+    }
+    assert aids["GNSS", 1] == aids["DUAL_ANTENNA", 0] == 0
+    assert flags(host.device) & POSITION
+    host.ok(commands.AidingMeasurementEnable.default(0))
+    host.device.advance(60)
+    assert not flags(host.device) & POSITION
+
+
+def test_a_wrong_declination_turns_the_heading() -> None:
+    """By its error, if the magnetometer is all that aids the heading."""
+    host = Host(VirtualDevice("3dm-cv7-ahrs", motion=Standing(heading=40)))
+    host.ok(commands.MagneticDeclinationSource.write(3, host.device.world.declination + 0.1))
+    host.device.advance(600)
+    assert show(host.device, "filter_data.euler_angles").yaw == pytest.approx(radians(40) + 0.1, abs=0.03)
+
+
+def test_a_measurement_that_disagrees_is_not_used() -> None:
+    host = Host(VirtualDevice(CV7, motion=Standing(heading=40)))
+    host.ok(aiding.FrameConfig.write(1, 1, False, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0)))
+    host.ok(heading(radians(140)))
+    aids = [TYPES["filter_data.aiding_measurement_summary"].decode(x.data) for x in host.device.encoder(0x82, 0x46)()]
+    (found,) = (a for a in aids if a.type.name == "AIDING_TRUE_HEADING")
+    assert found.indicator == found.indicator.ENABLED | found.indicator.RESIDUAL_HIGH_WARNING
+    assert show(host.device, "filter_data.euler_angles").yaw == pytest.approx(radians(40), abs=0.03)
+
+
+def test_the_complementary_filter_is_another_estimate() -> None:
+    device = VirtualDevice(CV7, motion=Standing(heading=40))
+    device.advance(5)
+    a, b = show(device, "filter_data.euler_angles"), show(device, "sensor.comp_euler_angles")
+    assert 1e-5 < hypot(a.roll - b.roll, a.pitch - b.pitch, a.yaw - b.yaw) < 0.05
+
+
+def test_the_estimate_does_not_depend_on_when_it_is_read() -> None:
+    often, once = (VirtualDevice(CV7, motion=Circle(50, 5), seed=9) for _ in range(2))
+    for _ in range(100):
+        often.advance(0.37)
+        show(often, "filter_data.euler_angles")
+    once.advance(37)
+    assert show(often, "filter_data.euler_angles") == show(once, "filter_data.euler_angles")
+
+
+def test_a_restart_begins_with_initialization() -> None:
+    device = VirtualDevice(CV7, motion=Circle(50, 5))
+    device.advance(5)
+    device.reset()
+    device.advance(0.6)
+    assert state(device) == INIT
+    device.advance(5)
+    assert state(device) == FULL_NAV
+
+
+def test_a_range_limits_a_sensor() -> None:
+    """Turned by 90 degrees, it measures 1 g along x; the smallest range of the gyroscope is 75 degrees a second."""
+    host = Host(VirtualDevice(CV7, motion=Circle(1, 2)))
+    host.ok(mip_3dm.SensorRange.write(2, 1))
+    assert show(host.device, "sensor.overrange_status").status == 1 << 6
+    rate = show(host.device, "sensor.scaled_gyro").scaled_gyro[2]
+    assert rate == pytest.approx(radians(75), rel=1e-6) and sin(rate) > 0
+    host.ok(mip_3dm.SensorRange.write(2, 4))
+    assert show(host.device, "sensor.overrange_status").status == 0
+    assert filter_data.Status.DESCRIPTOR == 0x10

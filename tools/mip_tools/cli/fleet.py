@@ -1,0 +1,89 @@
+"""`mip fleet`: many logs as one data set."""
+
+from __future__ import annotations
+
+import argparse
+import re
+import sys
+
+from . import outputs, signals
+from .arguments import positive
+
+EPILOG = """\
+examples:
+  mip fleet logs -o data                                 all *.bin in a folder and those in it
+  mip fleet logs -o data                                 again: adds what is new
+  mip fleet logs -o data --only sensor,filter_data --device-from '^([^/]+)/'
+  mip fleet s3://bucket/logs -o data                     needs s3fs
+  mip fleet logs -o data --scheduler tcp://host:8786     a cluster that sees the same folders
+
+The data set has a folder for each clock and each field, data/clock=gps/field=NAME, with the rows
+and columns of `mip export` of that field, and `log` and `device`; data/_manifest.json lists what
+counts, data/_catalogue.parquet has devices, times and gaps. An interrupted run goes on when it is
+started again, and no row is there twice. A log is known by its content, under any name. One that
+cannot be read is named, and tried again next time.
+
+exit status: 1 if a log is missing in the data set
+"""
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.epilog = EPILOG
+    add = parser.add_argument
+    add("logs", nargs="+", metavar="LOGS", help="folders, logs, or URLs of either")
+    add("-o", "--output", required=True, metavar="FOLDER", help="the data set, which is made or added to")
+    add("--pattern", default="*.bin", help="names of the logs in a folder (default: %(default)s)")
+    add("--only", action="append", default=[], metavar="NAME,...", help="these fields or sets only")
+    add(
+        "--invalid",
+        choices=("keep", "mask", "drop"),
+        default="keep",
+        help="values that their flags say are not valid: keep them (default), leave them empty, or drop their rows",
+    )
+    add("--device-from", type=_group, metavar="REGEX", help="its group finds the device in the name of a log")
+    add("--workers", type=positive, metavar="N", help="processes of this machine (default: one for each core)")
+    add("--scheduler", metavar="ADDRESS", help="a Dask scheduler, in place of processes of this machine")
+
+
+def _group(text: str) -> str:
+    try:
+        groups = re.compile(text).groups
+    except re.error as error:
+        raise argparse.ArgumentTypeError(f"'{text}' is not a regular expression: {error}") from None
+    if groups < 1:
+        raise argparse.ArgumentTypeError(f"'{text}' has no group; put the device in parentheses")
+    return text
+
+
+def run(options: argparse.Namespace) -> int:
+    from ..fleet import build
+    from .selection import Selection
+
+    Selection(options.only)  # a wrong name is an error of the command line, not of each log
+
+    def progress(done: int, of: int, what: str) -> None:
+        outputs.progress(f"{done} of {of} {what}")
+
+    with signals.handled(signals.interrupt):
+        try:
+            built = build(
+                options.logs,
+                options.output,
+                only=options.only,
+                pattern=options.pattern,
+                invalid=options.invalid,
+                device=options.device_from,
+                workers=options.workers,
+                scheduler=options.scheduler,
+                progress=progress,
+            )
+        finally:
+            outputs.progress("")
+    for name, why in sorted(built.failed.items()):
+        print(f"mip fleet: {name}: {why}", file=sys.stderr)
+    manifest = built.manifest
+    print(
+        f"{options.output}: {len(built.added)} logs added, {len(built.known)} known, {len(built.failed)} failed; "
+        f"{manifest.rows} rows of {len(manifest.logs)} logs in {len(manifest.files)} files"
+    )
+    return 1 if built.failed else 0

@@ -1,0 +1,193 @@
+"""The folder of a data set: its files, its manifest, and how both change together.
+
+    OUT/_manifest.json                     what counts: the files, the logs that are in them, the options
+    OUT/_catalogue.parquet                 a row for each log and descriptor set: device, times, rates, gaps
+    OUT/clock=gps/field=…/NAME.parquet     the rows
+    OUT/_work/                             of a run that is not finished
+
+A file appears under its name when it is complete, and the name follows from what is in it: to make it again changes
+nothing. Only what the manifest lists counts; it is replaced as a whole.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import asdict, dataclass, field
+from pathlib import Path
+from typing import Any
+from urllib.parse import quote, unquote
+
+from ..errors import Failure
+
+VERSION = 1
+MANIFEST, CATALOGUE, WORK = "_manifest.json", "_catalogue.parquet", "_work"
+
+
+@dataclass(frozen=True)
+class Part:
+    """A file of rows."""
+
+    path: str  # in the folder
+    clock: str
+    field: str
+    rows: int
+    bytes: int  # in memory
+
+
+@dataclass(frozen=True)
+class Member:
+    """A log that is in the data set."""
+
+    name: str
+    identity: str
+    size: int
+    rows: int
+
+
+@dataclass
+class Manifest:
+    """What is in a data set."""
+
+    options: dict[str, Any]
+    files: list[Part] = field(default_factory=list)
+    logs: list[Member] = field(default_factory=list)
+    failed: dict[str, str] = field(default_factory=dict)  # of the last run: name of a log -> why
+
+    @property
+    def rows(self) -> int:
+        """The number of rows of all files."""
+        return sum(part.rows for part in self.files)
+
+
+class Fleet:
+    """A data set that exists."""
+
+    def __init__(self, folder: str | os.PathLike[str]) -> None:
+        self.folder = Path(folder)
+
+    @property
+    def manifest(self) -> Manifest:
+        """What it has. Raises Failure if it is none."""
+        found = read(self.folder)
+        if found is None:
+            raise Failure(f"{self.folder} is no finished data set of a fleet")
+        return found
+
+    def files(self, field: str, clock: str | None = None) -> list[str]:
+        """The files of a field, for any reader of Parquet, such as `dask.dataframe.read_parquet`.
+
+        Raises LookupError if there are none, or if they are of several clocks and none is named.
+        """
+        own = [one for one in self.manifest.files if one.field == field and clock in (None, one.clock)]
+        clocks = sorted({one.clock for one in own})
+        if len(clocks) != 1:
+            which = f"times by several clocks: {', '.join(clocks)}; name one" if clocks else "no such rows"
+            raise LookupError(f"{field}: {self.folder} has {which}")
+        return [str(self.folder / one.path) for one in own]
+
+    def dataset(self, field: str, clock: str | None = None) -> Any:
+        """The rows of a field as a data set of PyArrow. Raises LookupError as `files` does."""
+        import pyarrow.dataset
+
+        return pyarrow.dataset.dataset(self.files(field, clock))
+
+    def catalogue(self) -> Any:
+        """A row for each log and descriptor set, as a table of PyArrow."""
+        import pyarrow.parquet
+
+        return pyarrow.parquet.read_table(self.folder / CATALOGUE, partitioning=None)
+
+
+def open_fleet(folder: str | os.PathLike[str]) -> Fleet:
+    """The data set in a folder. Raises Failure if it has none."""
+    fleet = Fleet(folder)
+    fleet.manifest  # noqa: B018
+    return fleet
+
+
+def read(folder: Path) -> Manifest | None:
+    """The manifest of a folder, if it has one. Raises Failure if it is of another version."""
+    try:
+        said = json.loads((folder / MANIFEST).read_text("utf-8"))
+    except FileNotFoundError:
+        return None
+    except ValueError as error:
+        raise Failure(f"{folder / MANIFEST} is damaged: {error}") from None
+    if said.pop("version", None) != VERSION:
+        raise Failure(f"{folder / MANIFEST} is of another version of mip-tools")
+    files, logs = [Part(**one) for one in said.pop("files")], [Member(**one) for one in said.pop("logs")]
+    return Manifest(files=files, logs=logs, **said)
+
+
+def write(folder: Path, manifest: Manifest) -> None:
+    """Replaces the manifest."""
+    text = json.dumps({"version": VERSION, **asdict(manifest)}, indent=1) + "\n"
+    with placed(folder / MANIFEST) as part:
+        part.write_text(text, "utf-8")
+
+
+@contextmanager
+def placed(path: Path) -> Iterator[Path]:
+    """A file that gets its name when it is complete and on the disk."""
+    part = path.with_name(f"_{path.name}.{os.getpid()}.part")
+    try:
+        yield part
+        with part.open("rb+") as file:
+            os.fsync(file.fileno())
+        os.replace(part, path)
+    finally:
+        part.unlink(missing_ok=True)
+
+
+def home(clock: str, field: str) -> str:
+    """The folder of the rows of a field."""
+    return f"clock={clock or 'none'}/field={quote(field, safe='')}"
+
+
+def belongs(path: Path) -> tuple[str, str]:
+    """Clock and field of a file."""
+    clock, field = (unquote(part.partition("=")[2]) for part in path.parts[-3:-1])
+    return clock, field
+
+
+def unlisted(folder: Path, manifest: Manifest) -> list[Path]:
+    """Files of rows that do not count: of a run that ended while they were moved."""
+    listed = {one.path for one in manifest.files}
+    every = sorted(folder.glob("clock=*/field=*/*"))
+    return [path for path in every if path.relative_to(folder).as_posix() not in listed]
+
+
+@contextmanager
+def alone(folder: Path) -> Iterator[None]:
+    """While it lasts, no other run changes the folder. Raises Failure if one does."""
+    folder.mkdir(parents=True, exist_ok=True)
+    with open(folder / "_lock", "ab") as file:
+        try:
+            _lock(file.fileno())
+        except OSError:
+            raise Failure(f"another run is at work in {folder}; wait until it has ended") from None
+        yield
+
+
+def _lock(number: int) -> None:
+    """Held until the process ends, however it does."""
+    try:
+        import fcntl
+    except ImportError:
+        import msvcrt
+
+        msvcrt.locking(number, msvcrt.LK_NBLCK, 1)  # type: ignore[attr-defined, unused-ignore]
+    else:
+        fcntl.flock(number, fcntl.LOCK_EX | fcntl.LOCK_NB)
+
+
+def cleared(folder: Path) -> None:
+    """Removes what a finished run no longer needs."""
+    shutil.rmtree(folder / WORK, ignore_errors=True)
+
+
+__all__ = ["CATALOGUE", "WORK", "Fleet", "Manifest", "Member", "Part", "alone", "belongs", "home", "open_fleet"]

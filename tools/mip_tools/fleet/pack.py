@@ -1,0 +1,117 @@
+"""Fragments of many logs as few files with large row groups."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Iterator, Sequence
+from itertools import groupby
+from pathlib import Path
+from typing import Any
+
+from .dataset import Part, home, placed
+from .tasks import Pack, Source
+
+#: Bytes of the rows of a group in memory, at least, if a field has so many.
+GROUP = 1 << 26
+
+
+def planned(
+    folder: Path, work: Path, fresh: Sequence[tuple[str, str, Source]], before: Sequence[Part], group: int
+) -> tuple[list[tuple[str, str, Pack]], list[Part]]:
+    """The files to make of new fragments (clock, field, rows), and the earlier ones that remain.
+
+    A file that is smaller than a group is made again, with the new rows.
+    """
+    new = {(clock, field) for clock, field, _ in fresh}
+    small = [one for one in before if one.bytes < group and (one.clock, one.field) in new]
+    every = [(one.clock, one.field, Source(folder / one.path, one.bytes)) for one in small]
+    every = sorted([*every, *fresh], key=lambda one: one[:2])  # stable: the logs stay in their order
+    packs = []
+    for (clock, field), several in groupby(every, key=lambda one: one[:2]):
+        for sources in _enough([source for *_, source in several], group):
+            said = repr([(one.path.relative_to(folder).as_posix(), one.log, one.device) for one in sources])
+            name = hashlib.sha256(said.encode()).hexdigest()[:16]
+            place = work / home(clock, field) / f"{name}.parquet"
+            packs.append((clock, field, Pack(place, tuple(sources), group)))
+    return packs, [one for one in before if one not in small]
+
+
+def _enough(sources: Sequence[Source], group: int) -> list[list[Source]]:
+    """Parts of a list with enough rows for a group each; what is left belongs to the last one."""
+    parts: list[list[Source]] = [[]]
+    for source in sources:
+        if sum(one.bytes for one in parts[-1]) >= group:
+            parts.append([])
+        parts[-1].append(source)
+    if len(parts) > 1 and sum(one.bytes for one in parts[-1]) < group:
+        parts[-2:] = [parts[-2] + parts[-1]]
+    return parts
+
+
+def packed(work: Pack) -> tuple[int, int]:
+    """Writes a file, unless it is there; returns the number of rows, and their bytes in memory."""
+    import pyarrow.parquet as parquet
+
+    from ..cli.writers import parquet_writer
+
+    left = sum(source.bytes for source in work.sources)
+    if not work.path.exists():
+        work.path.parent.mkdir(parents=True, exist_ok=True)
+        with placed(work.path) as part:
+            writer: Any = None
+            try:
+                for table in _groups(work, left):
+                    writer = writer or parquet_writer(part, table.schema)
+                    writer.write_table(table, row_group_size=len(table))
+            finally:
+                if writer:
+                    writer.close()
+    return parquet.read_metadata(work.path).num_rows, left
+
+
+def _groups(work: Pack, left: int) -> Iterator[Any]:
+    """The rows of each group; the last one has what would be too little for another."""
+    import pyarrow as pa
+
+    waiting: list[Any] = []
+    size = 0
+    for source in work.sources:
+        for table in _tables(source):
+            own = table.drop_columns(["log", "device"]).nbytes  # these two take next to nothing in Parquet
+            waiting.append(table)
+            size += own
+            left -= own
+            if size >= work.group and left >= work.group:
+                yield pa.concat_tables(waiting).unify_dictionaries()
+                waiting, size = [], 0
+    if waiting:
+        yield pa.concat_tables(waiting).unify_dictionaries()
+
+
+def _tables(source: Source) -> Iterator[Any]:
+    """The rows of a source, some at a time, with the log and the device that they are of."""
+    import pyarrow as pa
+
+    if source.path.suffix == ".parquet":
+        for batch in pa.parquet.ParquetFile(source.path).iter_batches(1 << 18):
+            yield pa.Table.from_batches([batch])
+        return
+    with pa.memory_map(str(source.path)) as file:
+        reader = pa.ipc.open_file(file)
+        for i in range(reader.num_record_batches):
+            table = pa.Table.from_batches([reader.get_batch(i)])
+            for name, text in (("log", source.log), ("device", source.device)):
+                table = table.append_column(name, _same(text, len(table)))
+            yield table
+
+
+def _same(text: str | None, count: int) -> Any:
+    """One text in all rows."""
+    import pyarrow as pa
+
+    known = pa.array([] if text is None else [text], pa.string())
+    which = pa.array([None if text is None else 0], pa.int32())
+    return pa.DictionaryArray.from_arrays(which.take(pa.array([0] * count, pa.int32())), known)
+
+
+__all__ = ["GROUP", "packed", "planned"]

@@ -1,0 +1,279 @@
+"""A run: finds what is new, lets workers decode it, packs the rows, and writes the manifest."""
+
+from __future__ import annotations
+
+import json
+import logging
+import os
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from importlib import import_module
+from pathlib import Path
+from typing import Any
+
+from .. import __version__, binding
+from ..errors import Failure
+from . import dataset, pack, tasks
+from .sources import Log, device_in, found
+
+#: Gets what is done of how many, and what these are.
+Progress = Callable[[int, int, str], object]
+
+
+@dataclass
+class Built:
+    """What a run has done."""
+
+    manifest: dataset.Manifest
+    added: list[str] = field(default_factory=list)  # names of logs
+    known: list[str] = field(default_factory=list)  # that were in the data set before, perhaps by another name
+    failed: dict[str, str] = field(default_factory=dict)  # name of a log -> why
+
+
+def build(
+    sources: str | os.PathLike[str] | Iterable[str | os.PathLike[str]],
+    out: str | os.PathLike[str],
+    *,
+    only: Sequence[str] = (),
+    pattern: str = "*.bin",
+    invalid: str = "keep",
+    device: str | None = None,
+    workers: int | None = None,
+    scheduler: str | None = None,
+    group: int = pack.GROUP,
+    progress: Progress = lambda done, of, what: None,
+) -> Built:
+    """Adds logs to the data set in the folder `out`, which is made if there is none.
+
+    `sources` are logs, folders of logs, or URLs of either. `only` names fields and sets; without it, all data are in
+    the data set. `device` is a regular expression whose group finds the device in the name of a log. The workers are
+    processes of this machine, one for each core unless `workers` says otherwise, or those of a Dask scheduler.
+
+    Raises Failure if the folder cannot be written, is used by another run, or was made with other options.
+    """
+    dask = _dask()
+    several = [sources] if isinstance(sources, (str, os.PathLike)) else list(sources)
+    logs = found([os.fspath(one) for one in several], pattern)
+    folder = Path(out).resolve()
+    options = {
+        "mip_tools": __version__,
+        "package": f"{binding.name()} {binding.VERSION}",
+        "only": list(only),
+        "invalid": invalid,
+        "device": device,
+    }
+    try:
+        with dataset.alone(folder):
+            run = _Run(folder, options, group, progress)
+            run.begin()
+            run.sort(logs)
+            if run.new:
+                work = tasks.Work(binding.wanted(), folder / dataset.WORK, tuple(only), invalid)
+                with _client(dask, workers, scheduler) as client:
+                    run.decode(client, work)
+                    run.pack(client)
+            run.end()
+            return run.built
+    except OSError as error:
+        raise Failure(f"{error.filename or out} cannot be written: {error.strerror or error}") from None
+
+
+class _Run:
+    def __init__(self, folder: Path, options: dict[str, Any], group: int, progress: Progress) -> None:
+        self.folder, self.work = folder, folder / dataset.WORK
+        self._group, self._progress = group, progress
+        before = dataset.read(folder)
+        self._before = before or dataset.Manifest(options)
+        self.new: list[tuple[Log, str, int]] = []
+        self.built = Built(dataset.Manifest(options, list(self._before.files), list(self._before.logs)))
+        self._packed: list[Path] = []
+        self._facts: dict[str, dict[str, Any]] = {}
+        for name, value in options.items():
+            if self._before.options.get(name) != value:
+                said = f"{name} {self._before.options.get(name)!r}, not {value!r}"
+                raise Failure(f"{folder} was made with {said}; use the same, or another folder")
+
+    def begin(self) -> None:
+        """Takes back what an interrupted run had moved already."""
+        for path in dataset.unlisted(self.folder, self._before):
+            clock, name = dataset.belongs(path)
+            back = self.work / dataset.home(clock, name) / path.name
+            back.parent.mkdir(parents=True, exist_ok=True)
+            os.replace(path, back)
+        said = json.dumps(self._before.options)
+        stamp = self.work / "options.json"
+        if not stamp.exists() or stamp.read_text("utf-8") != said:  # unfinished work of other options is of no use
+            dataset.cleared(self.folder)
+            self.work.mkdir()
+            with dataset.placed(stamp) as part:
+                part.write_text(said, "utf-8")
+
+    def sort(self, logs: Sequence[Log]) -> None:
+        """Which logs are new, known, or neither?"""
+        names = {one.name: one for one in self._before.logs}
+        identities = {one.identity for one in self._before.logs}
+        for log in logs:
+            try:
+                identity, size = log.identity()
+            except (OSError, ImportError) as error:
+                self.built.failed[log.name] = getattr(error, "strerror", None) or str(error)
+                continue
+            if identity in identities:
+                self.built.known.append(log.name)
+            elif log.name in names:
+                self.built.failed[log.name] = "it has changed since it was added; its rows are those of before"
+            else:
+                identities.add(identity)
+                self.new.append((log, identity, size))
+
+    def decode(self, client: Any, work: tasks.Work) -> None:
+        """Lets workers decode the new logs, large ones first."""
+        order = sorted(self.new, key=lambda one: -one[2])
+        jobs = [(log.name, (work, log, identity)) for log, identity, _ in order]
+        for name, result in self._done(client, tasks.decode, jobs, "logs"):
+            if isinstance(result, Exception):
+                self.built.failed[name] = _why(result)
+            elif "failed" in result:
+                self.built.failed[name] = result["failed"]
+            else:
+                found = device_in(name, self._before.options["device"])
+                self._facts[name] = result | ({"device": found} if found else {})
+
+    def pack(self, client: Any) -> None:
+        """Lets workers make files of the fragments."""
+        fresh = []
+        for log, identity, size in self.new:
+            facts = self._facts.get(log.name)
+            if facts is None:
+                continue
+            for one in facts["fragments"]:
+                source = tasks.Source(self.work / identity / one["path"], one["bytes"], log.name, facts.get("device"))
+                fresh.append((one["clock"] or "none", one["field"], source))
+            rows = sum(one["rows"] for one in facts["fragments"])
+            self.built.added.append(log.name)
+            self.built.manifest.logs.append(dataset.Member(log.name, identity, size, rows))
+        packs, remaining = pack.planned(self.folder, self.work, fresh, self._before.files, self._group)
+        self.built.manifest.files = list(remaining)
+        ways = {str(one.path): (clock, name, one.path) for clock, name, one in packs}
+        jobs = [(str(one.path), (one,)) for *_, one in packs]
+        for key, result in self._done(client, tasks.pack, jobs, "files"):
+            clock, name, path = ways[key]
+            if isinstance(result, Exception):
+                raise Failure(f"the rows of {name} cannot be written: {_why(result)}; run it again")
+            place = f"{dataset.home(clock, name)}/{path.name}"
+            self.built.manifest.files.append(dataset.Part(place, clock, name, *result))
+            self._packed.append(path)
+
+    def end(self) -> None:
+        """Moves the new files to their places, and lets them count."""
+        manifest = self.built.manifest
+        manifest.failed = self.built.failed
+        manifest.logs.sort(key=lambda one: one.name)
+        manifest.files.sort(key=lambda one: one.path)
+        for path in self._packed:
+            place = self.folder / path.relative_to(self.work)
+            place.parent.mkdir(parents=True, exist_ok=True)
+            os.replace(path, place)
+        if self.built.added:
+            self._write_catalogue()
+        dataset.write(self.folder, manifest)
+        for path in dataset.unlisted(self.folder, manifest):
+            path.unlink()
+        dataset.cleared(self.folder)
+
+    def _write_catalogue(self) -> None:
+        """Adds the rows of the new logs; what is there of logs that do not count is replaced."""
+        import pyarrow as pa
+        import pyarrow.parquet as parquet
+
+        path = self.folder / dataset.CATALOGUE
+        rows = []
+        if path.exists():
+            counted = {one.name for one in self._before.logs}
+            rows = [row for row in parquet.read_table(path).to_pylist() if row["log"] in counted]
+        sizes = {log.name: size for log, _, size in self.new}
+        for name, facts in sorted(self._facts.items()):
+            own = {key: facts.get(key) for key in ("device", "model", "packets", "skipped", "damaged")}
+            for each in facts["sets"]:
+                rows.append({"log": name, "size": sizes[name], **own, **each, **_dates(each)})
+        with dataset.placed(path) as part:
+            parquet.write_table(pa.Table.from_pylist(rows, _catalogue_schema(pa)), part)
+
+    def _done(
+        self, client: Any, function: Callable[..., Any], jobs: Sequence[tuple[str, tuple[Any, ...]]], what: str
+    ) -> Iterator[tuple[str, Any]]:
+        """The results, or the exceptions, as they come."""
+        completed: Any = import_module("dask.distributed").as_completed
+        futures = {client.submit(function, *job, pure=False): key for key, job in jobs}
+        for count, future in enumerate(completed(list(futures)), 1):
+            error = future.exception()
+            self._progress(count, len(futures), what)
+            yield futures[future], future.result() if error is None else error
+            future.release()
+
+
+def _catalogue_schema(pa: Any) -> Any:
+    text, whole, real, time = pa.string(), pa.int64(), pa.float64(), pa.timestamp("ns", "UTC")
+    columns = {
+        "log": text, "size": whole, "device": text, "model": text, "packets": whole, "skipped": whole,
+        "damaged": whole, "set": text, "set_packets": whole, "clock": text, "first": whole, "last": whole,
+        "first_utc": time, "last_utc": time, "rate": real, "gaps": whole, "missing": real, "longest_gap": real,
+        "backwards": whole,
+    }  # fmt: skip
+    units = {"size": "B", "skipped": "B", "first": "ns", "last": "ns", "rate": "Hz", "missing": "s", "longest_gap": "s"}
+    facts = {name: {"unit": unit} for name, unit in units.items()}
+    return pa.schema([pa.field(name, kind, metadata=facts.get(name)) for name, kind in columns.items()])
+
+
+def _dates(each: dict[str, Any]) -> dict[str, Any]:
+    """The first and the last time as dates, if the clock has one."""
+    if not binding.CLOCKS.get(each.get("clock", "")):
+        return {}
+    return {"first_utc": each["first"], "last_utc": each["last"]}
+
+
+def _why(error: BaseException) -> str:
+    """A reason in one line."""
+    if type(error).__name__ == "KilledWorker":
+        return "the workers that read it ended again and again: out of memory, or the file changed meanwhile"
+    return " ".join(f"{type(error).__name__}: {error}".split())
+
+
+@contextmanager
+def _client(dask: Any, workers: int | None, scheduler: str | None) -> Iterator[Any]:
+    """Workers. Raises Failure if there is no scheduler at the address."""
+    try:
+        if scheduler:
+            made = dask.Client(scheduler, timeout=10)
+        else:  # logs are mapped, not read: a limit of memory would count what does not matter
+            cluster = dask.LocalCluster(
+                n_workers=workers or os.cpu_count() or 1,
+                threads_per_worker=1,
+                memory_limit=0,
+                dashboard_address="127.0.0.1:0",
+                silence_logs=logging.CRITICAL,
+            )
+            made = dask.Client(cluster)
+    except (OSError, ValueError) as error:
+        raise Failure(f"no Dask scheduler answers at {scheduler}: {error}") from None
+    except RuntimeError as error:
+        raise Failure(f"the workers could not be started: {error} Run it again") from None
+    try:
+        with made:
+            yield made
+    finally:
+        if not scheduler:
+            cluster.close()
+
+
+def _dask() -> Any:
+    try:
+        import dask.distributed
+        import pyarrow  # noqa: F401
+    except ImportError as error:
+        raise Failure(f"{error.name} is missing; pip install 'mip-tools[fleet]'") from None
+    return dask.distributed
+
+
+__all__ = ["Built", "build"]

@@ -1,0 +1,117 @@
+"""The logs of a fleet: where they are, what they are called, and whether two are the same."""
+
+from __future__ import annotations
+
+import hashlib
+import re
+import shutil
+import tempfile
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from fnmatch import fnmatch
+from importlib import import_module
+from pathlib import Path, PurePosixPath
+from typing import IO, Any, cast
+
+from ..errors import Misuse
+
+#: Bytes at the beginning and at the end by which a log is known, with its size.
+_ENDS = 1 << 16
+
+
+@dataclass(frozen=True)
+class Log:
+    """A log by its name in the data set, and by its path or URL."""
+
+    name: str
+    place: str
+
+    @property
+    def remote(self) -> bool:
+        """Is it a URL, as of a bucket?"""
+        return "://" in self.place
+
+    def identity(self) -> tuple[str, int]:
+        """What is the same for the same log under any name, and its size. Raises OSError."""
+        with self._opened() as file:
+            size = file.seek(0, 2)
+            said = hashlib.sha256(b"%d" % size)
+            for begin in (0, max(0, size - _ENDS)):
+                file.seek(begin)
+                said.update(file.read(_ENDS))
+        return said.hexdigest()[:24], size
+
+    @contextmanager
+    def local(self) -> Iterator[str]:
+        """A path of it on this machine; of a URL, a copy for as long. Raises OSError."""
+        if not self.remote:
+            yield self.place
+            return
+        with tempfile.TemporaryDirectory(prefix="mip-") as folder:
+            path = Path(folder, "log")
+            with self._opened() as source, path.open("wb") as copy:
+                shutil.copyfileobj(source, copy, 1 << 20)
+            yield str(path)
+
+    def _opened(self) -> IO[bytes]:
+        if not self.remote:
+            return open(self.place, "rb")
+        system, path = _system(self.place)
+        return cast(IO[bytes], system.open(path, "rb"))
+
+
+def found(sources: Iterable[str], pattern: str) -> list[Log]:
+    """The logs in folders and under URLs whose names match a pattern, and those that are named, by name.
+
+    Raises Misuse.
+    """
+    logs: dict[str, Log] = {}
+    for source in sources:
+        several = list(_in(source, pattern))
+        if not several:
+            raise Misuse(f"{source} has no files {pattern}; see --pattern")
+        for log in several:
+            other = logs.setdefault(log.name, log)
+            if other.place != log.place:
+                raise Misuse(f"{other.place} and {log.place} are both called {log.name}; name a folder that has both")
+    return [logs[name] for name in sorted(logs)]
+
+
+def _in(source: str, pattern: str) -> Iterator[Log]:
+    if "://" in source:
+        system, top = _system(source)
+        if not system.isdir(top):
+            yield Log(PurePosixPath(top).name, source)
+            return
+        for path in system.find(top):
+            name = PurePosixPath(path).relative_to(top.rstrip("/")).as_posix()
+            if fnmatch(PurePosixPath(path).name, pattern):
+                yield Log(name, system.unstrip_protocol(path))
+        return
+    place = Path(source)
+    if not place.is_dir():
+        if not place.exists():
+            raise Misuse(f"{source} does not exist")
+        yield Log(place.name, str(place.resolve()))
+        return
+    for path in place.rglob(pattern):
+        if path.is_file():
+            yield Log(path.relative_to(place).as_posix(), str(path.resolve()))
+
+
+def _system(url: str) -> tuple[Any, str]:
+    """The file system of a URL, and the path in it. Raises Misuse if a package for it is missing."""
+    try:
+        return cast(tuple[Any, str], import_module("fsspec.core").url_to_fs(url))
+    except (ImportError, ValueError) as error:
+        raise Misuse(f"{url}: {error}") from None
+
+
+def device_in(name: str, pattern: str | None) -> str | None:
+    """What the first group of a regular expression finds in the name of a log."""
+    said = re.search(pattern, name) if pattern else None
+    return said[1] if said else None
+
+
+__all__ = ["Log", "device_in", "found"]

@@ -1,0 +1,57 @@
+"""What workers do. Modules that need the generated package are imported after it has been chosen."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from .. import binding
+from .sources import Log
+
+
+@dataclass(frozen=True)
+class Work:
+    """What is the same for all logs."""
+
+    package: str  # name or folder
+    folder: Path  # of unfinished work
+    names: tuple[str, ...]
+    invalid: str
+
+
+@dataclass(frozen=True)
+class Source:
+    """Rows that become part of a file: a fragment, or a small file of an earlier run."""
+
+    path: Path
+    bytes: int
+    log: str = ""  # of a fragment
+    device: str | None = None
+
+
+@dataclass(frozen=True)
+class Pack:
+    """A file that is to be made."""
+
+    path: Path
+    sources: tuple[Source, ...]
+    group: int  # bytes of a row group, at least
+
+
+def decode(work: Work, log: Log, identity: str) -> dict[str, Any]:
+    """Makes the fragments of a log; returns its facts, or `failed`, why there are none."""
+    binding.use(work.package)
+    from .decode import decoded
+
+    return decoded(work, log, identity)
+
+
+def pack(work: Pack) -> tuple[int, int]:
+    """Makes a file of rows; returns how many these are, and their bytes in memory."""
+    from .pack import packed
+
+    return packed(work)
+
+
+__all__ = ["Pack", "Source", "Work", "decode", "pack"]

@@ -1,0 +1,63 @@
+"""The error of an estimate, and the variance that a filter computes for it: both change by the same steps."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from math import sqrt
+
+
+class Pair:
+    """A quantity and its rate, such as a position and a velocity, or an angle and the bias of a gyroscope."""
+
+    __slots__ = ("error", "gauss", "p", "pr", "r", "rate")
+
+    def __init__(self, gauss: Callable[[], float]) -> None:
+        """`gauss`: random numbers of a deviation of 1; less, if errors are to be smaller than the variances say."""
+        self.gauss = gauss
+        self.error = self.rate = self.p = self.pr = self.r = 0.0
+
+    def begin(self, deviation: float, of_rate: float) -> None:
+        """Anew, with errors of these deviations."""
+        self.p, self.pr, self.r = deviation * deviation, 0.0, of_rate * of_rate
+        self.error, self.rate = deviation * self.gauss(), of_rate * self.gauss()
+
+    def predict(self, time: float, noise: float, of_rate: float) -> None:
+        """Time passes. Both have white noise: variances per second."""
+        change = sqrt(of_rate * time) * self.gauss()
+        rest = sqrt((noise + of_rate * time * time / 12) * time) * self.gauss()
+        self.error += (self.rate + change / 2) * time + rest
+        self.rate += change
+        self.p += (2 * self.pr + self.r * time + of_rate * time * time / 3 + noise) * time
+        self.pr += (self.r + of_rate * time / 2) * time
+        self.r += of_rate * time
+
+    def measure(self, deviation: float, wrong: float | None = None) -> None:
+        """The quantity is measured with a deviation. `wrong`: how wrong it is; if left out, by chance."""
+        d = (deviation * self.gauss() if wrong is None else wrong) - self.error
+        s = self.p + deviation * deviation
+        k, kr = self.p / s, self.pr / s
+        self.error += k * d
+        self.rate += kr * d
+        self.r -= kr * self.pr
+        self.p, self.pr = self.p * (1 - k), self.pr * (1 - k)
+
+    def measure_rate(self, deviation: float, wrong: float | None = None) -> None:
+        """The same for the rate."""
+        d = (deviation * self.gauss() if wrong is None else wrong) - self.rate
+        s = self.r + deviation * deviation
+        k, kr = self.pr / s, self.r / s
+        self.error += k * d
+        self.rate += kr * d
+        self.p -= k * self.pr
+        self.r, self.pr = self.r * (1 - kr), self.pr * (1 - kr)
+
+    def likely(self, wrong: float, deviation: float) -> bool:
+        """Does a measurement agree with the estimate?"""
+        d = wrong - self.error
+        return d * d <= LIKELY * (self.p + deviation * deviation)
+
+
+#: Square of the deviations within which a measurement is used.
+LIKELY = 25.0
+
+__all__ = ["Pair"]

@@ -1,0 +1,1 @@
+"""A port for pages in a browser: `mip serve`."""

@@ -1,0 +1,229 @@
+"""A device for pages in a browser: WebSocket on this machine, for those that know the token."""
+
+from __future__ import annotations
+
+import hmac
+import re
+import secrets
+import selectors
+import socket
+import threading
+from collections.abc import Callable
+from contextlib import suppress
+from typing import Any, Protocol
+
+from ..errors import Failure
+from .frames import BINARY, CLOSE, GOING, NORMAL, PING, PONG, TRY_AGAIN, Frames, Wrong, accept_key, closing, frame
+
+HOST = "127.0.0.1"
+#: Seconds in which a browser must ask, and take what it is sent.
+PATIENCE = 5.0
+#: Bytes of a request, which browsers keep far below.
+_LONGEST = 16384
+_AT_ONCE = 4096
+_HEADER = re.compile(r"([^:\s]+):\s*(.*?)\s*$")
+
+
+class Port(Protocol):
+    """What is served: a port as `mip_protocol` opens it, or a `LivePort`."""
+
+    def read(self, size: int, /) -> bytes | None: ...
+    def write(self, data: bytes, /) -> int | None: ...
+    def close(self) -> None: ...
+
+
+class Refused(Exception):
+    """A request that is not served, with the status that says so."""
+
+
+class Server:
+    """Serves a port to one page at a time. Use it in a `with` statement, and call `run`."""
+
+    def __init__(
+        self,
+        open_port: Callable[[], Any],
+        number: int = 0,
+        *,
+        token: str | None = None,
+        say: Callable[[str], None] = lambda text: None,
+    ) -> None:
+        """`open_port` opens the port for each page. Raises Failure if TCP port `number` cannot be used."""
+        self._open_port = open_port
+        self._say = say
+        self.token = token or secrets.token_urlsafe(16)
+        self._taken = threading.Lock()
+        self._stopped = False
+        self._clients: set[socket.socket] = set()
+        self._listener = socket.socket()
+        try:
+            self._listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+            self._listener.bind((HOST, number))
+            self._listener.listen()
+        except OSError as error:
+            self._listener.close()
+            raise Failure(f"TCP port {number} cannot be used: {error.strerror}; name another one with --tcp") from None
+
+    @property
+    def number(self) -> int:
+        return int(self._listener.getsockname()[1])
+
+    @property
+    def address(self) -> str:
+        """What a page connects to."""
+        return f"ws://{HOST}:{self.number}/{self.token}"
+
+    def __enter__(self) -> Server:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.stop()
+
+    def run(self) -> None:
+        """Serves until `stop`."""
+        while not self._stopped:
+            try:
+                client, _ = self._listener.accept()
+            except OSError:
+                return
+            threading.Thread(target=self._serve, args=(client,), daemon=True).start()
+
+    def stop(self) -> None:
+        """Makes `run` return; for signal handlers and other threads."""
+        self._stopped = True
+        with suppress(OSError):
+            self._listener.shutdown(socket.SHUT_RDWR)
+        self._listener.close()
+        for client in list(self._clients):
+            with suppress(OSError):
+                client.sendall(closing(GOING, "mip serve has ended"))
+                client.shutdown(socket.SHUT_RDWR)
+
+    def _serve(self, client: socket.socket) -> None:
+        with client:
+            client.settimeout(PATIENCE)
+            client.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+            try:
+                key = self._key(_request(client))
+            except Refused as refused:
+                with suppress(OSError):
+                    client.sendall(f"HTTP/1.1 {refused}\r\nConnection: close\r\nContent-Length: 0\r\n\r\n".encode())
+                return
+            except OSError:
+                return
+            with suppress(OSError):
+                client.sendall(
+                    "HTTP/1.1 101 Switching Protocols\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
+                    f"Sec-WebSocket-Accept: {accept_key(key)}\r\n\r\n".encode()
+                )
+                self._clients.add(client)
+                try:
+                    client.sendall(self._talk(client))
+                finally:
+                    self._clients.discard(client)
+
+    def _key(self, lines: list[str]) -> str:
+        """The key of a handshake by a page that knows the token. Raises Refused."""
+        method, _, rest = lines[0].partition(" ")
+        path = rest.rpartition(" ")[0]
+        headers = {m[1].lower(): m[2] for m in map(_HEADER.fullmatch, lines[1:]) if m}
+        # A page of another site that makes its own name lead here sends that name.
+        host = headers.get("host", "")
+        if host not in (f"{HOST}:{self.number}", f"localhost:{self.number}"):
+            raise Refused("403 Forbidden")
+        if not hmac.compare_digest(path.encode(), f"/{self.token}".encode()):
+            self._say(
+                f"a page of {headers.get('origin', 'unknown origin')} was turned away: it does not know the token"
+            )
+            raise Refused("403 Forbidden")
+        key = headers.get("sec-websocket-key", "")
+        if method != "GET" or headers.get("upgrade", "").lower() != "websocket" or not key:
+            raise Refused("426 Upgrade Required")
+        return key
+
+    def _talk(self, client: socket.socket) -> bytes:
+        """Passes bytes on, both ways. Returns the last message, which says why it ends."""
+        if not self._taken.acquire(blocking=False):
+            return closing(TRY_AGAIN, "another page is connected; disconnect it first")
+        try:
+            try:
+                port = self._open_port()
+            except Failure as failure:
+                self._say(str(failure))
+                return closing(TRY_AGAIN, str(failure))
+            self._say("a page is connected")
+            try:
+                return self._pass_on(client, port)
+            finally:
+                with suppress(Exception):
+                    port.close()
+                self._say("the page has left")
+        finally:
+            self._taken.release()
+
+    def _pass_on(self, client: socket.socket, port: Port) -> bytes:
+        ended = threading.Event()
+        sending = threading.Lock()
+
+        def send(data: bytes) -> None:
+            with sending:
+                client.sendall(data)
+
+        def to_page() -> None:
+            try:
+                while not ended.is_set():
+                    if data := port.read(_AT_ONCE):
+                        send(frame(BINARY, bytes(data)))
+            except Exception as error:  # of the port, or of a page that takes nothing
+                with suppress(OSError):
+                    send(closing(GOING, f"the port is lost: {error}"))
+                    client.shutdown(socket.SHUT_RDWR)
+
+        reader = threading.Thread(target=to_page, daemon=True)
+        reader.start()
+        try:
+            return self._from_page(client, port, send)
+        finally:
+            ended.set()
+            reader.join()
+
+    def _from_page(self, client: socket.socket, port: Port, send: Callable[[bytes], None]) -> bytes:
+        frames = Frames()
+        with selectors.DefaultSelector() as selector:
+            selector.register(client, selectors.EVENT_READ)
+            while True:
+                selector.select()
+                data = client.recv(_AT_ONCE)
+                if not data:
+                    return b""
+                try:
+                    for kind, payload in frames.feed(data):
+                        if kind == CLOSE:
+                            return closing(NORMAL)
+                        if kind == PING:
+                            send(frame(PONG, payload))
+                        if kind == BINARY:
+                            _write(port, payload)
+                except Wrong as wrong:
+                    return closing(wrong.code, str(wrong))
+                except OSError as error:
+                    return closing(GOING, f"the port is lost: {error}")
+
+
+def _request(client: socket.socket) -> list[str]:
+    """The lines of a request. Raises Refused."""
+    held = b""
+    while b"\r\n\r\n" not in held:
+        data = client.recv(_AT_ONCE)
+        if not data or len(held) > _LONGEST:
+            raise Refused("400 Bad Request")
+        held += data
+    return held.partition(b"\r\n\r\n")[0].decode("latin-1").split("\r\n")
+
+
+def _write(port: Port, data: bytes) -> None:
+    while data:
+        done = port.write(data)
+        data = data[len(data) if done is None else done :]
+
+
+__all__ = ["HOST", "Port", "Server"]

@@ -1,0 +1,106 @@
+// What all tools have in common, and the address that holds it: `#device=3dm-cv7-ins&streams=sensor.scaled_accel@100`.
+
+/** What an address can have: each is a text, and belongs to all tools. */
+const KEYS = ["device", "bytes", "find", "packet", "streams", "serve"];
+
+/** Pages of tools, which lie beside each other. */
+const PAGE = /(?:^|\/)(?:bandwidth|builder|finder|inspector|live)\.html$/;
+
+/** Longer texts are no address that people can send. */
+const LONGEST = 30_000;
+
+/** Milliseconds between two addresses: browsers refuse to change them often. */
+const PAUSE = 400;
+
+/** What is behind the # of the address. */
+export function fragment() {
+    return location.hash.slice(1);
+}
+
+function decoded(text) {
+    try {
+        return decodeURIComponent(text);
+    } catch {
+        return text;
+    }
+}
+
+/** The state that a fragment holds; `given` is a text of another form, which each tool reads in its own way. */
+export function stateOf(text) {
+    const parts = text.split("&").map((part) => /^(\w+)=(.*)$/s.exec(part));
+    if (!text || !parts.every((part) => part && KEYS.includes(part[1]))) return { given: decoded(text) };
+    return Object.fromEntries(parts.map(([, key, value]) => [key, decoded(value)]));
+}
+
+/** The fragment of a state. */
+export function fragmentOf(state) {
+    const held = KEYS.filter((key) => state[key] && state[key].length <= LONGEST);
+    const readable = (value) => encodeURIComponent(value).replace(/%(?:2B|2C|40|3A|2F)/g, decodeURIComponent);
+    return held.map((key) => `${key}=${readable(state[key])}`).join("&");
+}
+
+/**
+ * The state of a tool, which begins with the fragment `start`. Without one, the address stays as it is.
+ *
+ * The links of the page to other tools lead there with the same state.
+ */
+export class State {
+    #values;
+    #follows;
+    #last = Number.NEGATIVE_INFINITY;
+    #timer;
+
+    constructor(start) {
+        this.#follows = start !== undefined;
+        this.#values = stateOf(start ?? "");
+        this.#tellLinks();
+    }
+
+    /** A text; "" if the state has none. */
+    get(key) {
+        return this.#values[key] ?? "";
+    }
+
+    /** Changes some texts, and the address. What was given in another form is left behind. */
+    set(changed) {
+        this.adopt(changed);
+        clearTimeout(this.#timer);
+        const wait = this.#last + PAUSE - performance.now();
+        if (wait > 0) this.#timer = setTimeout(() => this.#write(), wait);
+        else this.#write();
+    }
+
+    /** Keeps what a tool has read from a text of another form. The address stays until something is changed. */
+    adopt(read) {
+        const { given, ...others } = this.#values;
+        this.#values = { ...others, ...read };
+        this.#tellLinks();
+    }
+
+    /** The address of another tool, with the same state and what is changed in it. */
+    link(page, changed = {}) {
+        const text = fragmentOf({ ...this.#values, ...changed });
+        return text ? `${page}#${text}` : page;
+    }
+
+    /** Is a text too long for an address? */
+    static tooLong(text) {
+        return text.length > LONGEST;
+    }
+
+    #write() {
+        this.#last = performance.now();
+        if (!this.#follows) return;
+        const text = fragmentOf(this.#values);
+        history.replaceState(history.state, "", text ? `#${text}` : location.pathname + location.search);
+    }
+
+    #tellLinks() {
+        if (!this.#follows) return;
+        const folder = location.pathname.replace(/[^/]*$/, "");
+        for (const link of document.links) {
+            const beside = link.pathname.startsWith(folder) && PAGE.test(link.pathname.slice(folder.length));
+            if (beside && !link.closest(".mip-tool")) link.setAttribute("href", this.link(link.getAttribute("href").split("#")[0]));
+        }
+    }
+}

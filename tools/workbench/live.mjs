@@ -1,0 +1,640 @@
+// The live view: a device at a serial port or behind `mip serve`; its data, its commands, its settings.
+
+import { registry } from "mip-protocol/registry";
+import { openSerial } from "mip-protocol/serial";
+import { buildPacket, fromHex, MipError, Packet } from "mip-protocol/tools";
+import { openWebSocket } from "mip-protocol/websocket";
+import { State } from "./address.mjs";
+import { builder } from "./builder.mjs";
+import { deviceOf, element, links, profileNote } from "./dom.mjs";
+import { drawAttitude, drawPlot } from "./draw.mjs";
+import { deviceWithNumber, inspectBytes, inspectData } from "./inspect.mjs";
+import { transaction } from "./inspector.mjs";
+import { anglesOf, Readings, rotationOf } from "./readings.mjs";
+import { pull, push, settingsIn } from "./settings.mjs";
+import { needOf } from "./stream.mjs";
+import { streamChooser } from "./streams.mjs";
+import { flagText } from "./words.mjs";
+
+/** Milliseconds between two updates of the numbers. */
+const TURN = 200;
+
+/** Milliseconds between two pictures. */
+const FRAME = 30;
+
+/** Fields that are plotted from the start, if they can be. */
+const PLOTS = 3;
+
+const SERIAL =
+    "This browser has no Web Serial, so it cannot open a serial port; Chrome, Edge and Opera on a computer can. " +
+    "Run mip serve PORT and connect to the address that it prints.";
+
+const LIMITS = [
+    "Serial ports need Web Serial, which Chrome, Edge and Opera on a computer have. Other browsers connect to mip serve.",
+    "A page cannot open TCP ports; mip serve HOST:PORT can.",
+    "A recording is kept by the browser until you stop it, and then saved as a file. For hours of data, use mip record.",
+    "In a tab that is hidden, data is still received and recorded, but plots stand still.",
+    "Baud rates, protocols of ports and the communication mode are not restored from a file, because the connection may end. " +
+        "mip config can do that, and its files have names in place of packets.",
+    "On a page from https://, Safari does not connect to mip serve; open the workbench from disk instead.",
+];
+
+/** Fills an element with the tool. `options` are those of `links`, and `start`, the fragment of an address. */
+export function live(root, protocol, options = {}) {
+    new Live(root, protocol, options);
+}
+
+class Live {
+    #protocol;
+    #to;
+    #state;
+    #parts;
+    #device;
+    #open; // opens the same port again
+    #readings;
+    #recording;
+    #streaming = false;
+    #shown = new Map(); // key of a field -> what shows it
+    #chooser;
+    #builder;
+    #timer;
+
+    constructor(root, protocol, options) {
+        this.#protocol = protocol;
+        this.#to = links(options);
+        this.#state = options.state ?? new State(options.start);
+        this.#readings = new Readings(protocol);
+        this.#layOut(root, options);
+    }
+
+    // ------------------------------------------------------------------------------------------------ the page
+
+    #layOut(root, options) {
+        const button = (words, onclick, more = {}) =>
+            element("button", { type: "button", onclick: () => onclick.call(this), ...more }, words);
+        const say = (...words) => this.#say(...words);
+        const state = this.#state;
+        const serve = element("input", {
+            type: "url",
+            id: "mip-serve",
+            value: state.get("serve"),
+            placeholder: "ws://127.0.0.1:5766/…",
+            spellcheck: "false",
+            autocomplete: "off",
+        });
+        const baud = element(
+            "select",
+            { id: "mip-baud" },
+            element("option", { value: "" }, "find the baud rate"),
+            ratesOf(portsOf(this.#protocol)).map((rate) => element("option", { value: rate }, `${rate} Bd`)),
+        );
+        const parts = {
+            serve,
+            baud,
+            serial: button("Open a serial port …", this.#openPort, { class: "mip-main", disabled: !navigator.serial }),
+            status: element("p", { class: "mip-status", role: "status" }, "Not connected."),
+            actions: element("p", { class: "mip-actions" }),
+            identity: element("div", {}),
+            connected: element("div", { hidden: true }),
+            start: button("Start", this.#start, { class: "mip-main" }),
+            stop: button("Stop", this.#stop),
+            need: element("span", { class: "mip-need" }),
+            outcome: element("p", { role: "status" }),
+            data: element("div", { class: "mip-each" }),
+            attitude: element("canvas", { class: "mip-attitude", role: "img", "aria-label": "Attitude" }),
+            angles: element("p", { class: "mip-angles" }),
+            picture: element("section", { class: "mip-reading", hidden: true }),
+            counts: element("p", { class: "mip-note" }),
+            record: button("Record", this.#record),
+            recorded: element("span", { role: "status" }),
+            load: element("input", { type: "file", id: "mip-settings", accept: ".json,application/json" }),
+            progress: element("p", { role: "status" }),
+        };
+        parts.picture.append(element("h3", {}, "Attitude"), parts.attitude, parts.angles);
+        this.#parts = parts;
+        this.#chooser = streamChooser(this.#protocol, state, this.#to, () => this.#tellNeed());
+        const commands = element("div", {});
+        parts.load.addEventListener("change", () => this.#load());
+        const connect = element(
+            "section",
+            { class: "mip-connect" },
+            element("h2", {}, "Connect"),
+            element("p", {}, parts.serial, " ", element("label", { for: "mip-baud" }, "at "), baud),
+            !navigator.serial && element("p", { class: "mip-note" }, SERIAL),
+            element(
+                "form",
+                {
+                    onsubmit: (event) => {
+                        event.preventDefault();
+                        this.#openServe();
+                    },
+                },
+                element("label", { for: "mip-serve" }, "or the address that mip serve prints "),
+                serve,
+                " ",
+                element("button", {}, "Connect"),
+            ),
+            element(
+                "details",
+                {},
+                element("summary", {}, "What a browser cannot do"),
+                element(
+                    "ul",
+                    {},
+                    LIMITS.map((text) => element("li", {}, text)),
+                ),
+            ),
+        );
+        parts.connect = connect;
+        parts.streams = folded("Streams", [this.#chooser.root], { open: true });
+        parts.connected.append(
+            element("div", { class: "mip-totals mip-actions" }, parts.start, parts.stop, parts.record, parts.need, parts.recorded),
+            parts.outcome,
+            parts.streams,
+            element(
+                "section",
+                { class: "mip-section" },
+                element("h2", {}, "Data"),
+                parts.counts,
+                element("div", { class: "mip-readings" }, parts.picture, parts.data),
+            ),
+            folded("Commands", [commands]),
+            folded("Settings", [
+                element(
+                    "p",
+                    { class: "mip-actions" },
+                    button("Save to a file", this.#save),
+                    element("label", { for: "mip-settings" }, "Load from a file "),
+                    parts.load,
+                ),
+                element(
+                    "p",
+                    { class: "mip-note" },
+                    "A file has the settings that the device reports, each as the packet that writes it. Loading writes what differs, " +
+                        "and saves nothing in flash memory: for that, send a command with the function save.",
+                ),
+                parts.progress,
+            ]),
+        );
+        root.replaceChildren(connect, parts.status, parts.actions, parts.identity, parts.connected);
+        this.#builder = builder(commands, this.#protocol, {
+            ...options,
+            state,
+            deviceElsewhere: true,
+            send: (packet) => this.#send(packet),
+        });
+        this.#useDevice(deviceOf(this.#protocol, state.get("device")));
+        navigator.serial?.addEventListener?.("disconnect", () => say("A serial port was unplugged."));
+        this.#timer = setInterval(() => this.#show(), TURN);
+        let drawn = 0;
+        const frame = (time) => {
+            if (!root.isConnected || !root.contains(parts.status)) {
+                clearInterval(this.#timer);
+                this.#device?.close(); // the tool was replaced
+                return;
+            }
+            if (time - drawn >= FRAME) {
+                drawn = time;
+                this.#draw();
+            }
+            requestAnimationFrame(frame);
+        };
+        requestAnimationFrame(frame);
+    }
+
+    #say(...words) {
+        this.#parts.status.replaceChildren(...words);
+    }
+
+    #useDevice(device) {
+        this.#chooser.layOut(device);
+        this.#builder.useDevice(device);
+    }
+
+    #tellNeed() {
+        const problem = this.#chooser?.problem();
+        const { bytes, baud } = problem || !this.#chooser ? { bytes: 0 } : needOf(this.#chooser.chosen());
+        this.#parts.start.disabled = !bytes;
+        this.#parts.need.textContent = problem
+            ? `${problem.field.title} needs ${problem.problem()}.`
+            : bytes
+              ? `${Math.ceil(bytes)} bytes/s; over a UART at least ${Math.ceil(baud)} Bd.`
+              : "Choose fields.";
+    }
+
+    // ------------------------------------------------------------------------------------------------ connection
+
+    async #openPort() {
+        let port;
+        try {
+            port = await navigator.serial.requestPort();
+        } catch {
+            this.#say("No port was chosen.");
+            return;
+        }
+        const baud = Number(this.#parts.baud.value) || undefined;
+        await this.#connect((more) => openSerial(port, { baud, ...more }), baud ? "" : " It may take some seconds to find the baud rate.");
+    }
+
+    async #openServe() {
+        const url = this.#parts.serve.value.trim();
+        if (!/^wss?:\/\/\S+$/.test(url)) {
+            this.#say("An address begins with ws://, as mip serve prints it.");
+            return;
+        }
+        this.#state.set({ serve: url });
+        await this.#connect((more) => openWebSocket(url, more));
+    }
+
+    async #connect(open, words = "") {
+        await this.#disconnect();
+        this.#open = () => this.#connect(open, words);
+        this.#say(`Connecting …${words}`);
+        let device;
+        try {
+            device = await open({ onBytes: (bytes) => this.#recording?.add(bytes) });
+        } catch (error) {
+            this.#say(element("span", { class: "mip-wrong" }, `Not connected: ${error.message}.`));
+            this.#offer("Try again");
+            return;
+        }
+        this.#device = device;
+        this.#readings = new Readings(this.#protocol);
+        this.#shown.clear();
+        this.#parts.data.replaceChildren();
+        this.#read(device);
+        this.#parts.connected.hidden = false;
+        this.#parts.connect.hidden = true;
+        this.#say("Connected; asking the device what it is …");
+        await this.#identify(device);
+    }
+
+    async #identify(device) {
+        let known;
+        try {
+            const response = await device.identify();
+            const [part] = inspectBytes(this.#protocol, response.packet().bytes);
+            const rows = part.fields[0].rows;
+            known = deviceWithNumber(this.#protocol, rows.find(({ path }) => path.endsWith("model_number"))?.value ?? "");
+            this.#parts.identity.replaceChildren(identityList(rows, known), ...[profileNote(known)].filter(Boolean));
+            this.#say(element("span", { class: "mip-right" }, `Connected to ${known?.title ?? "a device that is not known here"}.`));
+        } catch (error) {
+            if (!(error instanceof MipError)) throw error;
+            if (device !== this.#device) return; // lost meanwhile
+            this.#say(element("span", { class: "mip-wrong" }, `Connected, but the device was not identified: ${error.message}.`));
+        }
+        if (device !== this.#device) return;
+        this.#parts.actions.replaceChildren(element("button", { type: "button", onclick: () => this.#leave() }, "Disconnect"));
+        if (known) this.#state.set({ device: known.id });
+        this.#parts.streams.open = true;
+        this.#useDevice(known);
+    }
+
+    async #read(device) {
+        try {
+            for await (const packet of device) this.#readings.take(packet);
+        } catch (error) {
+            if (device === this.#device) this.#lost(error);
+        }
+    }
+
+    #lost(error) {
+        this.#device = undefined;
+        this.#say(element("span", { class: "mip-wrong" }, `The connection is lost: ${error.cause?.message ?? error.message}.`));
+        this.#parts.actions.replaceChildren();
+        this.#offer("Connect again");
+        this.#endRecording();
+        this.#parts.connect.hidden = false;
+    }
+
+    /** A button that connects once more, and starts the streams again that were on. */
+    #offer(words) {
+        const streaming = this.#streaming;
+        const again = async () => {
+            await this.#open();
+            if (streaming && this.#device) await this.#start();
+        };
+        this.#parts.status.append(" ", element("button", { type: "button", onclick: again }, words));
+    }
+
+    async #leave() {
+        await this.#stop();
+        await this.#disconnect();
+        this.#say("Not connected.");
+        this.#parts.connect.hidden = false;
+        this.#parts.connected.hidden = true;
+        this.#parts.identity.replaceChildren();
+    }
+
+    async #disconnect() {
+        const device = this.#device;
+        this.#device = undefined;
+        this.#streaming = false;
+        this.#endRecording();
+        this.#parts.actions.replaceChildren();
+        await device?.close();
+    }
+
+    // ------------------------------------------------------------------------------------------------ streams
+
+    async #start() {
+        const { outcome } = this.#parts;
+        const said = [];
+        try {
+            for (const fields of this.#chooser.chosen().filter((some) => some.length)) {
+                const set = fields[0].set.number;
+                const rates = fields.map(({ field, rate }) => [registry.types(set, field.descriptor)[0], rate]);
+                try {
+                    await this.#device.stream(rates, { set });
+                } catch (error) {
+                    if (error.kind !== "rate" || !error.nearest) throw error;
+                    await this.#device.stream([...error.nearest], { set });
+                    said.push(`${error.message}; started at the nearest rates.`);
+                }
+            }
+            this.#streaming = true;
+            this.#parts.streams.open = false;
+            outcome.replaceChildren(said.join(" ") || "Started.");
+        } catch (error) {
+            if (!(error instanceof MipError)) throw error;
+            outcome.replaceChildren(element("span", { class: "mip-wrong" }, `Not started: ${error.message}.`));
+        }
+    }
+
+    async #stop() {
+        try {
+            await this.#device?.identify(); // sets the device to idle
+            this.#parts.outcome.replaceChildren("Stopped: the device is idle.");
+        } catch (error) {
+            if (!(error instanceof MipError)) throw error;
+            this.#parts.outcome.replaceChildren(element("span", { class: "mip-wrong" }, `Not stopped: ${error.message}.`));
+        }
+        this.#streaming = false;
+    }
+
+    // ------------------------------------------------------------------------------------------------ commands
+
+    /** Sends a packet; the outcomes of its commands, as `inspect` has them: { command, answer, response, error }. */
+    async #exchange(packet) {
+        const [part] = inspectBytes(this.#protocol, packet.bytes);
+        const commands = [...packet.fields()].map(({ set, descriptor, data }) => registry.typeOf(set, descriptor, data).decode(data));
+        const outcomes = await this.#device.exchange(commands);
+        return outcomes.map((outcome, i) => {
+            const command = part.fields[i];
+            if (!outcome) return { command, error: "this command is not answered" };
+            if (outcome.type !== "answer") return { command, error: outcome.type === "timedOut" ? "no answer" : outcome.message };
+            const answered = inspectBytes(this.#protocol, acknowledged(this.#protocol, command, outcome.code))[0].fields[0];
+            const response = outcome.response && inspectBytes(this.#protocol, outcome.response.packet().bytes)[0].fields[0];
+            return { command, answer: answered, response, error: outcome.error && `${outcome.error.message}` };
+        });
+    }
+
+    async #send(packet) {
+        if (!this.#device) return [element("p", { class: "mip-wrong" }, "Not connected.")];
+        try {
+            const found = await this.#exchange(packet);
+            return found.map((one) =>
+                element(
+                    "div",
+                    { class: "mip-transaction" },
+                    one.answer
+                        ? transaction(one, this.#to)
+                        : element("p", { class: "mip-wrong" }, `${one.command.field.title}: ${one.error}.`),
+                    one.answer && one.error && element("p", { class: "mip-wrong" }, one.error),
+                ),
+            );
+        } catch (error) {
+            if (!(error instanceof MipError)) throw error;
+            return [element("p", { class: "mip-wrong" }, `Not sent: ${error.message}.`)];
+        }
+    }
+
+    // ------------------------------------------------------------------------------------------------ settings
+
+    async #ask(packet) {
+        const [{ answer, response, error }] = await this.#exchange(packet);
+        if (!answer) throw new MipError("timeout", error);
+        return { accepted: answer.answered.accepted, response };
+    }
+
+    async #talk(what, act) {
+        const { progress } = this.#parts;
+        const bar = element("progress", { max: 1, value: 0, "aria-label": what });
+        const name = element("span", {});
+        progress.replaceChildren(`${what} `, bar, " ", name);
+        const tell = (part, field) => {
+            bar.value = part;
+            name.textContent = field.title;
+        };
+        const streaming = this.#streaming;
+        try {
+            await this.#stop();
+            progress.replaceChildren(...[await act(tell)].flat());
+        } catch (error) {
+            if (!(error instanceof MipError)) throw error;
+            progress.replaceChildren(element("span", { class: "mip-wrong" }, `${what} failed: ${error.message}.`));
+        }
+        if (streaming && this.#device) await this.#start();
+    }
+
+    #save() {
+        const known = deviceOf(this.#protocol, this.#state.get("device"));
+        return this.#talk("Reading the settings", async (tell) => {
+            const settings = await pull(this.#protocol, known, (packet) => this.#ask(packet), tell);
+            const text = JSON.stringify({ device: known?.id, date: new Date().toISOString().slice(0, 10), settings }, undefined, 1);
+            download(new Blob([text], { type: "application/json" }), `${known?.id ?? "device"}-settings.json`);
+            return `${settings.length} settings saved to a file.`;
+        });
+    }
+
+    async #load() {
+        const [file] = this.#parts.load.files;
+        this.#parts.load.value = "";
+        if (!file || !this.#device) return;
+        const text = await file.text();
+        await this.#talk("Writing the settings", async (tell) => {
+            const settings = settingsIn(this.#protocol, text, (packet) => Packet.from(fromHex(packet)));
+            const { written, same, refused, left } = await push(this.#protocol, settings, (packet) => this.#ask(packet), tell);
+            const said = (names, words) =>
+                names.length > 0 &&
+                element("li", {}, `${names.length} ${words}`, names.length ? `: ${[...new Set(names)].join(", ")}` : "");
+            return element(
+                "ul",
+                {},
+                element("li", {}, `${same.length} already as in the file`),
+                said(written, "written, until the next power-off"),
+                said(refused, "rejected by the device"),
+                said(left, "left out, because the connection may end"),
+            );
+        });
+    }
+
+    // ------------------------------------------------------------------------------------------------ recording
+
+    #record() {
+        if (this.#recording) {
+            this.#endRecording();
+            return;
+        }
+        this.#recording = new Recording(this.#state.get("device") || "device");
+        this.#parts.record.textContent = "Stop and save";
+    }
+
+    #endRecording() {
+        const recording = this.#recording;
+        this.#recording = undefined;
+        this.#parts.record.textContent = "Record";
+        if (!recording) return;
+        this.#parts.recorded.textContent = recording.size ? `${recording.size} bytes saved as ${recording.name}.` : "Nothing was received.";
+        if (recording.size) download(recording.blob, recording.name);
+    }
+
+    // ------------------------------------------------------------------------------------------------ data
+
+    /** The numbers, several times per second. */
+    #show() {
+        if (!this.#device) return;
+        const now = Date.now() / 1000;
+        const { skipped, dropped } = this.#device;
+        const parts = [`${this.#readings.packets} packets`, skipped && `${skipped} bytes outside packets`, dropped && `${dropped} dropped`];
+        this.#parts.counts.textContent = this.#readings.packets ? parts.filter(Boolean).join(", ") : "Nothing has arrived yet.";
+        if (this.#recording) this.#parts.recorded.textContent = `${this.#recording.size} bytes`;
+        for (const [key, reading] of this.#readings.fields) {
+            let shown = this.#shown.get(key);
+            if (!shown) {
+                shown = this.#begin(reading);
+                this.#shown.set(key, shown);
+            }
+            shown.update(now);
+        }
+    }
+
+    #begin(reading) {
+        const title = reading.field ? this.#to.field(reading.field) : `Unknown descriptor ${reading.descriptor}`;
+        const rate = element("span", { class: "mip-note" });
+        const values = element("dl", { class: "mip-values" });
+        const canvas = element("canvas", { class: "mip-plot", role: "img", "aria-label": `Plot of ${reading.field?.title}`, hidden: true });
+        const box = element("input", { type: "checkbox" });
+        const plotted = [...this.#shown.values()].filter(({ reading: one }) => one.plotted).length;
+        const choose = (on) => {
+            box.checked = on;
+            reading.plotted = on;
+            canvas.hidden = !on;
+        };
+        box.addEventListener("input", () => choose(box.checked));
+        if (reading.plottable) choose(plotted < PLOTS);
+        const root = element(
+            "section",
+            { class: "mip-reading", "data-field": reading.name ?? "" },
+            element("h3", {}, title, " ", rate),
+            reading.plottable && element("label", { class: "mip-note" }, box, " plot"),
+            values,
+            canvas,
+        );
+        this.#parts.data.append(root);
+        let cells = [];
+        const update = (now) => {
+            const late = now - reading.times.at(-1) > 2;
+            rate.textContent = late ? "no longer sent" : `${Number(reading.rate(now).toPrecision(3))} Hz`;
+            root.classList.toggle("mip-late", late);
+            const rows = inspectData(this.#protocol, reading, this.#state.get("device") || undefined);
+            if (rows.length !== cells.length) {
+                const made = rows.map(({ path }) => [element("dt", {}, path), element("dd", {})]);
+                values.replaceChildren(...made.flat());
+                cells = made.map(([dt, dd]) => ({ dt, dd }));
+            }
+            const paths = [...reading.series.keys()];
+            for (const [i, row] of rows.entries()) {
+                const { dt, dd } = cells[i];
+                const at = canvas.hidden ? -1 : paths.indexOf(row.key);
+                dt.className = at < 0 ? "" : `mip-line-${at % 6}`;
+                dt.textContent = row.path;
+                dd.textContent = valueText(row);
+            }
+        };
+        return { reading, canvas, update };
+    }
+
+    /** The pictures, with each frame of the screen. */
+    #draw() {
+        const now = Date.now() / 1000;
+        let attitude;
+        for (const { reading, canvas } of this.#shown.values()) {
+            if (reading.plotted) drawPlot(canvas, [...reading.series.values()], now);
+            attitude ??= now - reading.times.at(-1) < 2 ? rotationOf(reading.field, reading.values) : undefined;
+        }
+        this.#parts.picture.hidden = !attitude;
+        if (!attitude) return;
+        drawAttitude(this.#parts.attitude, attitude);
+        const [roll, pitch, yaw] = anglesOf(attitude).map((angle) => angle.toFixed(1));
+        const text = `Roll ${roll}°, pitch ${pitch}°, heading ${yaw}°`;
+        this.#parts.angles.textContent = text;
+        this.#parts.attitude.setAttribute("aria-label", `Attitude: ${text}`);
+    }
+}
+
+/** A part of the page that can be folded. */
+function folded(title, children, attributes = {}) {
+    return element("details", { class: "mip-section", ...attributes }, element("summary", {}, element("h2", {}, title)), children);
+}
+
+function portsOf(protocol) {
+    return protocol.model.devices.flatMap((device) => device.ports ?? []);
+}
+
+function ratesOf(ports) {
+    return [...new Set(ports.flatMap((port) => port.baud_rates))].sort((a, b) => a - b);
+}
+
+function identityList(rows, known) {
+    const items = rows.map(({ path, text, meaning }) => {
+        const name = path.split(".").at(-1).replaceAll("_", " ");
+        const said = text.replace(/^"\s*|\s*"$/g, "");
+        return said && element("div", {}, element("dt", {}, name), element("dd", {}, said, meaning && ` (${meaning})`));
+    });
+    return element("dl", { class: "mip-identity", "data-device": known?.id ?? "" }, items.filter(Boolean));
+}
+
+function acknowledged(protocol, command, code) {
+    const [first, second] = protocol.acknowledge.operations.map((op) => op.member);
+    const values = { [first]: command.descriptor, [second]: code };
+    return buildPacket(protocol, command.set, [{ name: protocol.acknowledge.name, values }]).bytes;
+}
+
+function valueText({ text, unit, name, flags }) {
+    const said = flags ? flags.map(flagText).join(", ") || "none set" : name;
+    const number = Number(text);
+    const short = text.includes(".") && Number.isFinite(number) ? number.toPrecision(6) : text;
+    return [said ?? short, !said && unit].filter(Boolean).join(" ");
+}
+
+/** Bytes that arrive, kept by the browser, on disk if they are many. */
+class Recording {
+    #parts = [];
+    #kept = new Blob([]);
+    size = 0;
+
+    constructor(device) {
+        const time = new Date().toISOString().slice(0, 19).replaceAll(":", "");
+        this.name = `${device}-${time}.bin`;
+    }
+
+    add(bytes) {
+        this.#parts.push(bytes.slice());
+        this.size += bytes.length;
+        if (this.#parts.length > 1000) this.#kept = this.blob;
+    }
+
+    get blob() {
+        const whole = new Blob([this.#kept, ...this.#parts]);
+        this.#kept = whole;
+        this.#parts = [];
+        return whole;
+    }
+}
+
+function download(blob, name) {
+    const link = element("a", { href: URL.createObjectURL(blob), download: name });
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
+}

@@ -1,0 +1,181 @@
+// A log in the inspector: what is in a file of any size, and its packets page by page.
+
+import { copyButton, count, element, table } from "./dom.mjs";
+import { inspectBytes } from "./inspect.mjs";
+import { survey } from "./survey.mjs";
+import { hexByte } from "./words.mjs";
+
+/** How many gaps are listed. */
+const LISTED = 50;
+
+/**
+ * A panel for logs: `chooser`, what a file is chosen with; `output`; and `acceptDrops(element)`.
+ *
+ * @param show returns the elements for parts of bytes; device returns the id of the device whose readings are used
+ */
+export function logPanel(protocol, { show, device }) {
+    const output = element("div", { class: "mip-log", role: "status" });
+    const file = element("input", { type: "file", id: "mip-file", class: "mip-file" });
+    const chooser = element("span", { class: "mip-chooser" }, element("label", { for: "mip-file" }, "Log or recording "), file);
+    let reading = 0; // the latest file
+    const open = async (chosen) => {
+        const mine = ++reading;
+        const bar = element("progress", { max: Math.max(chosen.size, 1), value: 0, "aria-label": "Read so far" });
+        const stop = element("button", { type: "button", onclick: () => reading++ }, "Stop");
+        output.replaceChildren(element("p", {}, `Reading ${chosen.name} `, bar, " ", stop));
+        let found;
+        try {
+            found = await survey(protocol, piecesOf(chosen), (bytes) => {
+                bar.value = bytes;
+                return mine === reading;
+            });
+        } catch (error) {
+            output.replaceChildren(element("p", { class: "mip-wrong" }, `${chosen.name} cannot be read: ${error.message}.`));
+            return;
+        }
+        const close = () => output.replaceChildren();
+        if (mine === reading) output.replaceChildren(...logReport(protocol, chosen, found, show, device, close));
+        else if (output.contains(bar)) close();
+    };
+    file.addEventListener("change", () => {
+        if (file.files[0]) open(file.files[0]);
+        file.value = ""; // the same file may be chosen again
+    });
+    const acceptDrops = (root) => {
+        const over = (there) => (event) => {
+            if (!event.dataTransfer?.types.includes("Files")) return;
+            event.preventDefault();
+            root.classList.toggle("mip-over", there);
+            if (event.type === "drop" && event.dataTransfer.files[0]) open(event.dataTransfer.files[0]);
+        };
+        root.addEventListener("dragover", over(true));
+        root.addEventListener("dragleave", over(false));
+        root.addEventListener("drop", over(false));
+    };
+    return { chooser, output, open, acceptDrops };
+}
+
+async function* piecesOf(file) {
+    const reader = file.stream().getReader();
+    for (;;) {
+        const { value, done } = await reader.read();
+        if (done) return;
+        yield value;
+    }
+}
+
+function logReport(protocol, file, found, show, device, close) {
+    const beside = [
+        found.skipped > 0 && `${count(found.skipped, "byte")} outside packets`,
+        found.sentences > 0 && `${count(found.sentences, "NMEA sentence")} among them`,
+    ].filter(Boolean);
+    const summary = [`${count(found.bytes, "byte")}, ${count(found.packets, "packet")}`, ...beside].join("; ");
+    const lines = () => [["field", "descriptor", "count", "rate_hz", "gaps"], ...found.fields.map(cellsOf)];
+    return [
+        element("h2", {}, file.name),
+        element(
+            "p",
+            { class: "mip-summary" },
+            `${summary}. `,
+            copyButton("Copy the table", () =>
+                lines()
+                    .map((line) => line.join("\t"))
+                    .join("\n"),
+            ),
+            " ",
+            element("button", { type: "button", onclick: close }, "Close the log"),
+        ),
+        found.fields.length > 0 &&
+            table(
+                ["Field", "Descriptor", "Count", "Rate in Hz", "Gaps"],
+                found.fields.map((one) =>
+                    element(
+                        "tr",
+                        { "data-field": one.name ?? "" },
+                        cellsOf(one).map((text) => element("td", {}, text)),
+                    ),
+                ),
+                `What is in ${file.name}`,
+            ),
+        found.fields.some(({ rate }) => rate) &&
+            element(
+                "p",
+                { class: "mip-note" },
+                "Rates and gaps are by the timestamps of the device; a gap is more than 1.6 usual intervals.",
+            ),
+        found.gaps.length > 0 && gapList(found.gaps),
+        found.packets > 0 && pages(protocol, file, found, show, device),
+    ].filter(Boolean);
+}
+
+function cellsOf({ set, descriptor, field, name, count: times, rate, gaps, lost }) {
+    return [
+        field ? `${field.title} · ${name}` : "unknown",
+        `${hexByte(set)},${hexByte(descriptor)}`,
+        `${times}`,
+        rate ? `${Number(rate.toPrecision(5))}` : "",
+        gaps ? `${gaps}, ${count(lost, "sample")} missing` : rate ? "none" : "",
+    ];
+}
+
+function gapList(gaps) {
+    const item = ({ at, seconds, lost, fields, packet }) =>
+        element(
+            "li",
+            {},
+            `before packet ${packet + 1}: ${Number(seconds.toPrecision(4))} s`,
+            at ? ` after ${Number(at.toFixed(4))} s` : "",
+            `, ${count(lost, "sample")} of ${fields.map(({ name }) => name ?? "unknown").join(", ")}`,
+        );
+    const more = gaps.length > LISTED && element("p", {}, `${gaps.length - LISTED} more gaps.`);
+    return element(
+        "details",
+        {},
+        element("summary", {}, count(gaps.length, "gap")),
+        element("ul", {}, gaps.slice(0, LISTED).map(item)),
+        more || "",
+    );
+}
+
+/** The packets of a file, a page at a time, which is read when it is shown. */
+function pages(protocol, file, found, show, device) {
+    const shown = element("div", {});
+    const number = element("input", { type: "number", min: 1, max: found.packets, value: 1, id: "mip-log-packet" });
+    const place = element("span", {});
+    const pageOf = (packet) =>
+        Math.max(
+            0,
+            found.pages.findLastIndex(({ first }) => first <= packet),
+        );
+    let at = 0;
+    const go = async (page) => {
+        at = Math.min(Math.max(page, 0), found.pages.length - 1);
+        const { offset, first } = found.pages[at];
+        const end = found.pages[at + 1]?.offset ?? found.bytes;
+        const bytes = new Uint8Array(await file.slice(offset, end).arrayBuffer());
+        place.textContent = ` packets ${first + 1} to ${found.pages[at + 1]?.first ?? found.packets} of ${found.packets} `;
+        shown.replaceChildren(...show(inspectBytes(protocol, bytes, device())));
+    };
+    const step = (words, by) => element("button", { type: "button", onclick: () => go(at + by) }, words);
+    number.addEventListener("change", () => go(pageOf(Number(number.value) - 1)));
+    const section = element(
+        "details",
+        { class: "mip-pages" },
+        element("summary", {}, "Packets"),
+        element(
+            "p",
+            {},
+            step("Earlier", -1),
+            place,
+            step("Later", 1),
+            " ",
+            element("label", { for: "mip-log-packet" }, "Go to packet "),
+            number,
+        ),
+        shown,
+    );
+    section.addEventListener("toggle", () => {
+        if (section.open && !shown.children.length) go(0);
+    });
+    return section;
+}

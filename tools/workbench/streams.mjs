@@ -1,0 +1,135 @@
+// Data fields with rates in Hz: a table for each data set, for the bandwidth calculator and for live data.
+
+import { decimation, nameIn, SHARED_SET } from "mip-protocol/tools";
+import { certaintyOn } from "./build.mjs";
+import { count, element, mark, table } from "./dom.mjs";
+import { streamsOf } from "./stream.mjs";
+import { descriptorOf, hexByte } from "./words.mjs";
+
+/** The rate of a field that is chosen, until another one is given. */
+const USUAL = 10;
+
+/** The name of a field in a set in an address: "sensor.scaled_accel", of shared ones "sensor+shared.gps_timestamp". */
+export function streamName(field, set) {
+    return field.set === SHARED_SET ? `${set.name}+${field.name}` : nameIn(field, set.number);
+}
+
+/** Name -> rate, of the text in an address: "sensor.scaled_accel@100,sensor.scaled_gyro@50". */
+export function ratesOf(text) {
+    const pairs = text.split(",").map((part) => part.split("@"));
+    return new Map(pairs.filter(([name, rate]) => name && rate).map(([name, rate]) => [name, rate]));
+}
+
+/**
+ * A chooser of fields, whose choice is in the state: `root`, `chosen()`, an array for each set of { set, field, rate } with
+ * the rate that the device can send, `problem()`, the first row that has none, and `layOut(device)`.
+ *
+ * @param changed is called when the choice changes
+ */
+export function streamChooser(protocol, state, to, changed) {
+    const root = element("div", { class: "mip-streams" });
+    let rows = [];
+    const tell = () => {
+        // Rates of fields that the present device does not have stay in the address.
+        const held = ratesOf(state.get("streams"));
+        for (const row of rows.flat()) held.delete(row.name);
+        for (const row of rows.flat()) if (row.box.checked) held.set(row.name, row.input.value);
+        state.set({ streams: [...held].map(([name, rate]) => `${name}@${rate}`).join(",") });
+        for (const [i, summary] of [...root.querySelectorAll("summary")].entries()) summary.lastChild.textContent = chosenText(rows[i]);
+        changed();
+    };
+    const layOut = (device) => {
+        const held = ratesOf(state.get("streams"));
+        const streams = streamsOf(protocol, device);
+        rows = streams.map((stream) =>
+            stream.fields.map((field) => streamRow(protocol, device, field, stream, held.get(streamName(field, stream.set)), tell, to)),
+        );
+        root.replaceChildren(...streams.map((stream, i) => streamTable(stream, rows[i])));
+        changed();
+    };
+    return {
+        root,
+        layOut,
+        chosen: () => rows.map((set) => set.filter(({ box }) => box.checked).map(({ set, field, rate }) => ({ set, field, rate: rate() }))),
+        problem: () => rows.flat().find((row) => row.box.checked && row.problem()),
+    };
+}
+
+function chosenText(rows) {
+    const chosen = rows.filter(({ box }) => box.checked).length;
+    return chosen ? `: ${count(chosen, "field")} chosen` : "";
+}
+
+function streamTable({ set, base }, rows) {
+    const rate = base ? `base rate ${base} Hz` : base === 0 ? "sent as it arrives" : "base rate not known";
+    return element(
+        "details",
+        { "data-set": set.name, open: rows.some(({ box }) => box.checked) },
+        element("summary", {}, `${set.title} (${hexByte(set.number)}), ${rate}`, element("strong", {}, chosenText(rows))),
+        table(
+            ["Field", "Bytes", "Rate in Hz", "Sent at"],
+            rows.map(({ line }) => line),
+            `Fields of ${set.title}`,
+        ),
+    );
+}
+
+function streamRow(protocol, device, field, { set, base }, held, changed, to) {
+    const name = streamName(field, set);
+    const id = `mip-stream-${name}`;
+    const box = element("input", { type: "checkbox", id, checked: held !== undefined });
+    const input = element("input", {
+        type: "number",
+        min: 0,
+        max: base || undefined,
+        step: "any",
+        value: held ?? Math.min(USUAL, base || USUAL),
+        required: true,
+        "aria-label": `Rate of ${field.title} in Hz`,
+    });
+    const wanted = () => Number(input.value);
+    const text = element("td", { class: "mip-rate" });
+    const row = {
+        name,
+        set,
+        field,
+        box,
+        input,
+        rate: () => (base ? base / decimation(base, wanted()) : wanted()),
+        problem() {
+            if (wanted() > 0 && wanted() <= (base || Number.POSITIVE_INFINITY) && input.value.trim()) return undefined;
+            return base ? `a rate above 0 Hz and up to ${base} Hz` : "a rate above 0 Hz";
+        },
+    };
+    const tell = () => {
+        const problem = row.problem();
+        text.textContent = problem ?? rateText(base, wanted(), row.rate());
+        text.classList.toggle("mip-wrong", Boolean(problem));
+    };
+    for (const control of [box, input]) {
+        control.addEventListener("input", () => {
+            if (control === input) box.checked = true;
+            tell();
+            changed();
+        });
+    }
+    tell();
+    const certainty = certaintyOn(protocol, device, field, set.number);
+    const label = element("label", { for: id }, ` ${descriptorOf(field, set.number)} ${field.title}${mark(certainty)}`);
+    row.line = element(
+        "tr",
+        { "data-field": field.name },
+        element("td", {}, box, label, " ", to.page(field)),
+        element("td", {}, `${field.max_size + 2}`),
+        element("td", {}, input),
+        text,
+    );
+    return row;
+}
+
+function rateText(base, wanted, rate) {
+    const number = `${Number(rate.toPrecision(6))} Hz`;
+    if (!base) return number;
+    const near = Math.abs(rate - wanted) > 1e-6 * wanted ? ", the nearest" : "";
+    return `${number}${near} (decimation ${decimation(base, wanted)})`;
+}
