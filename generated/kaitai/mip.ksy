@@ -2913,9 +2913,11 @@ types:
         seq:
           - id: window
             type: event_threshold_window
+            parent: false
             if: _parent.type == event_threshold_type::window
           - id: interval
             type: event_threshold_interval
+            parent: false
             if: _parent.type == event_threshold_type::interval
   event_trigger_combination:
     doc: A trigger that combines up to four others.
@@ -3694,12 +3696,15 @@ types:
         seq:
           - id: gpio
             type: event_trigger_gpio
+            parent: false
             if: _parent.type == event_trigger_type::gpio
           - id: threshold
             type: event_trigger_threshold
+            parent: false
             if: _parent.type == event_trigger_type::threshold
           - id: combination
             type: event_trigger_combination
+            parent: false
             if: _parent.type == event_trigger_type::combination
   mip_3dm_event_action_config:
     -orig-id: 3dm.event_action_config
@@ -3733,9 +3738,11 @@ types:
         seq:
           - id: gpio
             type: event_action_gpio
+            parent: false
             if: _parent.type == event_action_type::gpio
           - id: message
             type: event_action_message
+            parent: false
             if: _parent.type == event_action_type::message
   mip_3dm_device_settings:
     -orig-id: 3dm.device_settings
@@ -5376,12 +5383,15 @@ types:
         seq:
           - id: gpio
             type: event_trigger_gpio
+            parent: false
             if: _parent.type == event_trigger_type::gpio
           - id: threshold
             type: event_trigger_threshold
+            parent: false
             if: _parent.type == event_trigger_type::threshold
           - id: combination
             type: event_trigger_combination
+            parent: false
             if: _parent.type == event_trigger_type::combination
   mip_3dm_event_action_config_response:
     -orig-id: 3dm.event_action_config_response
@@ -5406,9 +5416,11 @@ types:
         seq:
           - id: gpio
             type: event_action_gpio
+            parent: false
             if: _parent.type == event_action_type::gpio
           - id: message
             type: event_action_message
+            parent: false
             if: _parent.type == event_action_type::message
   mip_3dm_gpio_config_response:
     -orig-id: 3dm.gpio_config_response

@@ -4712,10 +4712,11 @@ MIP_CHECKED static inline mip_error mip_3dm_accel_bias_response_encode(
  *
  * For advanced use. Functions: write, read, save, load, default and apply. Answered by
  * mip_3dm_gyro_bias_response. Changes mip_sensor_scaled_gyro. Probably changes
- * mip_sensor_delta_theta and mip_filter_data_gyro_bias. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
- * 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. On the 3DM-CV7-AHRS:
- * write, read, save, load and default only. On the 3DM-CV7-AR: write, read, save, load and default
- * only. On the 3DM-CV7-GNSS/INS: write, read, save, load and default only.
+ * mip_sensor_delta_theta, mip_filter_data_gyro_bias and mip_filter_data_status. Supported by
+ * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and
+ * 3DM-RQ1-45-ST. On the 3DM-CV7-AHRS: write, read, save, load and default only. On the 3DM-CV7-AR:
+ * write, read, save, load and default only. On the 3DM-CV7-GNSS/INS: write, read, save, load and
+ * default only.
  *
  * - 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
  * - 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
@@ -4855,9 +4856,9 @@ MIP_CHECKED static inline mip_error mip_3dm_gyro_bias_response_encode(
  * Averages the angular rate of the device at rest and uses the result as the gyroscope bias.
  *
  * Answered by mip_3dm_gyro_bias_response. Changes mip_sensor_scaled_gyro. Probably changes
- * mip_sensor_delta_theta and mip_filter_data_gyro_bias. The device may take 31 s to answer.
- * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS,
- * 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * mip_sensor_delta_theta, mip_filter_data_gyro_bias and mip_filter_data_status. The device may take
+ * 31 s to answer. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
+ * 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * The device must be at rest, with as little vibration as possible, for the whole time.
  *

@@ -1426,6 +1426,8 @@ record! {
     /// State, dynamics mode, condition and warnings of the filter.
     ///
     /// Changed by [`filter::Run`](crate::filter::Run). Probably changed by
+    /// [`mip_3dm::GyroBias`](crate::mip_3dm::GyroBias),
+    /// [`mip_3dm::CaptureGyroBias`](crate::mip_3dm::CaptureGyroBias) and
     /// [`filter::InitializationConfig`](crate::filter::InitializationConfig). Supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7)

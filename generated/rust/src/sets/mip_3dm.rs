@@ -3053,8 +3053,9 @@ record! {
     /// [load](types::FunctionSelector::LOAD), [default](types::FunctionSelector::DEFAULT) and
     /// [apply](types::FunctionSelector::APPLY). Answered by [`GyroBiasResponse`]. Changes
     /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro). Probably changes
-    /// [`sensor::DeltaTheta`](crate::sensor::DeltaTheta) and
-    /// [`filter_data::GyroBias`](crate::filter_data::GyroBias). Supported by
+    /// [`sensor::DeltaTheta`](crate::sensor::DeltaTheta),
+    /// [`filter_data::GyroBias`](crate::filter_data::GyroBias) and
+    /// [`filter_data::Status`](crate::filter_data::Status). Supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
@@ -3142,8 +3143,9 @@ record! {
     /// Averages the angular rate of the device at rest and uses the result as the gyroscope bias.
     ///
     /// Answered by [`GyroBiasResponse`]. Changes [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
-    /// Probably changes [`sensor::DeltaTheta`](crate::sensor::DeltaTheta) and
-    /// [`filter_data::GyroBias`](crate::filter_data::GyroBias). Flagged by
+    /// Probably changes [`sensor::DeltaTheta`](crate::sensor::DeltaTheta),
+    /// [`filter_data::GyroBias`](crate::filter_data::GyroBias) and
+    /// [`filter_data::Status`](crate::filter_data::Status). Flagged by
     /// [`imu_bias_warning`](crate::filter_data::Cv7StatusFlags::imu_bias_warning) of
     /// [`filter_data::Cv7StatusFlags`](crate::filter_data::Cv7StatusFlags). The device may take 31
     /// s to answer. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
