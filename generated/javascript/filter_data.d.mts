@@ -40,7 +40,7 @@ export declare const GnssAidingStatus: Bitfield<GnssAidingStatus> & {
     readonly TIGHT_COUPLING: GnssAidingStatus;
     /** RTK corrections are used. Bit 1. */
     readonly DIFFERENTIAL: GnssAidingStatus;
-    /** There is an RTK integer fix, which gives the best position. Bit 2. */
+    /** There is an RTK integer fix, with the most accurate position. Bit 2. */
     readonly INTEGER_FIX: GnssAidingStatus;
     /** GPS L1 is used. Bit 3. */
     readonly GPS_L1: GnssAidingStatus;
@@ -430,7 +430,7 @@ export declare class NedVelocity extends Data {
  * 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR,
  * 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45. Refused by 3DM-GX3-25.
  *
- * `v_vehicle = q^-1 * v_ned * q`. The 3DM-GX5-15 manual gives the inverse rotation.
+ * `v_vehicle = q^-1 * v_ned * q`. The 3DM-GX5-15 manual documents the inverse rotation.
  *
  * - 3dm-cv7-gnss-ins: Attitude Quaternion (0x82,0x03)
  * - 3dm-gx5-15: 5.2.3 Orientation, Quaternion (0x82, 0x03)
@@ -1209,7 +1209,7 @@ export declare class StandardAtmosphere extends Data {
 /**
  * Pressure altitude (0x82,0x21).
  *
- * Altitude that the US Standard Atmosphere of 1976 gives for the measured pressure.
+ * Altitude from the measured pressure, by the US Standard Atmosphere of 1976.
  *
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25,
  * 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR,
@@ -1236,8 +1236,8 @@ export declare class PressureAltitude extends Data {
  *
  * The density of the surrounding air, as the altitude at which the standard atmosphere is as dense.
  *
- * Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: The SDK gives the name only;
- * the description is the usual meaning of the term.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: The SDK has the name only; the
+ * description is the usual meaning of the term.
  *
  * - mip-sdk-4: Density altitude (0x82,0x22)
  */

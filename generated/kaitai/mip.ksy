@@ -2358,7 +2358,7 @@ types:
         doc: All values are valid.
   gnss_data_base_station_indicators:
     -kind: bits
-    doc: Properties of a base station, as its RTCM message gives them.
+    doc: Properties of a base station, as in its RTCM message.
     seq:
       - id: unused_8
         type: b8
@@ -2655,7 +2655,7 @@ types:
         doc: GPS L1 is used.
       - id: integer_fix
         type: b1
-        doc: There is an RTK integer fix, which gives the best position.
+        doc: There is an RTK integer fix, with the most accurate position.
       - id: differential
         type: b1
         doc: RTK corrections are used.
@@ -3114,7 +3114,7 @@ types:
       - id: code
         type: u1
         enum: ack_code
-        doc: "0 if the command is acknowledged, else the reason why it is refused."
+        doc: "0 (ACK) if the device carried out the command, otherwise the reason why it did not (NACK)."
   base_ping:
     -orig-id: base.ping
     doc: Ping. Checks whether a device is present and answers commands.
@@ -3173,7 +3173,7 @@ types:
       - id: value
         type: u4
         if: function_value == function_selector::write or function_value == function_selector::apply or _io.size >= 6
-        doc: "Time, as `field_id` says."
+        doc: "Week or seconds, as selected by `field_id`."
   base_soft_reset:
     -orig-id: base.soft_reset
     doc: Reset device. Acknowledges the command, then resets the device immediately.
@@ -5669,7 +5669,7 @@ types:
         doc: "Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793."
       - id: heading_uncertainty
         type: f4
-        doc: "Standard deviation; the device refuses a value out of bounds. Unit: rad. Range: greater than 0."
+        doc: "Standard deviation; the device rejects a value out of bounds. Unit: rad. Range: greater than 0."
       - id: type
         type: u1
         enum: filter_heading_type
@@ -5793,7 +5793,7 @@ types:
         doc: "Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793."
       - id: heading_uncertainty
         type: f4
-        doc: "Standard deviation; the device refuses a value out of bounds. Unit: rad. Range: greater than 0."
+        doc: "Standard deviation; the device rejects a value out of bounds. Unit: rad. Range: greater than 0."
       - id: type
         type: u1
         enum: filter_heading_type
@@ -8372,7 +8372,7 @@ types:
         doc: "Corrections received during this epoch. Valid if `valid_flags.epoch_status` is set."
       - id: dongle_status
         type: rtk_status_flags
-        doc: "Status flags of the RTK dongle; of use only with a dongle. Valid if `valid_flags.dongle_status` is set."
+        doc: "Status flags of the RTK dongle, meaningful only if one is connected. Valid if `valid_flags.dongle_status` is set."
       - id: gps_correction_latency
         type: f4
         doc: "Latency of the last GPS correction. Unit: s. Range: at least 0. Valid if `valid_flags.gps_latency` is set."
@@ -9227,7 +9227,7 @@ types:
         doc: Validity of the values of a field.
   filter_data_pressure_altitude:
     -orig-id: filter_data.pressure_altitude
-    doc: Pressure altitude. Altitude that the US Standard Atmosphere of 1976 gives for the measured pressure.
+    doc: Pressure altitude. Altitude from the measured pressure, by the US Standard Atmosphere of 1976.
     seq:
       - id: pressure_altitude
         type: f4
@@ -13178,7 +13178,7 @@ enums:
       doc: The World Magnetic Model, at the estimated position.
     3:
       id: manual
-      doc: The value that the command gives.
+      doc: The value specified by the command.
   filter_adaptive_measurement_selector:
     0:
       id: disabled
@@ -13186,7 +13186,7 @@ enums:
     1:
       id: fixed_value
       -orig-id: fixed
-      doc: Adapted by the limits that the command gives.
+      doc: Adapted by the limits specified by the command.
     2:
       id: auto_value
       -orig-id: auto
@@ -13305,7 +13305,7 @@ enums:
       doc: The base station of the RTK corrections.
     1:
       id: manual
-      doc: The coordinates that the command gives.
+      doc: The coordinates specified by the command.
   filter_reference_point:
     1:
       id: vehicle

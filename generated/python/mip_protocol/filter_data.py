@@ -48,7 +48,7 @@ class GnssAidingStatus(IntFlag):
     DIFFERENTIAL = 1 << 1
     """RTK corrections are used. Bit 1."""
     INTEGER_FIX = 1 << 2
-    """There is an RTK integer fix, which gives the best position. Bit 2."""
+    """There is an RTK integer fix, with the most accurate position. Bit 2."""
     GPS_L1 = 1 << 3
     """GPS L1 is used. Bit 3."""
     GPS_L2 = 1 << 4
@@ -542,7 +542,7 @@ class AttitudeQuaternion(Data):
     3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45. Refused by
     3DM-GX3-25.
 
-    `v_vehicle = q^-1 * v_ned * q`. The 3DM-GX5-15 manual gives the inverse rotation.
+    `v_vehicle = q^-1 * v_ned * q`. The 3DM-GX5-15 manual documents the inverse rotation.
 
     - 3dm-cv7-gnss-ins: Attitude Quaternion (0x82,0x03)
     - 3dm-gx5-15: 5.2.3 Orientation, Quaternion (0x82, 0x03)
@@ -2324,7 +2324,7 @@ _PRESSURE_ALTITUDE_0 = codec.Block("fH", "pressure_altitude", "valid_flags")
 class PressureAltitude(Data):
     """Pressure altitude (0x82,0x21).
 
-    Altitude that the US Standard Atmosphere of 1976 gives for the measured pressure.
+    Altitude from the measured pressure, by the US Standard Atmosphere of 1976.
 
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. Probably supported by 3DM-CL5-15, 3DM-CL5-25,
     3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15,
@@ -2381,7 +2381,7 @@ class DensityAltitude(Data):
     dense.
 
     Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: The SDK
-    gives the name only; the description is the usual meaning of the term.
+    has the name only; the description is the usual meaning of the term.
 
     - mip-sdk-4: Density altitude (0x82,0x22)
     """

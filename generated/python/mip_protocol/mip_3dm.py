@@ -413,7 +413,7 @@ class ImuTimestampSelector(codec.OpenEnum):
     BEACON_NANOSECONDS = 2
     """Nanoseconds of the time beacon."""
     INTERNAL_TICKS = 3
-    """Ticks of the internal clock. Uncertain: The value. The source gives 2 for this one and for
+    """Ticks of the internal clock. Uncertain: The value. The source states 2 for this one and for
     the nanoseconds.
     """
 
@@ -1397,8 +1397,8 @@ class DeviceStatusBasicRq1ImuResponse(Response):
     Timer only, in microseconds.
 
     Answers `DeviceStatus`. Sent if `status_selector` is `DeviceStatusSelector.BASIC`. Probably
-    supported by 3DM-RQ1-IMU. Uncertain: The SDK of 2014 names the values and gives the unit of the
-    timer; the descriptions follow from the names.
+    supported by 3DM-RQ1-IMU. Uncertain: The SDK of 2014 names the values and the unit of the timer;
+    the descriptions follow from the names.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -2145,9 +2145,9 @@ class DeviceStatusDiagnosticGq4_45Response(Response):
     `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse`,
     `DeviceStatusDiagnosticGx4ImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse` and
     `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `status_selector` is
-    `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-GQ4-45. Uncertain: No known manual gives it.
-    Uncertain: MSCL only names the values; the descriptions follow from the names, and the times are
-    assumed to be in ms like the system timer.
+    `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-GQ4-45. Uncertain: No known manual documents
+    it. Uncertain: MSCL only names the values; the descriptions follow from the names, and the times
+    are assumed to be in ms like the system timer.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -2468,8 +2468,8 @@ class DeviceStatusDiagnosticRq1_45Response(Response):
     `DeviceStatusDiagnosticGx4ImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse` and
     `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `status_selector` is
     `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Uncertain: No
-    known manual gives it. Uncertain: MSCL only names the values; the descriptions follow from the
-    names, and the times are assumed to be in ms like the system timer.
+    known manual documents it. Uncertain: MSCL only names the values; the descriptions follow from
+    the names, and the times are assumed to be in ms like the system timer.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -2784,9 +2784,9 @@ class DeviceStatusDiagnosticGx4Response(Response):
     `DeviceStatusDiagnosticGx4ImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse` and
     `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `status_selector` is
     `DeviceStatusSelector.DIAGNOSTIC`. Probably supported by 3DM-GX4-15 and 3DM-GX4-25. Uncertain:
-    No known manual gives it for these devices; the offsets 49 to 69 in the manual of the 3DM-GX5-45
-    agree. Uncertain: MSCL only names the values; the descriptions follow from the names, and the
-    times are assumed to be in ms like the system timer.
+    No known manual documents it for these devices; the offsets 49 to 69 in the manual of the
+    3DM-GX5-45 agree. Uncertain: MSCL only names the values; the descriptions follow from the names,
+    and the times are assumed to be in ms like the system timer.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -3048,9 +3048,9 @@ class DeviceStatusDiagnosticImuResponse(Response):
     `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `status_selector` is
     `DeviceStatusSelector.DIAGNOSTIC`. Probably supported by 3DM-CL5-10, 3DM-CV5-10, 3DM-CX5-10 and
     3DM-GX5-10. Uncertain: MSCL has it for the 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10; no known
-    manual gives it. Uncertain: MSCL only names the values; the descriptions follow from the names,
-    and the times are assumed to be in ms like the system timer. Uncertain: The units of the ranges
-    are not known.
+    manual documents it. Uncertain: MSCL only names the values; the descriptions follow from the
+    names, and the times are assumed to be in ms like the system timer. Uncertain: The units of the
+    ranges are not known.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -3312,8 +3312,8 @@ class DeviceStatusDiagnosticGx4ImuResponse(Response):
     `DeviceStatusDiagnosticImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse` and
     `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `status_selector` is
     `DeviceStatusSelector.DIAGNOSTIC`. Probably supported by 3DM-GX4-IMU. Uncertain: The SDK of 2014
-    names the values and gives the units of temperature and times; the descriptions follow from the
-    names. Uncertain: The units of the ranges are not known.
+    names the values and the units of temperature and times; the descriptions follow from the names.
+    Uncertain: The units of the ranges are not known.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -3572,8 +3572,7 @@ class DeviceStatusDiagnosticRq1ImuResponse(Response):
     `DeviceStatusDiagnosticImuResponse`, `DeviceStatusDiagnosticGx4ImuResponse` and
     `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `status_selector` is
     `DeviceStatusSelector.DIAGNOSTIC`. Probably supported by 3DM-RQ1-IMU. Uncertain: The SDK of 2014
-    names the values and gives the units of temperature and times; the descriptions follow from the
-    names.
+    names the values and the units of temperature and times; the descriptions follow from the names.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -5801,7 +5800,7 @@ class PollImuData(Command[None]):
     3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45 and
     3DM-RQ1-IMU.
 
-    An empty list polls what `ImuMessageFormat` stores; if nothing is stored, the device refuses the
+    An empty list polls what `ImuMessageFormat` stores; if nothing is stored, the device rejects the
     command. Descriptors that the device does not know are ignored. The data is sent in a separate
     packet after the reply.
 
@@ -5865,7 +5864,7 @@ class PollGnssData(Command[None]):
     MicroStrain MIP SDK.
 
     An empty list polls the format stored by `GnssMessageFormat`; if none is stored, the device
-    refuses the command. Descriptors that the device does not know are omitted. The data is sent in
+    rejects the command. Descriptors that the device does not know are omitted. The data is sent in
     a separate packet after the reply.
 
     - mip-sdk-4: Poll Gnss Message (0x0C,0x02)
@@ -5930,7 +5929,7 @@ class PollFilterData(Command[None]):
     3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
     3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45 and 3DM-GX5-25.
 
-    An empty list polls what `FilterMessageFormat` stores; if nothing is stored, the device refuses
+    An empty list polls what `FilterMessageFormat` stores; if nothing is stored, the device rejects
     the command. Descriptors that the device does not know are ignored. The data is sent in a
     separate packet after the reply.
 
@@ -5992,7 +5991,7 @@ class PollNmeaData(Command[None]):
     3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-INS and
     3DM-GV7-INS.
 
-    An empty list polls the stored NMEA format; if none is stored, the device refuses the command.
+    An empty list polls the stored NMEA format; if none is stored, the device rejects the command.
     The sentences follow the reply as ordinary NMEA text, on the port of the command, even if NMEA
     is disabled there. A sentence is sent only if its data is valid.
 
@@ -6123,7 +6122,7 @@ class ImuMessageFormat(Command[R]):
     3DM-GX4-IMU, 3DM-GX5-10, 3DM-GX5-25 and 3DM-RQ1-IMU.
 
     The decimation is the base rate, as `GetImuBaseRate` reports it, divided by the desired rate.
-    The list replaces the previous one. If any descriptor is unknown, the device refuses the command
+    The list replaces the previous one. If any descriptor is unknown, the device rejects the command
     and changes nothing.
 
     - 3dm-gx5-15: 4.2.5 IMU Message Format (0x0C, 0x08)
@@ -6355,7 +6354,7 @@ class FilterMessageFormat(Command[R]):
     and 3DM-GX5-25.
 
     The decimation is the base rate, as `GetFilterBaseRate` reports it, divided by the desired rate.
-    The list replaces the previous one. If any descriptor is unknown, the device refuses the command
+    The list replaces the previous one. If any descriptor is unknown, the device rejects the command
     and changes nothing.
 
     - 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A)
@@ -6503,7 +6502,7 @@ class NmeaMessageFormat(Command[R]):
 
     A sentence may be listed several times with different talkers or sources. A sentence is sent
     only while the device is not idle and the data of the source is valid. The 3DM-CV7-GNSS/INS
-    refuses the format if a sentence would come more than 10 times per second, or, from a GNSS set,
+    rejects the format if a sentence would come more than 10 times per second, or, from a GNSS set,
     more than twice.
 
     - 3dm-cv7-gnss-ins: NMEA Message Format (0x0C,0x0C)
@@ -6617,7 +6616,7 @@ class PollData(Command[None]):
     3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
     3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
 
-    An empty list polls what `MessageFormat` stores; if nothing is stored, the device refuses the
+    An empty list polls what `MessageFormat` stores; if nothing is stored, the device rejects the
     command. Descriptors that the device does not know are ignored. The data is sent in a separate
     packet after the reply, on the port of the command. List shared descriptors (0xD0 and up) before
     the others.
@@ -7105,7 +7104,7 @@ class ConstellationSettings(Command[R]):
     3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45 and 3DM-GX5-45. Uncertain: The factory default. The SDK names
     only GPS and GLONASS as enabled, but gives channels for SBAS and QZSS too.
 
-    The device refuses entries that reserve more than 32 channels in total. The maximum of an entry
+    The device rejects entries that reserve more than 32 channels in total. The maximum of an entry
     must not be less than the number of channels it reserves. GLONASS and BeiDou cannot be used
     together. If the antenna or its filter is made for GPS only, leave GLONASS and BeiDou off. SBAS
     and QZSS improve the accuracy of GPS. SBAS does not make the device suitable for safety-of-life
@@ -8650,8 +8649,8 @@ class SensorToVehicleTransformQuaternion(Command[R]):
     `SensorToVehicleTransformEuler` and `SensorToVehicleTransformDcm` set the same transformation;
     the value read back may be another form of it. `p_vehicle = q^-1 * p_sensor * q`, where the
     vectors are quaternions with the scalar part 0. This is the inverse of the quaternion that
-    `filter.SensorToVehicleRotationQuaternion` takes. Every change resets the complementary filter,
-    the estimation filter and all low-pass filters.
+    `filter.SensorToVehicleRotationQuaternion` accepts. Every change resets the complementary
+    filter, the estimation filter and all low-pass filters.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32)
     """
@@ -8776,7 +8775,7 @@ class SensorToVehicleTransformDcm(Command[R]):
 
     `SensorToVehicleTransformEuler` and `SensorToVehicleTransformQuaternion` set the same
     transformation; the value read back may be another form of it. `v_vehicle = dcm * v_sensor`.
-    This is the inverse of the matrix that `filter.SensorToVehicleRotationDcm` takes. Every change
+    This is the inverse of the matrix that `filter.SensorToVehicleRotationDcm` accepts. Every change
     resets the complementary filter, the estimation filter and all low-pass filters.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33)
@@ -9624,7 +9623,7 @@ class CaptureGyroBias(Command[GyroBiasResponse]):
     3DM-GX4-IMU, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45 and 3DM-RQ1-IMU.
 
     The device must be at rest, with as little vibration as possible, for the whole time. The reply
-    comes after the averaging time. The bias is not saved; to save it, send `GyroBias` with save.
+    arrives after the averaging time. The bias is not saved; to save it, send `GyroBias` with save.
     The 3DM-GX5-15 also initializes its orientation from the samples.
 
     - 3dm-gx5-15: 4.2.11 Capture Gyro Bias (0x0C, 0x39)
@@ -10778,9 +10777,9 @@ class ComplementaryFilter(Command[R]):
     3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25 and 3DM-GX5-45.
 
     Pitch and roll follow the accelerometers, on the assumption that the mean acceleration is zero.
-    The heading follows the magnetometer, if the device has one. The device refuses time constants
-    out of range. The estimation filter gives better attitudes; the 3DM-GX5-15 keeps this filter for
-    compatibility.
+    The heading follows the magnetometer, if the device has one. The device rejects time constants
+    out of range. The attitude of the estimation filter is better; the 3DM-GX5-15 keeps this filter
+    for compatibility.
 
     - 3dm-gx5-15: 4.2.15 Complementary Filter Settings (0x0C, 0x51)
     - 3dm-cv7-gnss-ins: Complementary Filter Configuration (0x0C,0x51)
@@ -10971,7 +10970,7 @@ class SensorRange(Command[R]):
     3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
     3DM-GV7-INS.
 
-    `GetCalibratedSensorRanges` lists the settings. The device may refuse other settings, or measure
+    `GetCalibratedSensorRanges` lists the settings. The device may reject other settings, or measure
     incorrectly with them.
 
     - 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52)

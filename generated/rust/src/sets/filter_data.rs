@@ -49,7 +49,7 @@ bitfield! {
         /// RTK corrections are used. Bit 1.
         DIFFERENTIAL: bool = 1,
             differential, set_differential, with_differential;
-        /// There is an RTK integer fix, which gives the best position. Bit 2.
+        /// There is an RTK integer fix, with the most accurate position. Bit 2.
         INTEGER_FIX: bool = 2,
             integer_fix, set_integer_fix, with_integer_fix;
         /// GPS L1 is used. Bit 3.
@@ -596,7 +596,7 @@ record! {
     /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45). Refused by
     /// [3DM-GX3-25](crate::devices::GX3_25).
     ///
-    /// - `v_vehicle = q^-1 * v_ned * q`. The 3DM-GX5-15 manual gives the inverse rotation.
+    /// - `v_vehicle = q^-1 * v_ned * q`. The 3DM-GX5-15 manual documents the inverse rotation.
     ///
     /// Source: 3dm-cv7-gnss-ins: Attitude Quaternion (0x82,0x03); 3dm-gx5-15: 5.2.3 Orientation,
     /// Quaternion (0x82, 0x03).
@@ -2342,7 +2342,7 @@ field! {
 record! {
     /// Pressure altitude (0x82,0x21).
     ///
-    /// Altitude that the US Standard Atmosphere of 1976 gives for the measured pressure.
+    /// Altitude from the measured pressure, by the US Standard Atmosphere of 1976.
     ///
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GX5-15](crate::devices::GX5_15). Probably supported by
@@ -2399,7 +2399,7 @@ record! {
     /// dense.
     ///
     /// Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: The
-    /// SDK gives the name only; the description is the usual meaning of the term.
+    /// SDK has the name only; the description is the usual meaning of the term.
     ///
     /// Source: mip-sdk-4: Density altitude (0x82,0x22).
     #[derive(Copy, Default)]

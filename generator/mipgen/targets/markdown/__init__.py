@@ -43,7 +43,8 @@ from .places import Page, Thing
 def files(model: m.Model) -> Iterator[File]:
     index = Index(model)
     comparisons = places.COMPARISON if model.devices else {}
-    lists = {"comparison": comparisons, "indexes": places.INDEXES, "starts": start.starts(model)}
+    starts = start.starts(model)
+    lists = {"comparison": comparisons, "indexes": places.INDEXES, "starts": starts}
 
     def page(path: str, template: str, **context: Any) -> File:
         return File(path, template, {"page": Page(path, index), **lists, **context})
@@ -53,7 +54,7 @@ def files(model: m.Model) -> Iterator[File]:
     )  # its paths begin below docs/
     yield page(places.README, "index.md.j2")
     yield page(places.INDEX, "index.md.j2")
-    if lists["starts"]:
+    if starts:
         yield page(places.START, "start.md.j2")
     yield page(places.PACKETS, "packets.md.j2")
     yield page(places.UNITS, "units.md.j2")
@@ -73,9 +74,9 @@ def files(model: m.Model) -> Iterator[File]:
             yield page(places.field_page(f), "field.md.j2", field=f)
     for d in model.devices:
         yield page(places.device_page(d), "device.md.j2", device=d)
-    for name in lists["comparison"]:
+    for name in comparisons:
         yield page(places.comparison_page(name), f"compare/{name}.md.j2")
-    for name in lists["indexes"]:
+    for name in places.INDEXES:
         yield page(places.index_page(name), f"indexes/{name}.md.j2")
     for g in model.guides:
         yield page(places.guide_page(g), "guide.md.j2", guide=g)
