@@ -104,6 +104,7 @@ def test_heavy_tests_need_more(machine: Path) -> None:
         "Python 3.11",
         "Python 3.12",
         "Python 3.13",
+        "cbmc",
     ]
     assert "installing thumbv7m-none-eabi\n" in done.stdout
 
