@@ -35,7 +35,8 @@ record! {
     pub struct Acknowledge {
         /// Descriptor of the command that is answered.
         pub command: u8,
-        /// 0 if the command is acknowledged, else the reason why it is refused.
+        /// 0 (ACK) if the device carried out the command, otherwise the reason why it did not
+        /// (NACK).
         pub code: types::AckCode,
     }
 }

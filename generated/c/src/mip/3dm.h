@@ -289,7 +289,7 @@ enum mip_3dm_imu_timestamp_selector MIP_ENUM_8 {
     /** Nanoseconds of the time beacon. */
     MIP_3DM_IMU_TIMESTAMP_SELECTOR_BEACON_NANOSECONDS = 2,
     /**
-     * Ticks of the internal clock. Uncertain: The value. The source gives 2 for this one and for
+     * Ticks of the internal clock. Uncertain: The value. The source states 2 for this one and for
      * the nanoseconds.
      */
     MIP_3DM_IMU_TIMESTAMP_SELECTOR_INTERNAL_TICKS = 3
@@ -447,7 +447,7 @@ MIP_API const char *mip_3dm_gx4_system_state_name(uint16_t value);
  * 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * An empty list polls what mip_3dm_imu_message_format stores; if nothing is stored, the device
- * refuses the command.
+ * rejects the command.
  *
  * Descriptors that the device does not know are ignored.
  *
@@ -511,7 +511,7 @@ mip_3dm_poll_imu_data_make(struct mip_3dm_poll_imu_data *command, mip_bool suppr
  * 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the MicroStrain MIP SDK.
  *
  * An empty list polls the format stored by mip_3dm_gnss_message_format; if none is stored, the
- * device refuses the command.
+ * device rejects the command.
  *
  * Descriptors that the device does not know are omitted.
  *
@@ -579,7 +579,7 @@ static inline struct mip_3dm_poll_gnss_data *mip_3dm_poll_gnss_data_make(
  * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * An empty list polls what mip_3dm_filter_message_format stores; if nothing is stored, the device
- * refuses the command.
+ * rejects the command.
  *
  * Descriptors that the device does not know are ignored.
  *
@@ -642,7 +642,7 @@ static inline struct mip_3dm_poll_filter_data *mip_3dm_poll_filter_data_make(
  * Also called `nmea_poll_data`. Not acknowledged if suppress_ack is true. Supported by
  * 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
- * An empty list polls the stored NMEA format; if none is stored, the device refuses the command.
+ * An empty list polls the stored NMEA format; if none is stored, the device rejects the command.
  *
  * The sentences follow the reply as ordinary NMEA text, on the port of the command, even if NMEA is
  * disabled there.
@@ -854,7 +854,7 @@ MIP_CHECKED static inline mip_error mip_3dm_get_gnss_base_rate_response_encode(
  * The decimation is the base rate, as mip_3dm_get_imu_base_rate reports it, divided by the desired
  * rate.
  *
- * The list replaces the previous one. If any descriptor is unknown, the device refuses the command
+ * The list replaces the previous one. If any descriptor is unknown, the device rejects the command
  * and changes nothing.
  *
  * - 3dm-gx5-15: 4.2.5 IMU Message Format (0x0C, 0x08)
@@ -1122,7 +1122,7 @@ MIP_CHECKED static inline mip_error mip_3dm_gnss_message_format_response_encode(
  * The decimation is the base rate, as mip_3dm_get_filter_base_rate reports it, divided by the
  * desired rate.
  *
- * The list replaces the previous one. If any descriptor is unknown, the device refuses the command
+ * The list replaces the previous one. If any descriptor is unknown, the device rejects the command
  * and changes nothing.
  *
  * - 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A)
@@ -1328,7 +1328,7 @@ MIP_CHECKED static inline mip_error mip_3dm_get_filter_base_rate_response_encode
  *
  * A sentence is sent only while the device is not idle and the data of the source is valid.
  *
- * The 3DM-CV7-GNSS/INS refuses the format if a sentence would come more than 10 times per second,
+ * The 3DM-CV7-GNSS/INS rejects the format if a sentence would come more than 10 times per second,
  * or, from a GNSS set, more than twice.
  *
  * - 3dm-cv7-gnss-ins: NMEA Message Format (0x0C,0x0C)
@@ -1455,7 +1455,7 @@ MIP_CHECKED static inline mip_error mip_3dm_nmea_message_format_response_encode(
  *
  * Not acknowledged if suppress_ack is true. Supported by 3DM-CV7-GNSS/INS.
  *
- * An empty list polls what mip_3dm_message_format stores; if nothing is stored, the device refuses
+ * An empty list polls what mip_3dm_message_format stores; if nothing is stored, the device rejects
  * the command.
  *
  * Descriptors that the device does not know are ignored.
@@ -2079,7 +2079,7 @@ static inline struct mip_3dm_raw_rtcm_2_3_message *mip_3dm_raw_rtcm_2_3_message_
  * Uncertain: The factory default. The SDK names only GPS and GLONASS as enabled, but gives channels
  * for SBAS and QZSS too.
  *
- * The device refuses entries that reserve more than 32 channels in total. The maximum of an entry
+ * The device rejects entries that reserve more than 32 channels in total. The maximum of an entry
  * must not be less than the number of channels it reserves.
  *
  * GLONASS and BeiDou cannot be used together.
@@ -3842,7 +3842,7 @@ MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_transform_euler_re
  * same transformation; the value read back may be another form of it.
  *
  * `p_vehicle = q^-1 * p_sensor * q`, where the vectors are quaternions with the scalar part 0. This
- * is the inverse of the quaternion that mip_filter_sensor_to_vehicle_quaternion takes.
+ * is the inverse of the quaternion that mip_filter_sensor_to_vehicle_quaternion accepts.
  *
  * Every change resets the complementary filter, the estimation filter and all low-pass filters.
  *
@@ -3993,7 +3993,7 @@ MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_transform_quaterni
  * the same transformation; the value read back may be another form of it.
  *
  * `v_vehicle = dcm * v_sensor`. This is the inverse of the matrix that
- * mip_filter_sensor_to_vehicle_rotation_dcm takes.
+ * mip_filter_sensor_to_vehicle_rotation_dcm accepts.
  *
  * Every change resets the complementary filter, the estimation filter and all low-pass filters.
  *
@@ -4862,7 +4862,7 @@ MIP_CHECKED static inline mip_error mip_3dm_gyro_bias_response_encode(
  *
  * The device must be at rest, with as little vibration as possible, for the whole time.
  *
- * The reply comes after the averaging time.
+ * The reply arrives after the averaging time.
  *
  * The bias is not saved; to save it, send mip_3dm_gyro_bias with save.
  *
@@ -6137,9 +6137,10 @@ MIP_CHECKED static inline mip_error mip_3dm_imu_low_pass_filter_response_encode(
  *
  * The heading follows the magnetometer, if the device has one.
  *
- * The device refuses time constants out of range.
+ * The device rejects time constants out of range.
  *
- * The estimation filter gives better attitudes; the 3DM-GX5-15 keeps this filter for compatibility.
+ * The attitude of the estimation filter is better; the 3DM-GX5-15 keeps this filter for
+ * compatibility.
  *
  * - 3dm-gx5-15: 4.2.15 Complementary Filter Settings (0x0C, 0x51)
  * - 3dm-cv7-gnss-ins: Complementary Filter Configuration (0x0C,0x51)
@@ -6301,7 +6302,7 @@ MIP_CHECKED static inline mip_error mip_3dm_complementary_filter_response_encode
  * Probably changes mip_sensor_scaled_accel, mip_sensor_scaled_gyro and mip_sensor_overrange_status.
  * Supported by 3DM-CV7-GNSS/INS.
  *
- * mip_3dm_get_calibrated_sensor_ranges lists the settings. The device may refuse other settings, or
+ * mip_3dm_get_calibrated_sensor_ranges lists the settings. The device may reject other settings, or
  * measure incorrectly with them.
  *
  * - 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52)
@@ -7182,8 +7183,8 @@ mip_3dm_device_status_make(struct mip_3dm_device_status *command, uint16_t model
  * Timer only, in microseconds.
  *
  * No device is certain to support it. Answers mip_3dm_device_status. Sent if status_selector is
- * MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC. Uncertain: The SDK of 2014 names the values and gives the
- * unit of the timer; the descriptions follow from the names.
+ * MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC. Uncertain: The SDK of 2014 names the values and the unit of
+ * the timer; the descriptions follow from the names.
  *
  * Parameters without a member, on the wire only:
  * - model_number: Model number of the inertial sensor. Always 6238.
@@ -7532,8 +7533,8 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_gnss_respon
  * mip_3dm_device_status_diagnostic_rq1_imu_response and
  * mip_3dm_device_status_diagnostic_gx3_response by the size of its data. Sent if status_selector is
  * MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Supported by 3DM-GQ4-45. Uncertain: No known manual
- * gives it. Uncertain: MSCL only names the values; the descriptions follow from the names, and the
- * times are assumed to be in ms like the system timer.
+ * documents it. Uncertain: MSCL only names the values; the descriptions follow from the names, and
+ * the times are assumed to be in ms like the system timer.
  *
  * Parameters without a member, on the wire only:
  * - status_selector: Diagnostic status. Always 2.
@@ -7637,7 +7638,7 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_gq4_45_resp
  * mip_3dm_device_status_diagnostic_rq1_imu_response and
  * mip_3dm_device_status_diagnostic_gx3_response by the size of its data. Sent if status_selector is
  * MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Supported by 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
- * Uncertain: No known manual gives it. Uncertain: MSCL only names the values; the descriptions
+ * Uncertain: No known manual documents it. Uncertain: MSCL only names the values; the descriptions
  * follow from the names, and the times are assumed to be in ms like the system timer.
  *
  * Parameters without a member, on the wire only:
@@ -7742,10 +7743,10 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_rq1_45_resp
  * mip_3dm_device_status_diagnostic_gx4_imu_response,
  * mip_3dm_device_status_diagnostic_rq1_imu_response and
  * mip_3dm_device_status_diagnostic_gx3_response by the size of its data. Sent if status_selector is
- * MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Uncertain: No known manual gives it for these devices;
- * the offsets 49 to 69 in the manual of the 3DM-GX5-45 agree. Uncertain: MSCL only names the
- * values; the descriptions follow from the names, and the times are assumed to be in ms like the
- * system timer.
+ * MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Uncertain: No known manual documents it for these
+ * devices; the offsets 49 to 69 in the manual of the 3DM-GX5-45 agree. Uncertain: MSCL only names
+ * the values; the descriptions follow from the names, and the times are assumed to be in ms like
+ * the system timer.
  *
  * Parameters without a member, on the wire only:
  * - status_selector: Diagnostic status. Always 2.
@@ -7838,9 +7839,9 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_gx4_respons
  * mip_3dm_device_status_diagnostic_rq1_imu_response and
  * mip_3dm_device_status_diagnostic_gx3_response by the size of its data. Sent if status_selector is
  * MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Uncertain: MSCL has it for the 3DM-GX5-10, 3DM-CX5-10
- * and 3DM-CV5-10; no known manual gives it. Uncertain: MSCL only names the values; the descriptions
- * follow from the names, and the times are assumed to be in ms like the system timer. Uncertain:
- * The units of the ranges are not known.
+ * and 3DM-CV5-10; no known manual documents it. Uncertain: MSCL only names the values; the
+ * descriptions follow from the names, and the times are assumed to be in ms like the system timer.
+ * Uncertain: The units of the ranges are not known.
  *
  * Parameters without a member, on the wire only:
  * - status_selector: Diagnostic status. Always 2.
@@ -7933,7 +7934,7 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_imu_respons
  * mip_3dm_device_status_diagnostic_imu_response, mip_3dm_device_status_diagnostic_rq1_imu_response
  * and mip_3dm_device_status_diagnostic_gx3_response by the size of its data. Sent if
  * status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Uncertain: The SDK of 2014 names
- * the values and gives the units of temperature and times; the descriptions follow from the names.
+ * the values and the units of temperature and times; the descriptions follow from the names.
  * Uncertain: The units of the ranges are not known.
  *
  * Parameters without a member, on the wire only:
@@ -8027,7 +8028,7 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_gx4_imu_res
  * mip_3dm_device_status_diagnostic_imu_response, mip_3dm_device_status_diagnostic_gx4_imu_response
  * and mip_3dm_device_status_diagnostic_gx3_response by the size of its data. Sent if
  * status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Uncertain: The SDK of 2014 names
- * the values and gives the units of temperature and times; the descriptions follow from the names.
+ * the values and the units of temperature and times; the descriptions follow from the names.
  *
  * Parameters without a member, on the wire only:
  * - status_selector: Diagnostic status. Always 2.

@@ -4573,7 +4573,7 @@ static inline struct mip_filter_mag_dip_angle_adaptive *mip_filter_mag_dip_angle
     float high_limit, float high_limit_uncertainty, float minimum_uncertainty) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_WRITE;
-    command->enable = enable;
+    command->enable = mip_truth(enable);
     command->frequency = frequency;
     command->high_limit = high_limit;
     command->high_limit_uncertainty = high_limit_uncertainty;
@@ -5592,7 +5592,7 @@ mip_filter_aiding_measurement_enable_write(struct mip_filter_aiding_measurement_
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_WRITE;
     command->aiding_source = aiding_source;
-    command->enable = enable;
+    command->enable = mip_truth(enable);
     return command;
 }
 /**

@@ -2588,7 +2588,7 @@ static inline struct mip_result mip_call_filter_mag_dip_angle_adaptive_write(
     float high_limit_uncertainty, float minimum_uncertainty) {
     uint8_t data[18];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
-    mip_put_8(data + 1, (uint8_t)enable);
+    mip_put_8(data + 1, (uint8_t)mip_truth(enable));
     mip_put_float(data + 2, &frequency);
     mip_put_float(data + 6, &high_limit);
     mip_put_float(data + 10, &high_limit_uncertainty);
@@ -3214,7 +3214,7 @@ static inline struct mip_result mip_call_filter_aiding_measurement_enable_write(
     uint8_t data[4];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
     mip_put_16(data + 1, (uint16_t)aiding_source);
-    mip_put_8(data + 3, (uint8_t)enable);
+    mip_put_8(data + 3, (uint8_t)mip_truth(enable));
     return mip_device_send(device, &mip_filter_aiding_measurement_enable_exchange, data, 4, NULL,
                            NULL);
 }

@@ -100,7 +100,7 @@ record! {
     /// [3DM-MV5-AR](crate::devices::MV5_AR), [3DM-RQ1-IMU](crate::devices::RQ1_IMU),
     /// [3DM-RTK](crate::devices::RTK) and [DEMOD-DC](crate::devices::DEMOD_DC).
     ///
-    /// - A device that is not in a normal operating mode may refuse the command.
+    /// - A device that is not in a normal operating mode may reject the command.
     ///
     /// Source: 3dm-gx5-15: 4.1.1 Ping (0x01, 0x01); 3dm-cv7-gnss-ins: Ping (0x01,0x01).
     #[derive(Copy, Default, Eq, Hash)]
@@ -313,13 +313,13 @@ record! {
     /// [3DM-GX5-10](crate::devices::GX5_10), [3DM-GX5-25](crate::devices::GX5_25),
     /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-GX5-45](crate::devices::GX5_45),
     /// [3DM-RQ1-IMU](crate::devices::RQ1_IMU) and [3DM-RTK](crate::devices::RTK). Uncertain: The
-    /// maximum duration of the test. The manual of the 3DM-CV7 says several seconds; 10 s leaves
+    /// maximum duration of the test. The manual of the 3DM-CV7 states several seconds; 10 s leaves
     /// room for that.
     ///
     /// - The test interrupts normal operation for up to several seconds; no data is available
     ///   meanwhile.
     /// - The device must be at rest; acceleration, rotation or vibration cause false failures.
-    /// - The continuous built-in test, if the device has it, gives more detail about a failure.
+    /// - The continuous built-in test, if the device has it, describes a failure in more detail.
     ///
     /// Source: 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05); 3dm-cv7-gnss-ins: Built in test
     /// (0x01,0x05); 3dm-cv7-gnss-ins: Commanded Built-in Test.
@@ -643,7 +643,7 @@ record! {
         pub function: types::FunctionSelector,
         /// Meaning of the value.
         pub field_id: Option<GpsTimeField>,
-        /// Time, as `field_id` says.
+        /// Week or seconds, as selected by `field_id`.
         ///
         /// Required for [write](types::FunctionSelector::WRITE) and
         /// [apply](types::FunctionSelector::APPLY). If [`field_id`](GpsTimeUpdate::field_id) is

@@ -146,7 +146,7 @@ open_enum! {
         NONE = 1, "none";
         /// The World Magnetic Model, at the estimated position.
         WMM = 2, "wmm";
-        /// The value that the command gives.
+        /// The value specified by the command.
         MANUAL = 3, "manual";
     }
 }
@@ -156,7 +156,7 @@ open_enum! {
     AdaptiveMeasurementSelector: u8 {
         /// No adaptation.
         DISABLED = 0, "disabled";
-        /// Adapted by the limits that the command gives.
+        /// Adapted by the limits specified by the command.
         FIXED = 1, "fixed";
         /// Adapted by the filter itself; the limits are ignored. 3DM-GX5 and later.
         AUTO = 2, "auto";
@@ -310,7 +310,7 @@ open_enum! {
     RelativePositionSource: u8 {
         /// The base station of the RTK corrections.
         AUTO = 0, "auto";
-        /// The coordinates that the command gives.
+        /// The coordinates specified by the command.
         MANUAL = 1, "manual";
     }
 }
@@ -1166,8 +1166,8 @@ record! {
     ///
     /// - Refused unless external heading updates are enabled, by [`HeadingSource`] on the 3DM-GX5
     ///   and by [`AidingMeasurementEnable`] on the 3DM-CV7.
-    /// - The 3DM-GX5-15 takes at most 20 updates per second.
-    /// - If the declination source is not valid, -25 models refuse true headings and -45 models
+    /// - The 3DM-GX5-15 accepts at most 20 updates per second.
+    /// - If the declination source is not valid, -25 models reject true headings and -45 models
     ///   magnetic ones.
     ///
     /// Source: 3dm-cv7-gnss-ins: External Heading Update (0x0D,0x17); 3dm-gx5-15: 4.3.7 External
@@ -1180,7 +1180,7 @@ record! {
         /// clockwise seen from above.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub heading: f32,
-        /// Standard deviation; the device refuses a value out of bounds.
+        /// Standard deviation; the device rejects a value out of bounds.
         ///
         /// Unit: rad. Range: greater than 0.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
@@ -1778,8 +1778,8 @@ record! {
     ///   accurate.
     /// - Refused unless external heading updates are enabled, by [`HeadingSource`] on the 3DM-GX5
     ///   and by [`AidingMeasurementEnable`] on the 3DM-CV7.
-    /// - The 3DM-GX5-15 takes at most 20 updates per second.
-    /// - If the declination source is not valid, -25 models refuse true headings and -45 models
+    /// - The 3DM-GX5-15 accepts at most 20 updates per second.
+    /// - If the declination source is not valid, -25 models reject true headings and -45 models
     ///   magnetic ones.
     ///
     /// Source: 3dm-cv7-gnss-ins: External Heading Update With Time (0x0D,0x1F); 3dm-gx5-15: 4.3.8
@@ -1801,7 +1801,7 @@ record! {
         /// clockwise seen from above.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub heading: f32,
-        /// Standard deviation; the device refuses a value out of bounds.
+        /// Standard deviation; the device rejects a value out of bounds.
         ///
         /// Unit: rad. Range: greater than 0.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
@@ -2918,35 +2918,35 @@ record! {
         /// Lower limit of the error.
         ///
         /// Unit: gauss. Required for [write](types::FunctionSelector::WRITE). Uncertain: The unit.
-        /// The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in
+        /// The SDK states m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in
         /// the response.
         #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub low_limit: Option<f32>,
         /// Upper limit of the error.
         ///
         /// Unit: gauss. Required for [write](types::FunctionSelector::WRITE). Uncertain: The unit.
-        /// The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in
+        /// The SDK states m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in
         /// the response.
         #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub high_limit: Option<f32>,
         /// Standard deviation at the lower limit.
         ///
         /// Unit: gauss. Range: at least 0. Required for [write](types::FunctionSelector::WRITE).
-        /// Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the
+        /// Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the
         /// command and gauss in the response.
         #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub low_limit_uncertainty: Option<f32>,
         /// Standard deviation at the upper limit.
         ///
         /// Unit: gauss. Range: at least 0. Required for [write](types::FunctionSelector::WRITE).
-        /// Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the
+        /// Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the
         /// command and gauss in the response.
         #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub high_limit_uncertainty: Option<f32>,
         /// Smallest standard deviation.
         ///
         /// Unit: gauss. Range: at least 0. Required for [write](types::FunctionSelector::WRITE).
-        /// Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the
+        /// Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the
         /// command and gauss in the response.
         #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub minimum_uncertainty: Option<f32>,
@@ -3046,19 +3046,19 @@ record! {
         /// Upper limit of the error.
         ///
         /// Unit: rad. Required for [write](types::FunctionSelector::WRITE). Uncertain: The unit.
-        /// The SDK gives m/s^2; rad is inferred from the quantity.
+        /// The SDK states m/s^2; rad is inferred from the quantity.
         #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub high_limit: Option<f32>,
         /// Standard deviation at the upper limit.
         ///
         /// Unit: rad. Range: at least 0. Required for [write](types::FunctionSelector::WRITE).
-        /// Uncertain: The unit. The SDK gives m/s^2; rad is inferred from the quantity.
+        /// Uncertain: The unit. The SDK states m/s^2; rad is inferred from the quantity.
         #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub high_limit_uncertainty: Option<f32>,
         /// Smallest standard deviation.
         ///
         /// Unit: rad. Range: at least 0. Required for [write](types::FunctionSelector::WRITE).
-        /// Uncertain: The unit. The SDK gives m/s^2; rad is inferred from the quantity.
+        /// Uncertain: The unit. The SDK states m/s^2; rad is inferred from the quantity.
         #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub minimum_uncertainty: Option<f32>,
     }
@@ -3414,8 +3414,8 @@ record! {
     ///
     /// - It is the inverse of the matrix that
     ///   [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm)
-    ///   takes.
-    /// - The device refuses a matrix that is not orthonormal to within 0.001.
+    ///   accepts.
+    /// - The device rejects a matrix that is not orthonormal to within 0.001.
     /// - The device keeps a quaternion, so the elements read back may differ slightly from those
     ///   written.
     ///
@@ -3492,7 +3492,7 @@ record! {
     ///
     /// - It is the inverse of the quaternion that
     ///   [`mip_3dm::SensorToVehicleTransformQuaternion`](crate::mip_3dm::SensorToVehicleTransformQuaternion)
-    ///   takes.
+    ///   accepts.
     /// - The device normalizes it, so the elements read back may differ slightly from those
     ///   written.
     ///
@@ -3641,7 +3641,7 @@ record! {
     /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm) and
     /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles). Not listed in any device
     /// profile. Known only from the MicroStrain MIP SDK. Uncertain: Whether there are further
-    /// values. The SDK has plain numbers and gives the values in remarks.
+    /// values. The SDK has plain numbers and states the values in remarks.
     ///
     /// Source: mip-sdk-4: Kinematic constraint (0x0D,0x51).
     #[derive(Copy, Eq, Hash)]
@@ -4170,7 +4170,7 @@ record! {
         pub source: u8,
         /// GPS time of week of the measurement.
         ///
-        /// Unit: s. Range: 0 to 604800. Uncertain: The unit; the SDK gives none.
+        /// Unit: s. Range: 0 to 604800. Uncertain: The unit; the SDK states none.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub tow: f32,
         /// Speed, negative in reverse.
@@ -5605,31 +5605,31 @@ record! {
         pub frequency: f32,
         /// Lower limit of the error.
         ///
-        /// Unit: gauss. Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives
+        /// Unit: gauss. Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 gives
         /// m/s^2 in the command and gauss in the response.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub low_limit: f32,
         /// Upper limit of the error.
         ///
-        /// Unit: gauss. Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives
+        /// Unit: gauss. Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 gives
         /// m/s^2 in the command and gauss in the response.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub high_limit: f32,
         /// Standard deviation at the lower limit.
         ///
-        /// Unit: gauss. Range: at least 0. Uncertain: The unit. The SDK gives m/s^2; a manual of
+        /// Unit: gauss. Range: at least 0. Uncertain: The unit. The SDK states m/s^2; a manual of
         /// the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub low_limit_uncertainty: f32,
         /// Standard deviation at the upper limit.
         ///
-        /// Unit: gauss. Range: at least 0. Uncertain: The unit. The SDK gives m/s^2; a manual of
+        /// Unit: gauss. Range: at least 0. Uncertain: The unit. The SDK states m/s^2; a manual of
         /// the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub high_limit_uncertainty: f32,
         /// Smallest standard deviation.
         ///
-        /// Unit: gauss. Range: at least 0. Uncertain: The unit. The SDK gives m/s^2; a manual of
+        /// Unit: gauss. Range: at least 0. Uncertain: The unit. The SDK states m/s^2; a manual of
         /// the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub minimum_uncertainty: f32,
@@ -5692,18 +5692,18 @@ record! {
         pub frequency: f32,
         /// Upper limit of the error.
         ///
-        /// Unit: rad. Uncertain: The unit. The SDK gives m/s^2; rad is inferred from the quantity.
+        /// Unit: rad. Uncertain: The unit. The SDK states m/s^2; rad is inferred from the quantity.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub high_limit: f32,
         /// Standard deviation at the upper limit.
         ///
-        /// Unit: rad. Range: at least 0. Uncertain: The unit. The SDK gives m/s^2; rad is inferred
+        /// Unit: rad. Range: at least 0. Uncertain: The unit. The SDK states m/s^2; rad is inferred
         /// from the quantity.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub high_limit_uncertainty: f32,
         /// Smallest standard deviation.
         ///
-        /// Unit: rad. Range: at least 0. Uncertain: The unit. The SDK gives m/s^2; rad is inferred
+        /// Unit: rad. Range: at least 0. Uncertain: The unit. The SDK states m/s^2; rad is inferred
         /// from the quantity.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub minimum_uncertainty: f32,

@@ -225,7 +225,7 @@ record! {
     /// the [3DM-GQ7-GNSS/INS](crate::devices::GQ7): firmware \> 1.0.10.
     ///
     /// - A device accepts certain combinations only.
-    /// - The 3DM-CV7-GNSS/INS needs GPS or Galileo, and refuses GPS L1 with BeiDou L1 alone. For
+    /// - The 3DM-CV7-GNSS/INS needs GPS or Galileo, and rejects GPS L1 with BeiDou L1 alone. For
     ///   GPS and BeiDou it accepts none, L1, or L1 and L5; for Galileo none, or L1 and L5; for
     ///   GLONASS none or L1.
     ///

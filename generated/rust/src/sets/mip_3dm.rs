@@ -390,7 +390,7 @@ open_enum! {
         BEACON_SECONDS = 1, "beacon_seconds";
         /// Nanoseconds of the time beacon.
         BEACON_NANOSECONDS = 2, "beacon_nanoseconds";
-        /// Ticks of the internal clock. Uncertain: The value. The source gives 2 for this one and
+        /// Ticks of the internal clock. Uncertain: The value. The source states 2 for this one and
         /// for the nanoseconds.
         INTERNAL_TICKS = 3, "internal_ticks";
     }
@@ -565,7 +565,7 @@ record! {
     /// [`descriptors`](PollImuData::descriptors).
     ///
     /// - An empty list polls what [`ImuMessageFormat`] stores; if nothing is stored, the device
-    ///   refuses the command.
+    ///   rejects the command.
     /// - Descriptors that the device does not know are ignored.
     /// - The data is sent in a separate packet after the reply.
     ///
@@ -622,7 +622,7 @@ record! {
     /// [`descriptors`](PollGnssData::descriptors). Range: 0 to 83.
     ///
     /// - An empty list polls the format stored by [`GnssMessageFormat`]; if none is stored, the
-    ///   device refuses the command.
+    ///   device rejects the command.
     /// - Descriptors that the device does not know are omitted.
     /// - The data is sent in a separate packet after the reply.
     ///
@@ -682,7 +682,7 @@ record! {
     /// [`descriptors`](PollFilterData::descriptors).
     ///
     /// - An empty list polls what [`FilterMessageFormat`] stores; if nothing is stored, the device
-    ///   refuses the command.
+    ///   rejects the command.
     /// - Descriptors that the device does not know are ignored.
     /// - The data is sent in a separate packet after the reply.
     ///
@@ -735,7 +735,7 @@ record! {
     /// The wire format also contains `count`: Number of sentences. The number of elements of
     /// [`format_entries`](PollNmeaData::format_entries).
     ///
-    /// - An empty list polls the stored NMEA format; if none is stored, the device refuses the
+    /// - An empty list polls the stored NMEA format; if none is stored, the device rejects the
     ///   command.
     /// - The sentences follow the reply as ordinary NMEA text, on the port of the command, even if
     ///   NMEA is disabled there.
@@ -883,7 +883,7 @@ record! {
     ///
     /// - The decimation is the base rate, as [`GetImuBaseRate`] reports it, divided by the desired
     ///   rate.
-    /// - The list replaces the previous one. If any descriptor is unknown, the device refuses the
+    /// - The list replaces the previous one. If any descriptor is unknown, the device rejects the
     ///   command and changes nothing.
     ///
     /// Source: 3dm-gx5-15: 4.2.5 IMU Message Format (0x0C, 0x08).
@@ -1034,7 +1034,7 @@ record! {
     ///
     /// - The decimation is the base rate, as [`GetFilterBaseRate`] reports it, divided by the
     ///   desired rate.
-    /// - The list replaces the previous one. If any descriptor is unknown, the device refuses the
+    /// - The list replaces the previous one. If any descriptor is unknown, the device rejects the
     ///   command and changes nothing.
     ///
     /// Source: 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A).
@@ -1145,7 +1145,7 @@ record! {
     ///
     /// - A sentence may be listed several times with different talkers or sources.
     /// - A sentence is sent only while the device is not idle and the data of the source is valid.
-    /// - The 3DM-CV7-GNSS/INS refuses the format if a sentence would come more than 10 times per
+    /// - The 3DM-CV7-GNSS/INS rejects the format if a sentence would come more than 10 times per
     ///   second, or, from a GNSS set, more than twice.
     ///
     /// Source: 3dm-cv7-gnss-ins: NMEA Message Format (0x0C,0x0C).
@@ -1215,7 +1215,7 @@ record! {
     /// [`descriptors`](PollData::descriptors).
     ///
     /// - An empty list polls what [`MessageFormat`] stores; if nothing is stored, the device
-    ///   refuses the command.
+    ///   rejects the command.
     /// - Descriptors that the device does not know are ignored.
     /// - The data is sent in a separate packet after the reply, on the port of the command.
     /// - List shared descriptors (0xD0 and up) before the others.
@@ -1611,7 +1611,7 @@ record! {
     /// [`settings`](ConstellationSettings::settings). Range: 0 to 41. Required for
     /// [write](types::FunctionSelector::WRITE).
     ///
-    /// - The device refuses entries that reserve more than 32 channels in total. The maximum of an
+    /// - The device rejects entries that reserve more than 32 channels in total. The maximum of an
     ///   entry must not be less than the number of channels it reserves.
     /// - GLONASS and BeiDou cannot be used together.
     /// - If the antenna or its filter is made for GPS only, leave GLONASS and BeiDou off.
@@ -2620,7 +2620,7 @@ record! {
     /// - `p_vehicle = q^-1 * p_sensor * q`, where the vectors are quaternions with the scalar part
     ///   0. This is the inverse of the quaternion that
     ///   [`filter::SensorToVehicleRotationQuaternion`](crate::filter::SensorToVehicleRotationQuaternion)
-    ///   takes.
+    ///   accepts.
     /// - Every change resets the complementary filter, the estimation filter and all low-pass
     ///   filters.
     ///
@@ -2710,7 +2710,7 @@ record! {
     /// - [`SensorToVehicleTransformEuler`] and [`SensorToVehicleTransformQuaternion`] set the same
     ///   transformation; the value read back may be another form of it.
     /// - `v_vehicle = dcm * v_sensor`. This is the inverse of the matrix that
-    ///   [`filter::SensorToVehicleRotationDcm`](crate::filter::SensorToVehicleRotationDcm) takes.
+    ///   [`filter::SensorToVehicleRotationDcm`](crate::filter::SensorToVehicleRotationDcm) accepts.
     /// - Every change resets the complementary filter, the estimation filter and all low-pass
     ///   filters.
     ///
@@ -3214,7 +3214,7 @@ record! {
     /// [3DM-GX5-45](crate::devices::GX5_45) and [3DM-RQ1-IMU](crate::devices::RQ1_IMU).
     ///
     /// - The device must be at rest, with as little vibration as possible, for the whole time.
-    /// - The reply comes after the averaging time.
+    /// - The reply arrives after the averaging time.
     /// - The bias is not saved; to save it, send [`GyroBias`] with save.
     /// - The 3DM-GX5-15 also initializes its orientation from the samples.
     ///
@@ -4055,8 +4055,8 @@ record! {
     /// - Pitch and roll follow the accelerometers, on the assumption that the mean acceleration is
     ///   zero.
     /// - The heading follows the magnetometer, if the device has one.
-    /// - The device refuses time constants out of range.
-    /// - The estimation filter gives better attitudes; the 3DM-GX5-15 keeps this filter for
+    /// - The device rejects time constants out of range.
+    /// - The attitude of the estimation filter is better; the 3DM-GX5-15 keeps this filter for
     ///   compatibility.
     ///
     /// Source: 3dm-gx5-15: 4.2.15 Complementary Filter Settings (0x0C, 0x51); 3dm-cv7-gnss-ins:
@@ -4155,7 +4155,7 @@ record! {
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
     /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
-    /// - [`GetCalibratedSensorRanges`] lists the settings. The device may refuse other settings, or
+    /// - [`GetCalibratedSensorRanges`] lists the settings. The device may reject other settings, or
     ///   measure incorrectly with them.
     ///
     /// Source: 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52).
@@ -5408,8 +5408,8 @@ record! {
     ///
     /// Answers [`DeviceStatus`]. Sent if [`status_selector`](DeviceStatus::status_selector) is
     /// [`DeviceStatusSelector::BASIC`]. Probably supported by
-    /// [3DM-RQ1-IMU](crate::devices::RQ1_IMU). Uncertain: The SDK of 2014 names the values and
-    /// gives the unit of the timer; the descriptions follow from the names.
+    /// [3DM-RQ1-IMU](crate::devices::RQ1_IMU). Uncertain: The SDK of 2014 names the values and the
+    /// unit of the timer; the descriptions follow from the names.
     ///
     /// The wire format also contains `model_number`: Model number of the inertial sensor. Always
     /// 6238.
@@ -5903,7 +5903,7 @@ record! {
     /// [`DeviceStatusDiagnosticGx4ImuResponse`], [`DeviceStatusDiagnosticRq1ImuResponse`] and
     /// [`DeviceStatusDiagnosticGx3Response`] by the size of its data. Sent if
     /// [`status_selector`](DeviceStatus::status_selector) is [`DeviceStatusSelector::DIAGNOSTIC`].
-    /// Supported by [3DM-GQ4-45](crate::devices::GQ4_45). Uncertain: No known manual gives it.
+    /// Supported by [3DM-GQ4-45](crate::devices::GQ4_45). Uncertain: No known manual documents it.
     /// Uncertain: MSCL only names the values; the descriptions follow from the names, and the times
     /// are assumed to be in ms like the system timer.
     ///
@@ -6084,9 +6084,9 @@ record! {
     /// [`DeviceStatusDiagnosticGx3Response`] by the size of its data. Sent if
     /// [`status_selector`](DeviceStatus::status_selector) is [`DeviceStatusSelector::DIAGNOSTIC`].
     /// Supported by [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Uncertain: No known manual gives it. Uncertain:
-    /// MSCL only names the values; the descriptions follow from the names, and the times are
-    /// assumed to be in ms like the system timer.
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Uncertain: No known manual documents it.
+    /// Uncertain: MSCL only names the values; the descriptions follow from the names, and the times
+    /// are assumed to be in ms like the system timer.
     ///
     /// The wire format also contains `status_selector`: Diagnostic status. Always 2.
     ///
@@ -6270,10 +6270,10 @@ record! {
     /// [`DeviceStatusDiagnosticGx3Response`] by the size of its data. Sent if
     /// [`status_selector`](DeviceStatus::status_selector) is [`DeviceStatusSelector::DIAGNOSTIC`].
     /// Probably supported by [3DM-GX4-15](crate::devices::GX4_15) and
-    /// [3DM-GX4-25](crate::devices::GX4_25). Uncertain: No known manual gives it for these devices;
-    /// the offsets 49 to 69 in the manual of the 3DM-GX5-45 agree. Uncertain: MSCL only names the
-    /// values; the descriptions follow from the names, and the times are assumed to be in ms like
-    /// the system timer.
+    /// [3DM-GX4-25](crate::devices::GX4_25). Uncertain: No known manual documents it for these
+    /// devices; the offsets 49 to 69 in the manual of the 3DM-GX5-45 agree. Uncertain: MSCL only
+    /// names the values; the descriptions follow from the names, and the times are assumed to be in
+    /// ms like the system timer.
     ///
     /// The wire format also contains `status_selector`: Diagnostic status. Always 2.
     ///
@@ -6430,7 +6430,7 @@ record! {
     /// Probably supported by [3DM-CL5-10](crate::devices::CL5_10),
     /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CX5-10](crate::devices::CX5_10) and
     /// [3DM-GX5-10](crate::devices::GX5_10). Uncertain: MSCL has it for the 3DM-GX5-10, 3DM-CX5-10
-    /// and 3DM-CV5-10; no known manual gives it. Uncertain: MSCL only names the values; the
+    /// and 3DM-CV5-10; no known manual documents it. Uncertain: MSCL only names the values; the
     /// descriptions follow from the names, and the times are assumed to be in ms like the system
     /// timer. Uncertain: The units of the ranges are not known.
     ///
@@ -6576,8 +6576,8 @@ record! {
     /// [`DeviceStatusDiagnosticGx3Response`] by the size of its data. Sent if
     /// [`status_selector`](DeviceStatus::status_selector) is [`DeviceStatusSelector::DIAGNOSTIC`].
     /// Probably supported by [3DM-GX4-IMU](crate::devices::GX4_IMU). Uncertain: The SDK of 2014
-    /// names the values and gives the units of temperature and times; the descriptions follow from
-    /// the names. Uncertain: The units of the ranges are not known.
+    /// names the values and the units of temperature and times; the descriptions follow from the
+    /// names. Uncertain: The units of the ranges are not known.
     ///
     /// The wire format also contains `status_selector`: Diagnostic status. Always 2.
     ///
@@ -6723,8 +6723,8 @@ record! {
     /// [`DeviceStatusDiagnosticGx3Response`] by the size of its data. Sent if
     /// [`status_selector`](DeviceStatus::status_selector) is [`DeviceStatusSelector::DIAGNOSTIC`].
     /// Probably supported by [3DM-RQ1-IMU](crate::devices::RQ1_IMU). Uncertain: The SDK of 2014
-    /// names the values and gives the units of temperature and times; the descriptions follow from
-    /// the names.
+    /// names the values and the units of temperature and times; the descriptions follow from the
+    /// names.
     ///
     /// The wire format also contains `status_selector`: Diagnostic status. Always 2.
     ///

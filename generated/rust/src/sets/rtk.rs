@@ -419,7 +419,7 @@ record! {
     ///
     /// For advanced use. Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
-    /// - Only in calibration mode or production test mode; otherwise it is refused.
+    /// - Only in calibration mode or production test mode; otherwise it is rejected.
     ///
     /// Source: mip-sdk-4: LED control (0x0F,0x21).
     #[derive(Copy, Default, Eq, Hash)]

@@ -61,7 +61,7 @@ record! {
     /// - Accepted on the main port only. The main port always keeps MIP in both directions.
     /// - The change comes before the acknowledge, which is sent on the main port; bytes that arrive
     ///   during the change may be lost.
-    /// - The device refuses protocols that it or the port does not have, and more parsers than it
+    /// - The device rejects protocols that it or the port does not have, and more parsers than it
     ///   has; then nothing is changed.
     /// - Answers to an incoming protocol are sent on the same port, even if the protocol is not an
     ///   outgoing one.
