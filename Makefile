@@ -93,7 +93,7 @@ test-all: tools-all test $(VENV)/all.stamp ## these, and those that take long, o
 
 .PHONY: nightly
 nightly: SEED ?= $(shell date +%s)
-nightly: tools-all tools-cross tools-fuzz tools-semver $(VENV)/all.stamp ## all tests, random ones with a seed of their own and many more rounds, and fuzzing: make nightly SEED=2 TIME=600
+nightly: tools-all tools-cross tools-fuzz tools-semver tools-workflows $(VENV)/all.stamp ## all tests, random ones with a seed of their own and many more rounds, and fuzzing: make nightly SEED=2 TIME=600
 	@NIGHTLY=1 $(PYTEST) $(TESTS)
 	@$(MAKE) --no-print-directory fuzz TIME=$(or $(TIME),600)
 	@$(MAKE) --no-print-directory prove
@@ -191,7 +191,7 @@ conformance-driver: $(VENV)/generator.stamp ## build a driver and print its comm
 
 # ----------------------------------------------------------------- tools and dirt
 
-.PHONY: tools tools-check tools-all tools-cross tools-fuzz tools-prove tools-semver
+.PHONY: tools tools-check tools-all tools-cross tools-fuzz tools-prove tools-semver tools-workflows
 tools:
 	@tests/tools.sh test
 
@@ -212,6 +212,9 @@ tools-prove:
 
 tools-semver:
 	@tests/tools.sh semver
+
+tools-workflows:
+	@tests/tools.sh workflows
 
 .PHONY: clean
 clean: ## remove what was built; generated/ stays

@@ -1,5 +1,6 @@
 #!/bin/sh
-# tools.sh check|test|all|cross|fuzz|semver|prove: brings what can be brought, and names what is missing with its remedy, all of it at once.
+# tools.sh check|test|all|cross|fuzz|prove|semver|workflows: brings what can be brought, and names what is missing with its
+# remedy, all of it at once.
 set -u
 missing=0
 
@@ -99,6 +100,11 @@ actionlint() {
     "$tools/bin/actionlint" --version >/dev/null 2>&1 || lacks actionlint "it needs Go 1.24 or later: https://go.dev/dl"
 }
 
+if [ "$1" = workflows ]; then
+    actionlint
+    exit $missing
+fi
+
 if [ "$1" = prove ]; then
     command_or cc "install one (Debian: apt-get install gcc libc6-dev)"
     prover
@@ -167,5 +173,4 @@ for version in 3.10 3.11 3.12 3.13; do
         lacks "Python $version" "install it (pyenv install $version)"
 done
 prover
-actionlint
 exit $missing

@@ -5,12 +5,12 @@ from __future__ import annotations
 import subprocess
 
 import yaml
-from support import BUILD, ROOT, heavy
+from support import BUILD, ROOT, nightly
 
 WORKFLOWS = sorted((ROOT / ".github/workflows").glob("*.yml"))
 
 
-@heavy("actionlint")
+@nightly("actionlint, which needs Go")
 def test_actionlint_finds_nothing() -> None:
     tool = BUILD / "tools/bin/actionlint"
     done = subprocess.run([tool, *WORKFLOWS], capture_output=True, text=True)

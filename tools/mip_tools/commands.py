@@ -18,7 +18,7 @@ COMMANDS = {
     "cut": ("cli.cut", "copy a part of a log"),
     "record": ("cli.record", "write what a device sends to a file"),
     "monitor": ("cli.monitor", "show the latest values of a device, live"),
-    "stream": ("cli.stream", "write what a device sends as JSON lines, CSV or MCAP, or show it in Foxglove, live"),
+    "stream": ("cli.stream", "write live data as JSON lines, CSV or MCAP, or to Foxglove"),
     "send": ("cli.send", "send a command and show the answer"),
     "config": ("cli.config", "copy, compare and restore the settings of a device"),
     "profile": ("cli.profile", "ask a device what it has, and write it for a specification"),
