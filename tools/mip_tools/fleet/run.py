@@ -272,7 +272,7 @@ def _dask() -> Any:
         import dask.distributed
         import pyarrow  # noqa: F401
     except ImportError as error:
-        raise Failure(f"{error.name} is missing; pip install 'mip-tools[fleet]'") from None
+        raise Failure(f"{error.name} is missing; install the extra `fleet` of mip-tools") from None
     return dask.distributed
 
 
