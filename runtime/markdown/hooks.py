@@ -24,7 +24,8 @@ _HIDDEN = re.compile(r"<(script|style)\b.*?</\1>|<!--.*?-->", re.S)
 #: The folder that `make workbench` has built. Without it the site has no tools, and its search finds text only.
 WORKBENCH = os.environ.get("MIP_WORKBENCH", "")
 
-#: How much of each part of a page the search has. The index of fields has what is in parameters, values and bits.
+#: How much of each part of a page the search has, if it has the workbench, whose index of fields has what is in
+#: parameters, values and bits.
 _BEGINNINGS = {
     "fields/": 120,
     "types/": 0,
@@ -63,10 +64,11 @@ def on_page_content(content: str, page: Any, **_: Any) -> str:
     path = page.file.src_uri
     if path.startswith("indexes/"):
         return content
-    title, *parts = sections(content if _TABLES.match(path) else _LEFT_OUT.sub(" ", content))
-    if path.startswith(("fields/", "devices/", "sets/")):
+    whole = not WORKBENCH or _TABLES.match(path)
+    title, *parts = sections(content if whole else _LEFT_OUT.sub(" ", content))
+    if WORKBENCH and path.startswith(("fields/", "devices/", "sets/")):
         parts = [part for part in parts if "." in part[0]]  # responses, which have a name; the rest is alike on all
-    cut = next((length for begins, length in _BEGINNINGS.items() if path.startswith(begins)), None)
+    cut = next((length for begins, length in _BEGINNINGS.items() if WORKBENCH and path.startswith(begins)), None)
     kept = [[anchor, heading, text[:cut]] for anchor, heading, text in [["", "", title[2]], *parts]]
     _texts[page.url] = [page.url, title[1] or page.title, kept]
     return content
