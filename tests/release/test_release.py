@@ -18,6 +18,7 @@ from support import BUILD, ROOT, heavy, need
 
 MESSAGE = "75 65 80 0E 0E 04 3E 7A 63 A0 BB 8E 3B 29 7F E5 BF 7F 84 EE"
 RELEASE = "packages as they are released"
+pytestmark = pytest.mark.xdist_group("release")  # which is built once
 
 
 def run(*command: str | Path, cwd: Path) -> str:

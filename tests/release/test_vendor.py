@@ -10,27 +10,28 @@ import sys
 from functools import cache
 from pathlib import Path
 
-from support import BUILD, ROOT, heavy, locked
+import pytest
+from support import BUILD, ROOT, heavy
 
 PAGE = (ROOT / "docs/vendor.md").read_text("utf-8")
 TAG = "v0.1.0"
 FOREIGN = "bindings from a repository"
+pytestmark = pytest.mark.xdist_group("vendor")  # a repository that is made once
 
 
 @cache
 def repository() -> str:
     """A repository whose tag has the files as they are now."""
     where = BUILD / "vendor/repository"
-    with locked(where):
-        shutil.rmtree(where, ignore_errors=True)
-        listed = subprocess.run(["git", "ls-files", "-z"], cwd=ROOT, capture_output=True, text=True, check=True).stdout
-        for name in listed.split("\0"):
-            if name.startswith(("generated/c/", "generated/rust/", "generated/python/", "tools/", "tests/rust/")):
-                target = where / name
-                target.parent.mkdir(parents=True, exist_ok=True)
-                shutil.copyfile(ROOT / name, target)
-        for command in ("init -q -b main", "add -A -f", "commit -q -m all", f"tag {TAG}"):
-            git(*command.split(), cwd=where)
+    shutil.rmtree(where, ignore_errors=True)
+    listed = subprocess.run(["git", "ls-files", "-z"], cwd=ROOT, capture_output=True, text=True, check=True).stdout
+    for name in listed.split("\0"):
+        if name.startswith(("generated/c/", "generated/rust/", "generated/python/", "tools/", "tests/rust/")):
+            target = where / name
+            target.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(ROOT / name, target)
+    for command in ("init -q -b main", "add -A -f", "commit -q -m all", f"tag {TAG}"):
+        git(*command.split(), cwd=where)
     return f"file://{where}"
 
 

@@ -18,7 +18,7 @@ from mip_tools import fleet, read_log
 from mip_tools.errors import Failure, Misuse
 from mip_tools.fleet import dataset, pack, run, sources
 from program import ENVIRONMENT, command, log, mip
-from support import NIGHTLY, heavy, later
+from support import NIGHTLY, SEED, heavy, later
 
 arrow = later("pyarrow")
 parquet = later("pyarrow.parquet")
@@ -178,7 +178,7 @@ if __name__ == "__main__":
 def test_workers_and_the_parent_are_killed(tmp_path: Path) -> None:
     import psutil
 
-    random_ = random.Random(int(os.environ.get("SEED", "1")))
+    random_ = random.Random(SEED)
     folder, out = logs(tmp_path / "logs", 8), tmp_path / "out"
     for turn in range(30 if NIGHTLY else 4):
         started = subprocess.Popen(
