@@ -10,6 +10,32 @@ export default {
 "barrier": {"set":1,"descriptor":1},
 "ack_code": "ack_code",
 "function_selector": "function_selector",
+"clocks": [
+{"name":"gps","epoch":"1980-01-06","timestamps":[{"set":255,"descriptor":211},{"set":128,"descriptor":18},{"set":130,"descriptor":17},{"set":129,"descriptor":9},{"set":145,"descriptor":9},{"set":146,"descriptor":9},{"set":148,"descriptor":9},{"set":149,"descriptor":9}]},
+{"name":"external","timestamps":[{"set":255,"descriptor":215}]},
+{"name":"reference","timestamps":[{"set":255,"descriptor":213}]}
+],
+"leap_seconds": [
+["1981-07-01",1],
+["1982-07-01",2],
+["1983-07-01",3],
+["1985-07-01",4],
+["1988-01-01",5],
+["1990-01-01",6],
+["1991-01-01",7],
+["1992-07-01",8],
+["1993-07-01",9],
+["1994-07-01",10],
+["1996-01-01",11],
+["1997-07-01",12],
+["1999-01-01",13],
+["2006-01-01",14],
+["2009-01-01",15],
+["2012-07-01",16],
+["2015-07-01",17],
+["2017-01-01",18]
+],
+"session": {"base_rate":"3dm.get_base_rate","rate":"rate","format":"3dm.message_format","stream":"3dm.data_stream_control","resume":"base.resume","item":"descriptor_rate","older":[{"set":128,"base_rate":"3dm.get_imu_base_rate","rate":"rate","format":"3dm.imu_message_format","stream":1},{"set":129,"base_rate":"3dm.get_gnss_base_rate","rate":"rate","format":"3dm.gnss_message_format","stream":2},{"set":130,"base_rate":"3dm.get_filter_base_rate","rate":"rate","format":"3dm.filter_message_format","stream":3}]},
 "scalars": {
 "u8": {"size":1,"kind":"unsigned"},
 "u16": {"size":2,"kind":"unsigned"},

@@ -15,6 +15,7 @@ from typing import Any
 from mipgen import model as m
 from mipgen.facts import describe
 from mipgen.facts.sample_values import SampleValues
+from mipgen.lower.session import Rate, session
 from mipgen.model import guides, simulation
 from mipgen.model.simulation import Quantity
 
@@ -85,6 +86,9 @@ def document(model: m.Model) -> dict[str, Any]:
         "barrier": dict(zip(("set", "descriptor"), p.barrier, strict=True)),
         "ack_code": type_name(p.ack_code),
         "function_selector": type_name(p.function_selector),
+        "clocks": [_clock(c, model) for c in p.clocks],
+        "leap_seconds": [list(each) for each in p.leap_seconds],
+        **_session(model),
         "scalars": {s.name: {"size": s.size, "kind": s.kind} for s in m.SCALARS.values()},
         "functions": [_attributes(f) for f in p.functions],
         "units": plain(p.units),
@@ -102,6 +106,32 @@ def document(model: m.Model) -> dict[str, Any]:
         "guides": plain(model.guides),
         "programs": programs(model),
     }
+
+
+def _clock(c: m.Clock, model: m.Model) -> dict[str, Any]:
+    """A clock, and the fields that hold the time of their packet by it."""
+    known = [(model.set_of(name), f) for name in c.timestamps if (f := model.field(name))]
+    stamps = [{"set": number, "descriptor": f.descriptor} for number, f in known]
+    return {"name": c.name, **({"epoch": str(c.epoch)} if c.epoch else {}), "timestamps": stamps}
+
+
+def _session(model: m.Model) -> dict[str, Any]:
+    """The commands that start data, if the specification names them."""
+    found = session(model)
+    if found is None:
+        return {}
+    item = found.entries.item.struct
+    assert item is not None
+    older = [
+        {"set": x.set, **_rate(x.base_rate), "format": x.format.full_name, "stream": x.stream} for x in found.older
+    ]
+    commands = {"format": found.format, "stream": found.stream, "resume": found.resume}
+    names = {key: f.full_name for key, f in commands.items()}
+    return {"session": {**_rate(found.base_rate), **names, "item": type_name(item), "older": older}}
+
+
+def _rate(r: Rate) -> dict[str, str]:
+    return {"base_rate": r.command.full_name, "rate": r.parameter.name}
 
 
 def types(model: m.Model) -> list[m.Type]:

@@ -10,6 +10,14 @@ export default {
 "barrier": {"set":1,"descriptor":1},
 "ack_code": "ack_code",
 "function_selector": "function_selector",
+"clocks": [
+{"name":"wall","epoch":"2000-01-01","timestamps":[{"set":255,"descriptor":211}]},
+{"name":"uptime","timestamps":[{"set":128,"descriptor":8}]}
+],
+"leap_seconds": [
+["2000-01-02",1],
+["2001-01-01",3]
+],
 "scalars": {
 "u8": {"size":1,"kind":"unsigned"},
 "u16": {"size":2,"kind":"unsigned"},
