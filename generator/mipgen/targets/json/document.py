@@ -92,6 +92,8 @@ def document(model: m.Model) -> dict[str, Any]:
         "manuals": plain(p.manuals),
         "notes": plain(p.notes),
         "vocabulary": plain(p.vocabulary),
+        "clocks": [_clock(c, model) for c in p.clocks],
+        "leap_seconds": dict(p.leap_seconds),
         "types": [_attributes(t) for t in types(model)],
         "sets": [_set(s, model) for s in model.sets],
         "fields": [_with_samples(f, samples) for f in (p.acknowledge, *model.fields)],
@@ -231,6 +233,11 @@ _MORE: dict[type, Callable[[Any, dict[str, Any]], dict[str, Any]]] = {
     m.Enum: _type,
     m.Bitfield: _type,
 }
+
+
+def _clock(c: m.Clock, model: m.Model) -> dict[str, Any]:
+    """A clock with its timestamps, as far as a part of a specification has them."""
+    return _attributes(c) | {"timestamps": [name for name in c.timestamps if model.field(name)]}
 
 
 def _set(s: m.Set, model: m.Model) -> dict[str, Any]:

@@ -57,6 +57,11 @@ export default {
 "vocabulary": [
 {"word":"accel","instead_of":["acceleration","accelerometer"]}
 ],
+"clocks": [
+{"name":"wall","title":"clock on the wall","description":"","epoch":"2000-01-01","timestamps":["shared.timestamp"]},
+{"name":"uptime","title":"time since start","description":"It never goes back.","timestamps":["measurements.cloud"]}
+],
+"leap_seconds": {"2000-01-02":1,"2001-01-01":3},
 "types": [
 {"kind":"enum","name":"function_selector","scalar":"u8","values":[{"name":"write","value":1,"description":"Apply the new setting."},{"name":"read","value":2,"description":"Send the current setting back in a response."},{"name":"save","value":3,"description":"Save the current setting to non-volatile memory."},{"name":"load","value":4,"description":"Load the saved setting."},{"name":"default","value":5,"description":"Load the factory default setting."},{"name":"apply","value":6,"description":"Apply the new setting and send no acknowledge (5-series devices)."}],"description":"What a settings command is asked to do.","symbols":{"c":"mip_function_selector","python":"mip_protocol.FunctionSelector","rust":"mip_protocol::types::FunctionSelector"}},
 {"kind":"vector","name":"vector3f","scalar":"float","elements":["x","y","z"],"description":"Three floats."},
