@@ -8,11 +8,12 @@ from __future__ import annotations
 
 import dataclasses
 import json
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from operator import attrgetter
 from typing import Any
 
 from mipgen import model as m
+from mipgen.emit.target import Identifier
 from mipgen.facts import describe
 from mipgen.facts.sample_values import SampleValues
 from mipgen.model import guides, simulation
@@ -111,6 +112,16 @@ def types(model: m.Model) -> list[m.Type]:
     selector, *rest = model.protocol.function_selector, *model.all_types
     codes = [] if model.protocol.ack_code in rest else [model.protocol.ack_code]
     return [selector, *codes, *rest]
+
+
+def identifiers(model: m.Model) -> Iterator[Identifier]:
+    """Fields and types are referred to by name. Scalars are types too."""
+    for f in (model.protocol.acknowledge, *model.fields):
+        yield Identifier("fields", f.full_name, f"field {f.full_name}", f.position)
+    for name in m.SCALARS:
+        yield Identifier("types", name, f"scalar {name}", None)
+    for t in types(model):
+        yield Identifier("types", type_name(t), f"type {t.name}", getattr(t, "position", None))
 
 
 # --------------------------------------------------------------------------- values
