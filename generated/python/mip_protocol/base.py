@@ -11,12 +11,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from . import codec
-from .errors import Truncated
+from . import codec, wire
 from .field import ClassOf, Command, Field, R, Response, ResponseClasses, Structure
 from .protocol import FunctionSelector
-
-_BASE_DEVICE_INFO_0 = codec.Block("H", "firmware_version")
 
 
 class BaseDeviceInfo(Structure):
@@ -41,6 +38,15 @@ class BaseDeviceInfo(Structure):
         "serial_number",
         "lot_number",
         "device_options",
+    )
+
+    _LAYOUT = (
+        ("firmware_version", "H", None),
+        ("model_name", "", wire.Text(16, 16)),
+        ("model_number", "", wire.Text(16, 16)),
+        ("serial_number", "", wire.Text(16, 16)),
+        ("lot_number", "", wire.Text(16, 16)),
+        ("device_options", "", wire.Text(16, 16)),
     )
 
     firmware_version: int
@@ -71,34 +77,6 @@ class BaseDeviceInfo(Structure):
         self.serial_number = serial_number
         self.lot_number = lot_number
         self.device_options = device_options
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[BaseDeviceInfo, int]:
-        v = _BASE_DEVICE_INFO_0.read(raw, at)
-        at += 2
-        firmware_version = v[0]
-        model_name = codec.take(raw, at, 16).decode("latin-1")
-        at += 16
-        model_number = codec.take(raw, at, 16).decode("latin-1")
-        at += 16
-        serial_number = codec.take(raw, at, 16).decode("latin-1")
-        at += 16
-        lot_number = codec.take(raw, at, 16).decode("latin-1")
-        at += 16
-        device_options = codec.take(raw, at, 16).decode("latin-1")
-        at += 16
-        return cls(
-            firmware_version, model_name, model_number, serial_number, lot_number, device_options
-        ), at
-
-    def _write(self) -> bytes:
-        out = _BASE_DEVICE_INFO_0.write(self.firmware_version)
-        out += codec.padded("model_name", self.model_name, 16)
-        out += codec.padded("model_number", self.model_number, 16)
-        out += codec.padded("serial_number", self.serial_number, 16)
-        out += codec.padded("lot_number", self.lot_number, 16)
-        out += codec.padded("device_options", self.device_options, 16)
-        return out
 
 
 class GpsTimeField(codec.OpenEnum):
@@ -132,21 +110,13 @@ class GetDeviceInfoResponse(Response):
     DESCRIPTOR = 0x81
     NAME = "base.get_device_info_response"
     ROLE = "response"
+    _LAYOUT = (("device_info", "", BaseDeviceInfo),)
 
     device_info: BaseDeviceInfo
     """Identity of the device."""
 
     def __init__(self, device_info: BaseDeviceInfo) -> None:
         self.device_info = device_info
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetDeviceInfoResponse, int]:
-        device_info, at = BaseDeviceInfo._read(raw, at)
-        return cls(device_info), at
-
-    def _write(self) -> bytes:
-        out = codec.structure("device_info", self.device_info, BaseDeviceInfo)
-        return codec.finished(out)
 
 
 class GetDeviceDescriptorsResponse(Response):
@@ -172,6 +142,7 @@ class GetDeviceDescriptorsResponse(Response):
     DESCRIPTOR = 0x82
     NAME = "base.get_device_descriptors_response"
     ROLE = "response"
+    _LAYOUT = (("descriptors", "H", wire.Items(None, None, 126)),)
 
     descriptors: tuple[int, ...]
     """Supported descriptors: the descriptor set in the high byte, the field descriptor in the low
@@ -180,22 +151,6 @@ class GetDeviceDescriptorsResponse(Response):
 
     def __init__(self, descriptors: Sequence[int]) -> None:
         self.descriptors = codec.several(descriptors)
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetDeviceDescriptorsResponse, int]:
-        n = codec.remaining(raw, at, 2)
-        descriptors = codec.read_numbers("H", raw, at, n)
-        at += n * 2
-        return cls(descriptors), at
-
-    def _write(self) -> bytes:
-        out = codec.write_numbers(
-            "descriptors", "H", codec.at_most("descriptors", self.descriptors, 126)
-        )
-        return codec.finished(out)
-
-
-_BUILT_IN_TEST_RESPONSE_0 = codec.Block("I", "result")
 
 
 class BuiltInTestResponse(Response):
@@ -243,20 +198,6 @@ class BuiltInTestResponse(Response):
     def __init__(self, result: int) -> None:
         self.result = result
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[BuiltInTestResponse, int]:
-        v = _BUILT_IN_TEST_RESPONSE_0.read(raw, at)
-        at += 4
-        result = v[0]
-        return cls(result), at
-
-    def _write(self) -> bytes:
-        out = _BUILT_IN_TEST_RESPONSE_0.write(self.result)
-        return codec.finished(out)
-
-
-_GPS_TIME_UPDATE_WEEK_NUMBER_RESPONSE_0 = codec.Block("I", "week_number")
-
 
 class GpsTimeUpdateWeekNumberResponse(Response):
     """GPS time update, week number (0x01,0x84).
@@ -291,20 +232,6 @@ class GpsTimeUpdateWeekNumberResponse(Response):
     def __init__(self, week_number: int) -> None:
         self.week_number = week_number
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GpsTimeUpdateWeekNumberResponse, int]:
-        v = _GPS_TIME_UPDATE_WEEK_NUMBER_RESPONSE_0.read(raw, at)
-        at += 4
-        week_number = v[0]
-        return cls(week_number), at
-
-    def _write(self) -> bytes:
-        out = _GPS_TIME_UPDATE_WEEK_NUMBER_RESPONSE_0.write(self.week_number)
-        return codec.finished(out)
-
-
-_GPS_TIME_UPDATE_TOW_RESPONSE_0 = codec.Block("I", "tow")
-
 
 class GpsTimeUpdateTowResponse(Response):
     """GPS time update, time of week (0x01,0x85).
@@ -338,17 +265,6 @@ class GpsTimeUpdateTowResponse(Response):
     def __init__(self, tow: int) -> None:
         self.tow = tow
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GpsTimeUpdateTowResponse, int]:
-        v = _GPS_TIME_UPDATE_TOW_RESPONSE_0.read(raw, at)
-        at += 4
-        tow = v[0]
-        return cls(tow), at
-
-    def _write(self) -> bytes:
-        out = _GPS_TIME_UPDATE_TOW_RESPONSE_0.write(self.tow)
-        return codec.finished(out)
-
 
 class GetExtendedDescriptorsResponse(Response):
     """Get device descriptors (extended) response (0x01,0x86).
@@ -371,6 +287,7 @@ class GetExtendedDescriptorsResponse(Response):
     DESCRIPTOR = 0x86
     NAME = "base.get_extended_descriptors_response"
     ROLE = "response"
+    _LAYOUT = (("descriptors", "H", wire.Items(None, None, 126)),)
 
     descriptors: tuple[int, ...]
     """Supported descriptors: the descriptor set in the high byte, the field descriptor in the low
@@ -379,22 +296,6 @@ class GetExtendedDescriptorsResponse(Response):
 
     def __init__(self, descriptors: Sequence[int]) -> None:
         self.descriptors = codec.several(descriptors)
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetExtendedDescriptorsResponse, int]:
-        n = codec.remaining(raw, at, 2)
-        descriptors = codec.read_numbers("H", raw, at, n)
-        at += n * 2
-        return cls(descriptors), at
-
-    def _write(self) -> bytes:
-        out = codec.write_numbers(
-            "descriptors", "H", codec.at_most("descriptors", self.descriptors, 126)
-        )
-        return codec.finished(out)
-
-
-_CONTINUOUS_BUILT_IN_TEST_RESPONSE_0 = codec.Block("BBBBBBBBBBBBBBBB", *["result"] * 16)
 
 
 class ContinuousBuiltInTestResponse(Response):
@@ -429,20 +330,6 @@ class ContinuousBuiltInTestResponse(Response):
 
     def __init__(self, result: Sequence[int]) -> None:
         self.result = codec.several(result)
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ContinuousBuiltInTestResponse, int]:
-        v = _CONTINUOUS_BUILT_IN_TEST_RESPONSE_0.read(raw, at)
-        at += 16
-        result = v[0:16]
-        return cls(result), at
-
-    def _write(self) -> bytes:
-        out = _CONTINUOUS_BUILT_IN_TEST_RESPONSE_0.write(*codec.exactly("result", self.result, 16))
-        return codec.finished(out)
-
-
-_COMM_SPEED_RESPONSE_0 = codec.Block("BI", "port", "baud")
 
 
 class CommSpeedResponse(Response):
@@ -487,18 +374,6 @@ class CommSpeedResponse(Response):
         self.port = port
         self.baud = baud
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[CommSpeedResponse, int]:
-        v = _COMM_SPEED_RESPONSE_0.read(raw, at)
-        at += 5
-        port = v[0]
-        baud = v[1]
-        return cls(port, baud), at
-
-    def _write(self) -> bytes:
-        out = _COMM_SPEED_RESPONSE_0.write(self.port, self.baud)
-        return codec.finished(out)
-
 
 class Ping(Command[None]):
     """Ping (0x01,0x01).
@@ -526,13 +401,6 @@ class Ping(Command[None]):
     DESCRIPTOR = 0x01
     NAME = "base.ping"
     ROLE = "command"
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[Ping, int]:
-        return cls(), at
-
-    def _write(self) -> bytes:
-        return b""
 
 
 class SetIdle(Command[None]):
@@ -562,13 +430,6 @@ class SetIdle(Command[None]):
     NAME = "base.set_idle"
     ROLE = "command"
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SetIdle, int]:
-        return cls(), at
-
-    def _write(self) -> bytes:
-        return b""
-
 
 class GetDeviceInfo(Command[GetDeviceInfoResponse]):
     """Get device information (0x01,0x03).
@@ -595,13 +456,6 @@ class GetDeviceInfo(Command[GetDeviceInfoResponse]):
     NAME = "base.get_device_info"
     ROLE = "command"
     RESPONSES = (GetDeviceInfoResponse,)
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetDeviceInfo, int]:
-        return cls(), at
-
-    def _write(self) -> bytes:
-        return b""
 
 
 class GetDeviceDescriptors(Command[GetDeviceDescriptorsResponse]):
@@ -632,13 +486,6 @@ class GetDeviceDescriptors(Command[GetDeviceDescriptorsResponse]):
     NAME = "base.get_device_descriptors"
     ROLE = "command"
     RESPONSES = (GetDeviceDescriptorsResponse,)
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetDeviceDescriptors, int]:
-        return cls(), at
-
-    def _write(self) -> bytes:
-        return b""
 
 
 class BuiltInTest(Command[BuiltInTestResponse]):
@@ -675,13 +522,6 @@ class BuiltInTest(Command[BuiltInTestResponse]):
     RESPONSES = (BuiltInTestResponse,)
     TIMEOUT = 10.0
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[BuiltInTest, int]:
-        return cls(), at
-
-    def _write(self) -> bytes:
-        return b""
-
 
 class Resume(Command[None]):
     """Resume (0x01,0x06).
@@ -710,13 +550,6 @@ class Resume(Command[None]):
     NAME = "base.resume"
     ROLE = "command"
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[Resume, int]:
-        return cls(), at
-
-    def _write(self) -> bytes:
-        return b""
-
 
 class GetExtendedDescriptors(Command[GetExtendedDescriptorsResponse]):
     """Get device descriptors (extended) (0x01,0x07).
@@ -744,13 +577,6 @@ class GetExtendedDescriptors(Command[GetExtendedDescriptorsResponse]):
     ROLE = "command"
     RESPONSES = (GetExtendedDescriptorsResponse,)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetExtendedDescriptors, int]:
-        return cls(), at
-
-    def _write(self) -> bytes:
-        return b""
-
 
 class ContinuousBuiltInTest(Command[ContinuousBuiltInTestResponse]):
     """Continuous built-in test (0x01,0x08).
@@ -776,19 +602,6 @@ class ContinuousBuiltInTest(Command[ContinuousBuiltInTestResponse]):
     NAME = "base.continuous_built_in_test"
     ROLE = "command"
     RESPONSES = (ContinuousBuiltInTestResponse,)
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ContinuousBuiltInTest, int]:
-        return cls(), at
-
-    def _write(self) -> bytes:
-        return b""
-
-
-_COMM_SPEED_0 = codec.Block("B", "function")
-_COMM_SPEED_1 = codec.Block("B", "port")
-_COMM_SPEED_2 = codec.Block("I", "baud")
-_COMM_SPEED_GROUPS = ((1, ("port",), False), (2, ("baud",), False))
 
 
 class CommSpeed(Command[R]):
@@ -818,6 +631,8 @@ class CommSpeed(Command[R]):
     ROLE = "command"
     RESPONSES = (CommSpeedResponse,)
     REQUIRED = {1: 2, 2: 1, 3: 1, 4: 1, 5: 1}
+    _LAYOUT = (("function", "B", FunctionSelector), ("port", "B", None), ("baud", "I", None))
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -877,50 +692,6 @@ class CommSpeed(Command[R]):
             return (CommSpeedResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[CommSpeed[R], int]:
-        port: int | None = None
-        baud: int | None = None
-        v = _COMM_SPEED_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _COMM_SPEED_1.read(raw, at)
-            at += 1
-            port = v[0]
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _COMM_SPEED_2.read(raw, at)
-            at += 4
-            baud = v[0]
-            done, end = 2, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, port, baud), at
-
-    def _write(self) -> bytes:
-        out = _COMM_SPEED_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _COMM_SPEED_GROUPS)
-        if there >= 1:
-            out += _COMM_SPEED_1.write(self.port)
-        if there >= 2:
-            out += _COMM_SPEED_2.write(self.baud)
-        return codec.finished(out)
-
-
-_GPS_TIME_UPDATE_0 = codec.Block("B", "function")
-_GPS_TIME_UPDATE_1 = codec.Block("B", "field_id")
-_GPS_TIME_UPDATE_2 = codec.Block("I", "value")
-_GPS_TIME_UPDATE_GROUPS = ((1, ("field_id",), False), (2, ("value",), False))
-
 
 class GpsTimeUpdate(Command[R]):
     """GPS time update (0x01,0x72).
@@ -959,6 +730,12 @@ class GpsTimeUpdate(Command[R]):
     ROLE = "command"
     RESPONSES = (GpsTimeUpdateWeekNumberResponse, GpsTimeUpdateTowResponse)
     REQUIRED = {1: 2, 2: 1, 6: 2}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("field_id", "B", GpsTimeField),
+        ("value", "I", None),
+    )
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -1014,44 +791,6 @@ class GpsTimeUpdate(Command[R]):
             return (GpsTimeUpdateTowResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GpsTimeUpdate[R], int]:
-        field_id: GpsTimeField | None = None
-        value: int | None = None
-        v = _GPS_TIME_UPDATE_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _GPS_TIME_UPDATE_1.read(raw, at)
-            at += 1
-            field_id = GpsTimeField(v[0])
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _GPS_TIME_UPDATE_2.read(raw, at)
-            at += 4
-            value = v[0]
-            done, end = 2, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, field_id, value), at
-
-    def _write(self) -> bytes:
-        out = _GPS_TIME_UPDATE_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _GPS_TIME_UPDATE_GROUPS)
-        if there >= 1:
-            out += _GPS_TIME_UPDATE_1.write(self.field_id)
-        if there >= 2:
-            out += _GPS_TIME_UPDATE_2.write(self.value)
-        return codec.finished(out)
-
 
 class SoftReset(Command[None]):
     """Reset device (0x01,0x7E).
@@ -1076,13 +815,6 @@ class SoftReset(Command[None]):
     DESCRIPTOR = 0x7E
     NAME = "base.soft_reset"
     ROLE = "command"
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SoftReset, int]:
-        return cls(), at
-
-    def _write(self) -> bytes:
-        return b""
 
 
 GetDeviceInfoResponse.COMMANDS = (GetDeviceInfo,)

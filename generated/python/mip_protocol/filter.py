@@ -12,7 +12,6 @@ from enum import IntFlag
 from typing import Any
 
 from . import codec, types
-from .errors import Truncated
 from .field import ClassOf, Command, Field, R, Response, ResponseClasses
 from .protocol import FunctionSelector
 
@@ -300,9 +299,6 @@ class ReferencePoint(codec.OpenEnum):
     """The origin of the vehicle."""
 
 
-_VEHICLE_DYNAMICS_MODE_RESPONSE_0 = codec.Block("B", "mode")
-
-
 class VehicleDynamicsModeResponse(Response):
     """Vehicle dynamics mode response (0x0D,0x80).
 
@@ -328,20 +324,6 @@ class VehicleDynamicsModeResponse(Response):
 
     def __init__(self, mode: DynamicsMode) -> None:
         self.mode = mode
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[VehicleDynamicsModeResponse, int]:
-        v = _VEHICLE_DYNAMICS_MODE_RESPONSE_0.read(raw, at)
-        at += 1
-        mode = DynamicsMode(v[0])
-        return cls(mode), at
-
-    def _write(self) -> bytes:
-        out = _VEHICLE_DYNAMICS_MODE_RESPONSE_0.write(self.mode)
-        return codec.finished(out)
-
-
-_SENSOR_TO_VEHICLE_ROTATION_EULER_RESPONSE_0 = codec.Block("fff", "roll", "pitch", "yaw")
 
 
 class SensorToVehicleRotationEulerResponse(Response):
@@ -377,22 +359,6 @@ class SensorToVehicleRotationEulerResponse(Response):
         self.pitch = pitch
         self.yaw = yaw
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleRotationEulerResponse, int]:
-        v = _SENSOR_TO_VEHICLE_ROTATION_EULER_RESPONSE_0.read(raw, at)
-        at += 12
-        roll = v[0]
-        pitch = v[1]
-        yaw = v[2]
-        return cls(roll, pitch, yaw), at
-
-    def _write(self) -> bytes:
-        out = _SENSOR_TO_VEHICLE_ROTATION_EULER_RESPONSE_0.write(self.roll, self.pitch, self.yaw)
-        return codec.finished(out)
-
-
-_SENSOR_TO_VEHICLE_OFFSET_RESPONSE_0 = codec.Block("fff", *["offset"] * 3)
-
 
 class SensorToVehicleOffsetResponse(Response):
     """Sensor to vehicle offset response (0x0D,0x82).
@@ -413,6 +379,7 @@ class SensorToVehicleOffsetResponse(Response):
     NAME = "filter.sensor_to_vehicle_offset_response"
     ROLE = "response"
     _LAYOUT = (("offset", "fff", types.Vector3f),)
+
     _VECTORS = {"offset": (types.Vector3f,)}
 
     offset: types.Vector3f
@@ -422,20 +389,6 @@ class SensorToVehicleOffsetResponse(Response):
 
     def __init__(self, offset: types.Vector3f | codec.Numbers) -> None:
         self.offset = codec.vector(offset, types.Vector3f)
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleOffsetResponse, int]:
-        v = _SENSOR_TO_VEHICLE_OFFSET_RESPONSE_0.read(raw, at)
-        at += 12
-        offset = types.Vector3f._make(v[0:3])
-        return cls(offset), at
-
-    def _write(self) -> bytes:
-        out = _SENSOR_TO_VEHICLE_OFFSET_RESPONSE_0.write(*codec.elements("offset", self.offset, 3))
-        return codec.finished(out)
-
-
-_ANTENNA_OFFSET_RESPONSE_0 = codec.Block("fff", *["offset"] * 3)
 
 
 class AntennaOffsetResponse(Response):
@@ -457,6 +410,7 @@ class AntennaOffsetResponse(Response):
     NAME = "filter.antenna_offset_response"
     ROLE = "response"
     _LAYOUT = (("offset", "fff", types.Vector3f),)
+
     _VECTORS = {"offset": (types.Vector3f,)}
 
     offset: types.Vector3f
@@ -468,20 +422,6 @@ class AntennaOffsetResponse(Response):
 
     def __init__(self, offset: types.Vector3f | codec.Numbers) -> None:
         self.offset = codec.vector(offset, types.Vector3f)
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AntennaOffsetResponse, int]:
-        v = _ANTENNA_OFFSET_RESPONSE_0.read(raw, at)
-        at += 12
-        offset = types.Vector3f._make(v[0:3])
-        return cls(offset), at
-
-    def _write(self) -> bytes:
-        out = _ANTENNA_OFFSET_RESPONSE_0.write(*codec.elements("offset", self.offset, 3))
-        return codec.finished(out)
-
-
-_ESTIMATION_CONTROL_RESPONSE_0 = codec.Block("H", "flags")
 
 
 class EstimationControlResponse(Response):
@@ -511,20 +451,6 @@ class EstimationControlResponse(Response):
     def __init__(self, flags: EstimatedStates) -> None:
         self.flags = flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EstimationControlResponse, int]:
-        v = _ESTIMATION_CONTROL_RESPONSE_0.read(raw, at)
-        at += 2
-        flags = EstimatedStates(v[0])
-        return cls(flags), at
-
-    def _write(self) -> bytes:
-        out = _ESTIMATION_CONTROL_RESPONSE_0.write(self.flags)
-        return codec.finished(out)
-
-
-_GNSS_SOURCE_RESPONSE_0 = codec.Block("B", "source")
-
 
 class GnssSourceResponse(Response):
     """GNSS aiding source response (0x0D,0x86).
@@ -552,20 +478,6 @@ class GnssSourceResponse(Response):
     def __init__(self, source: GnssAidingSource) -> None:
         self.source = source
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssSourceResponse, int]:
-        v = _GNSS_SOURCE_RESPONSE_0.read(raw, at)
-        at += 1
-        source = GnssAidingSource(v[0])
-        return cls(source), at
-
-    def _write(self) -> bytes:
-        out = _GNSS_SOURCE_RESPONSE_0.write(self.source)
-        return codec.finished(out)
-
-
-_HEADING_SOURCE_RESPONSE_0 = codec.Block("B", "source")
-
 
 class HeadingSourceResponse(Response):
     """Heading update control response (0x0D,0x87).
@@ -592,20 +504,6 @@ class HeadingSourceResponse(Response):
 
     def __init__(self, source: HeadingUpdateSource) -> None:
         self.source = source
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[HeadingSourceResponse, int]:
-        v = _HEADING_SOURCE_RESPONSE_0.read(raw, at)
-        at += 1
-        source = HeadingUpdateSource(v[0])
-        return cls(source), at
-
-    def _write(self) -> bytes:
-        out = _HEADING_SOURCE_RESPONSE_0.write(self.source)
-        return codec.finished(out)
-
-
-_AUTO_INITIALIZATION_CONTROL_RESPONSE_0 = codec.Block("B", "enable")
 
 
 class AutoInitializationControlResponse(Response):
@@ -635,20 +533,6 @@ class AutoInitializationControlResponse(Response):
     def __init__(self, enable: int) -> None:
         self.enable = enable
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AutoInitializationControlResponse, int]:
-        v = _AUTO_INITIALIZATION_CONTROL_RESPONSE_0.read(raw, at)
-        at += 1
-        enable = v[0]
-        return cls(enable), at
-
-    def _write(self) -> bytes:
-        out = _AUTO_INITIALIZATION_CONTROL_RESPONSE_0.write(self.enable)
-        return codec.finished(out)
-
-
-_ACCEL_NOISE_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
-
 
 class AccelNoiseResponse(Response):
     """Accelerometer noise response (0x0D,0x89).
@@ -672,6 +556,7 @@ class AccelNoiseResponse(Response):
     NAME = "filter.accel_noise_response"
     ROLE = "response"
     _LAYOUT = (("noise", "fff", types.Vector3f),)
+
     _VECTORS = {"noise": (types.Vector3f,)}
 
     noise: types.Vector3f
@@ -679,20 +564,6 @@ class AccelNoiseResponse(Response):
 
     def __init__(self, noise: types.Vector3f | codec.Numbers) -> None:
         self.noise = codec.vector(noise, types.Vector3f)
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AccelNoiseResponse, int]:
-        v = _ACCEL_NOISE_RESPONSE_0.read(raw, at)
-        at += 12
-        noise = types.Vector3f._make(v[0:3])
-        return cls(noise), at
-
-    def _write(self) -> bytes:
-        out = _ACCEL_NOISE_RESPONSE_0.write(*codec.elements("noise", self.noise, 3))
-        return codec.finished(out)
-
-
-_GYRO_NOISE_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
 
 
 class GyroNoiseResponse(Response):
@@ -717,6 +588,7 @@ class GyroNoiseResponse(Response):
     NAME = "filter.gyro_noise_response"
     ROLE = "response"
     _LAYOUT = (("noise", "fff", types.Vector3f),)
+
     _VECTORS = {"noise": (types.Vector3f,)}
 
     noise: types.Vector3f
@@ -724,20 +596,6 @@ class GyroNoiseResponse(Response):
 
     def __init__(self, noise: types.Vector3f | codec.Numbers) -> None:
         self.noise = codec.vector(noise, types.Vector3f)
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GyroNoiseResponse, int]:
-        v = _GYRO_NOISE_RESPONSE_0.read(raw, at)
-        at += 12
-        noise = types.Vector3f._make(v[0:3])
-        return cls(noise), at
-
-    def _write(self) -> bytes:
-        out = _GYRO_NOISE_RESPONSE_0.write(*codec.elements("noise", self.noise, 3))
-        return codec.finished(out)
-
-
-_ACCEL_BIAS_MODEL_RESPONSE_0 = codec.Block("ffffff", *["beta"] * 3, *["noise"] * 3)
 
 
 class AccelBiasModelResponse(Response):
@@ -759,6 +617,7 @@ class AccelBiasModelResponse(Response):
     NAME = "filter.accel_bias_model_response"
     ROLE = "response"
     _LAYOUT = (("beta", "fff", types.Vector3f), ("noise", "fff", types.Vector3f))
+
     _VECTORS = {"beta": (types.Vector3f,), "noise": (types.Vector3f,)}
 
     beta: types.Vector3f
@@ -773,23 +632,6 @@ class AccelBiasModelResponse(Response):
     ) -> None:
         self.beta = codec.vector(beta, types.Vector3f)
         self.noise = codec.vector(noise, types.Vector3f)
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AccelBiasModelResponse, int]:
-        v = _ACCEL_BIAS_MODEL_RESPONSE_0.read(raw, at)
-        at += 24
-        beta = types.Vector3f._make(v[0:3])
-        noise = types.Vector3f._make(v[3:6])
-        return cls(beta, noise), at
-
-    def _write(self) -> bytes:
-        out = _ACCEL_BIAS_MODEL_RESPONSE_0.write(
-            *codec.elements("beta", self.beta, 3), *codec.elements("noise", self.noise, 3)
-        )
-        return codec.finished(out)
-
-
-_GYRO_BIAS_MODEL_RESPONSE_0 = codec.Block("ffffff", *["beta"] * 3, *["noise"] * 3)
 
 
 class GyroBiasModelResponse(Response):
@@ -814,6 +656,7 @@ class GyroBiasModelResponse(Response):
     NAME = "filter.gyro_bias_model_response"
     ROLE = "response"
     _LAYOUT = (("beta", "fff", types.Vector3f), ("noise", "fff", types.Vector3f))
+
     _VECTORS = {"beta": (types.Vector3f,), "noise": (types.Vector3f,)}
 
     beta: types.Vector3f
@@ -828,23 +671,6 @@ class GyroBiasModelResponse(Response):
     ) -> None:
         self.beta = codec.vector(beta, types.Vector3f)
         self.noise = codec.vector(noise, types.Vector3f)
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GyroBiasModelResponse, int]:
-        v = _GYRO_BIAS_MODEL_RESPONSE_0.read(raw, at)
-        at += 24
-        beta = types.Vector3f._make(v[0:3])
-        noise = types.Vector3f._make(v[3:6])
-        return cls(beta, noise), at
-
-    def _write(self) -> bytes:
-        out = _GYRO_BIAS_MODEL_RESPONSE_0.write(
-            *codec.elements("beta", self.beta, 3), *codec.elements("noise", self.noise, 3)
-        )
-        return codec.finished(out)
-
-
-_AUTO_ZUPT_RESPONSE_0 = codec.Block("Bf", "enable", "threshold")
 
 
 class AutoZuptResponse(Response):
@@ -875,21 +701,6 @@ class AutoZuptResponse(Response):
     def __init__(self, enable: int, threshold: float) -> None:
         self.enable = enable
         self.threshold = threshold
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AutoZuptResponse, int]:
-        v = _AUTO_ZUPT_RESPONSE_0.read(raw, at)
-        at += 5
-        enable = v[0]
-        threshold = v[1]
-        return cls(enable, threshold), at
-
-    def _write(self) -> bytes:
-        out = _AUTO_ZUPT_RESPONSE_0.write(self.enable, self.threshold)
-        return codec.finished(out)
-
-
-_AUTO_ANGULAR_ZUPT_RESPONSE_0 = codec.Block("Bf", "enable", "threshold")
 
 
 class AutoAngularZuptResponse(Response):
@@ -923,21 +734,6 @@ class AutoAngularZuptResponse(Response):
     def __init__(self, enable: int, threshold: float) -> None:
         self.enable = enable
         self.threshold = threshold
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AutoAngularZuptResponse, int]:
-        v = _AUTO_ANGULAR_ZUPT_RESPONSE_0.read(raw, at)
-        at += 5
-        enable = v[0]
-        threshold = v[1]
-        return cls(enable, threshold), at
-
-    def _write(self) -> bytes:
-        out = _AUTO_ANGULAR_ZUPT_RESPONSE_0.write(self.enable, self.threshold)
-        return codec.finished(out)
-
-
-_REFERENCE_POSITION_RESPONSE_0 = codec.Block("Bddd", "enable", "latitude", "longitude", "altitude")
 
 
 class ReferencePositionResponse(Response):
@@ -982,25 +778,6 @@ class ReferencePositionResponse(Response):
         self.longitude = longitude
         self.altitude = altitude
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ReferencePositionResponse, int]:
-        v = _REFERENCE_POSITION_RESPONSE_0.read(raw, at)
-        at += 25
-        enable = v[0]
-        latitude = v[1]
-        longitude = v[2]
-        altitude = v[3]
-        return cls(enable, latitude, longitude, altitude), at
-
-    def _write(self) -> bytes:
-        out = _REFERENCE_POSITION_RESPONSE_0.write(
-            self.enable, self.latitude, self.longitude, self.altitude
-        )
-        return codec.finished(out)
-
-
-_GRAVITY_NOISE_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
-
 
 class GravityNoiseResponse(Response):
     """Gravity noise response (0x0D,0x93).
@@ -1023,6 +800,7 @@ class GravityNoiseResponse(Response):
     NAME = "filter.gravity_noise_response"
     ROLE = "response"
     _LAYOUT = (("noise", "fff", types.Vector3f),)
+
     _VECTORS = {"noise": (types.Vector3f,)}
 
     noise: types.Vector3f
@@ -1030,20 +808,6 @@ class GravityNoiseResponse(Response):
 
     def __init__(self, noise: types.Vector3f | codec.Numbers) -> None:
         self.noise = codec.vector(noise, types.Vector3f)
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GravityNoiseResponse, int]:
-        v = _GRAVITY_NOISE_RESPONSE_0.read(raw, at)
-        at += 12
-        noise = types.Vector3f._make(v[0:3])
-        return cls(noise), at
-
-    def _write(self) -> bytes:
-        out = _GRAVITY_NOISE_RESPONSE_0.write(*codec.elements("noise", self.noise, 3))
-        return codec.finished(out)
-
-
-_PRESSURE_ALTITUDE_NOISE_RESPONSE_0 = codec.Block("f", "noise")
 
 
 class PressureAltitudeNoiseResponse(Response):
@@ -1072,20 +836,6 @@ class PressureAltitudeNoiseResponse(Response):
     def __init__(self, noise: float) -> None:
         self.noise = noise
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[PressureAltitudeNoiseResponse, int]:
-        v = _PRESSURE_ALTITUDE_NOISE_RESPONSE_0.read(raw, at)
-        at += 4
-        noise = v[0]
-        return cls(noise), at
-
-    def _write(self) -> bytes:
-        out = _PRESSURE_ALTITUDE_NOISE_RESPONSE_0.write(self.noise)
-        return codec.finished(out)
-
-
-_HARD_IRON_OFFSET_NOISE_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
-
 
 class HardIronOffsetNoiseResponse(Response):
     """Hard iron offset noise response (0x0D,0x96).
@@ -1106,6 +856,7 @@ class HardIronOffsetNoiseResponse(Response):
     NAME = "filter.hard_iron_offset_noise_response"
     ROLE = "response"
     _LAYOUT = (("noise", "fff", types.Vector3f),)
+
     _VECTORS = {"noise": (types.Vector3f,)}
 
     noise: types.Vector3f
@@ -1113,20 +864,6 @@ class HardIronOffsetNoiseResponse(Response):
 
     def __init__(self, noise: types.Vector3f | codec.Numbers) -> None:
         self.noise = codec.vector(noise, types.Vector3f)
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[HardIronOffsetNoiseResponse, int]:
-        v = _HARD_IRON_OFFSET_NOISE_RESPONSE_0.read(raw, at)
-        at += 12
-        noise = types.Vector3f._make(v[0:3])
-        return cls(noise), at
-
-    def _write(self) -> bytes:
-        out = _HARD_IRON_OFFSET_NOISE_RESPONSE_0.write(*codec.elements("noise", self.noise, 3))
-        return codec.finished(out)
-
-
-_SOFT_IRON_MATRIX_NOISE_RESPONSE_0 = codec.Block("fffffffff", *["noise"] * 9)
 
 
 class SoftIronMatrixNoiseResponse(Response):
@@ -1148,6 +885,7 @@ class SoftIronMatrixNoiseResponse(Response):
     NAME = "filter.soft_iron_matrix_noise_response"
     ROLE = "response"
     _LAYOUT = (("noise", "fffffffff", types.Matrix3f),)
+
     _VECTORS = {"noise": (types.Matrix3f,)}
 
     noise: types.Matrix3f
@@ -1157,20 +895,6 @@ class SoftIronMatrixNoiseResponse(Response):
 
     def __init__(self, noise: types.Matrix3f | codec.Rows) -> None:
         self.noise = codec.vector(noise, types.Matrix3f)
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SoftIronMatrixNoiseResponse, int]:
-        v = _SOFT_IRON_MATRIX_NOISE_RESPONSE_0.read(raw, at)
-        at += 36
-        noise = types.Matrix3f._make(v[0:9])
-        return cls(noise), at
-
-    def _write(self) -> bytes:
-        out = _SOFT_IRON_MATRIX_NOISE_RESPONSE_0.write(*codec.elements("noise", self.noise, 9))
-        return codec.finished(out)
-
-
-_TARE_ORIENTATION_RESPONSE_0 = codec.Block("B", "axes")
 
 
 class TareOrientationResponse(Response):
@@ -1202,20 +926,6 @@ class TareOrientationResponse(Response):
     def __init__(self, axes: TareAxes) -> None:
         self.axes = axes
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[TareOrientationResponse, int]:
-        v = _TARE_ORIENTATION_RESPONSE_0.read(raw, at)
-        at += 1
-        axes = TareAxes(v[0])
-        return cls(axes), at
-
-    def _write(self) -> bytes:
-        out = _TARE_ORIENTATION_RESPONSE_0.write(self.axes)
-        return codec.finished(out)
-
-
-_ENABLE_MEASUREMENTS_RESPONSE_0 = codec.Block("H", "control")
-
 
 class EnableMeasurementsResponse(Response):
     """Enable or disable measurements response (0x0D,0xB0).
@@ -1242,20 +952,6 @@ class EnableMeasurementsResponse(Response):
     def __init__(self, control: MeasurementFlags) -> None:
         self.control = control
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EnableMeasurementsResponse, int]:
-        v = _ENABLE_MEASUREMENTS_RESPONSE_0.read(raw, at)
-        at += 2
-        control = MeasurementFlags(v[0])
-        return cls(control), at
-
-    def _write(self) -> bytes:
-        out = _ENABLE_MEASUREMENTS_RESPONSE_0.write(self.control)
-        return codec.finished(out)
-
-
-_MAG_NOISE_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
-
 
 class MagNoiseResponse(Response):
     """Magnetometer noise response (0x0D,0xB1).
@@ -1276,6 +972,7 @@ class MagNoiseResponse(Response):
     NAME = "filter.mag_noise_response"
     ROLE = "response"
     _LAYOUT = (("noise", "fff", types.Vector3f),)
+
     _VECTORS = {"noise": (types.Vector3f,)}
 
     noise: types.Vector3f
@@ -1283,20 +980,6 @@ class MagNoiseResponse(Response):
 
     def __init__(self, noise: types.Vector3f | codec.Numbers) -> None:
         self.noise = codec.vector(noise, types.Vector3f)
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagNoiseResponse, int]:
-        v = _MAG_NOISE_RESPONSE_0.read(raw, at)
-        at += 12
-        noise = types.Vector3f._make(v[0:3])
-        return cls(noise), at
-
-    def _write(self) -> bytes:
-        out = _MAG_NOISE_RESPONSE_0.write(*codec.elements("noise", self.noise, 3))
-        return codec.finished(out)
-
-
-_MAGNETIC_DECLINATION_SOURCE_RESPONSE_0 = codec.Block("Bf", "source", "declination")
 
 
 class MagneticDeclinationSourceResponse(Response):
@@ -1334,30 +1017,6 @@ class MagneticDeclinationSourceResponse(Response):
     def __init__(self, source: MagParameterSource, declination: float) -> None:
         self.source = source
         self.declination = declination
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagneticDeclinationSourceResponse, int]:
-        v = _MAGNETIC_DECLINATION_SOURCE_RESPONSE_0.read(raw, at)
-        at += 5
-        source = MagParameterSource(v[0])
-        declination = v[1]
-        return cls(source, declination), at
-
-    def _write(self) -> bytes:
-        out = _MAGNETIC_DECLINATION_SOURCE_RESPONSE_0.write(self.source, self.declination)
-        return codec.finished(out)
-
-
-_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0 = codec.Block(
-    "Bffffff",
-    "adaptive_measurement",
-    "frequency",
-    "low_limit",
-    "high_limit",
-    "low_limit_uncertainty",
-    "high_limit_uncertainty",
-    "minimum_uncertainty",
-)
 
 
 class AccelMagnitudeErrorAdaptiveMeasurementResponse(Response):
@@ -1437,53 +1096,6 @@ class AccelMagnitudeErrorAdaptiveMeasurementResponse(Response):
         self.low_limit_uncertainty = low_limit_uncertainty
         self.high_limit_uncertainty = high_limit_uncertainty
         self.minimum_uncertainty = minimum_uncertainty
-
-    @classmethod
-    def _read(
-        cls, raw: bytes, at: int
-    ) -> tuple[AccelMagnitudeErrorAdaptiveMeasurementResponse, int]:
-        v = _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0.read(raw, at)
-        at += 25
-        adaptive_measurement = AdaptiveMeasurementSelector(v[0])
-        frequency = v[1]
-        low_limit = v[2]
-        high_limit = v[3]
-        low_limit_uncertainty = v[4]
-        high_limit_uncertainty = v[5]
-        minimum_uncertainty = v[6]
-        return cls(
-            adaptive_measurement,
-            frequency,
-            low_limit,
-            high_limit,
-            low_limit_uncertainty,
-            high_limit_uncertainty,
-            minimum_uncertainty,
-        ), at
-
-    def _write(self) -> bytes:
-        out = _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0.write(
-            self.adaptive_measurement,
-            self.frequency,
-            self.low_limit,
-            self.high_limit,
-            self.low_limit_uncertainty,
-            self.high_limit_uncertainty,
-            self.minimum_uncertainty,
-        )
-        return codec.finished(out)
-
-
-_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0 = codec.Block(
-    "Bffffff",
-    "adaptive_measurement",
-    "frequency",
-    "low_limit",
-    "high_limit",
-    "low_limit_uncertainty",
-    "high_limit_uncertainty",
-    "minimum_uncertainty",
-)
 
 
 class MagMagnitudeErrorAdaptiveMeasurementResponse(Response):
@@ -1576,44 +1188,6 @@ class MagMagnitudeErrorAdaptiveMeasurementResponse(Response):
         self.high_limit_uncertainty = high_limit_uncertainty
         self.minimum_uncertainty = minimum_uncertainty
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagMagnitudeErrorAdaptiveMeasurementResponse, int]:
-        v = _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0.read(raw, at)
-        at += 25
-        adaptive_measurement = AdaptiveMeasurementSelector(v[0])
-        frequency = v[1]
-        low_limit = v[2]
-        high_limit = v[3]
-        low_limit_uncertainty = v[4]
-        high_limit_uncertainty = v[5]
-        minimum_uncertainty = v[6]
-        return cls(
-            adaptive_measurement,
-            frequency,
-            low_limit,
-            high_limit,
-            low_limit_uncertainty,
-            high_limit_uncertainty,
-            minimum_uncertainty,
-        ), at
-
-    def _write(self) -> bytes:
-        out = _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0.write(
-            self.adaptive_measurement,
-            self.frequency,
-            self.low_limit,
-            self.high_limit,
-            self.low_limit_uncertainty,
-            self.high_limit_uncertainty,
-            self.minimum_uncertainty,
-        )
-        return codec.finished(out)
-
-
-_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0 = codec.Block(
-    "Bffff", "enable", "frequency", "high_limit", "high_limit_uncertainty", "minimum_uncertainty"
-)
-
 
 class MagDipAngleErrorAdaptiveMeasurementResponse(Response):
     """Magnetometer dip angle error adaptive measurement response (0x0D,0xB5).
@@ -1684,30 +1258,6 @@ class MagDipAngleErrorAdaptiveMeasurementResponse(Response):
         self.high_limit_uncertainty = high_limit_uncertainty
         self.minimum_uncertainty = minimum_uncertainty
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagDipAngleErrorAdaptiveMeasurementResponse, int]:
-        v = _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0.read(raw, at)
-        at += 17
-        enable = codec.truth(v[0])
-        frequency = v[1]
-        high_limit = v[2]
-        high_limit_uncertainty = v[3]
-        minimum_uncertainty = v[4]
-        return cls(enable, frequency, high_limit, high_limit_uncertainty, minimum_uncertainty), at
-
-    def _write(self) -> bytes:
-        out = _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0.write(
-            self.enable,
-            self.frequency,
-            self.high_limit,
-            self.high_limit_uncertainty,
-            self.minimum_uncertainty,
-        )
-        return codec.finished(out)
-
-
-_ALTITUDE_AIDING_RESPONSE_0 = codec.Block("B", "selector")
-
 
 class AltitudeAidingResponse(Response):
     """Altitude aiding response (0x0D,0xB7).
@@ -1733,20 +1283,6 @@ class AltitudeAidingResponse(Response):
 
     def __init__(self, selector: AltitudeAidingSource) -> None:
         self.selector = selector
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AltitudeAidingResponse, int]:
-        v = _ALTITUDE_AIDING_RESPONSE_0.read(raw, at)
-        at += 1
-        selector = AltitudeAidingSource(v[0])
-        return cls(selector), at
-
-    def _write(self) -> bytes:
-        out = _ALTITUDE_AIDING_RESPONSE_0.write(self.selector)
-        return codec.finished(out)
-
-
-_PITCH_ROLL_AIDING_RESPONSE_0 = codec.Block("B", "aiding")
 
 
 class PitchRollAidingResponse(Response):
@@ -1774,20 +1310,6 @@ class PitchRollAidingResponse(Response):
 
     def __init__(self, aiding: PitchRollAidingSource) -> None:
         self.aiding = aiding
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[PitchRollAidingResponse, int]:
-        v = _PITCH_ROLL_AIDING_RESPONSE_0.read(raw, at)
-        at += 1
-        aiding = PitchRollAidingSource(v[0])
-        return cls(aiding), at
-
-    def _write(self) -> bytes:
-        out = _PITCH_ROLL_AIDING_RESPONSE_0.write(self.aiding)
-        return codec.finished(out)
-
-
-_MAGNETIC_INCLINATION_SOURCE_RESPONSE_0 = codec.Block("Bf", "source", "inclination")
 
 
 class MagneticInclinationSourceResponse(Response):
@@ -1821,21 +1343,6 @@ class MagneticInclinationSourceResponse(Response):
         self.source = source
         self.inclination = inclination
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagneticInclinationSourceResponse, int]:
-        v = _MAGNETIC_INCLINATION_SOURCE_RESPONSE_0.read(raw, at)
-        at += 5
-        source = MagParameterSource(v[0])
-        inclination = v[1]
-        return cls(source, inclination), at
-
-    def _write(self) -> bytes:
-        out = _MAGNETIC_INCLINATION_SOURCE_RESPONSE_0.write(self.source, self.inclination)
-        return codec.finished(out)
-
-
-_MAGNETIC_MAGNITUDE_SOURCE_RESPONSE_0 = codec.Block("Bf", "source", "magnitude")
-
 
 class MagneticMagnitudeSourceResponse(Response):
     """Magnetic field magnitude source response (0x0D,0xBD).
@@ -1868,21 +1375,6 @@ class MagneticMagnitudeSourceResponse(Response):
         self.source = source
         self.magnitude = magnitude
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagneticMagnitudeSourceResponse, int]:
-        v = _MAGNETIC_MAGNITUDE_SOURCE_RESPONSE_0.read(raw, at)
-        at += 5
-        source = MagParameterSource(v[0])
-        magnitude = v[1]
-        return cls(source, magnitude), at
-
-    def _write(self) -> bytes:
-        out = _MAGNETIC_MAGNITUDE_SOURCE_RESPONSE_0.write(self.source, self.magnitude)
-        return codec.finished(out)
-
-
-_SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE_0 = codec.Block("fffffffff", *["dcm"] * 9)
-
 
 class SensorToVehicleRotationDcmResponse(Response):
     """Sensor to vehicle rotation, matrix response (0x0D,0xBE).
@@ -1901,6 +1393,7 @@ class SensorToVehicleRotationDcmResponse(Response):
     NAME = "filter.sensor_to_vehicle_rotation_dcm_response"
     ROLE = "response"
     _LAYOUT = (("dcm", "fffffffff", types.Matrix3f),)
+
     _VECTORS = {"dcm": (types.Matrix3f,)}
 
     dcm: types.Matrix3f
@@ -1910,20 +1403,6 @@ class SensorToVehicleRotationDcmResponse(Response):
 
     def __init__(self, dcm: types.Matrix3f | codec.Rows) -> None:
         self.dcm = codec.vector(dcm, types.Matrix3f)
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleRotationDcmResponse, int]:
-        v = _SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE_0.read(raw, at)
-        at += 36
-        dcm = types.Matrix3f._make(v[0:9])
-        return cls(dcm), at
-
-    def _write(self) -> bytes:
-        out = _SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE_0.write(*codec.elements("dcm", self.dcm, 9))
-        return codec.finished(out)
-
-
-_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_RESPONSE_0 = codec.Block("ffff", *["q"] * 4)
 
 
 class SensorToVehicleRotationQuaternionResponse(Response):
@@ -1943,6 +1422,7 @@ class SensorToVehicleRotationQuaternionResponse(Response):
     NAME = "filter.sensor_to_vehicle_rotation_quaternion_response"
     ROLE = "response"
     _LAYOUT = (("q", "ffff", types.Quatf),)
+
     _VECTORS = {"q": (types.Quatf,)}
 
     q: types.Quatf
@@ -1952,22 +1432,6 @@ class SensorToVehicleRotationQuaternionResponse(Response):
 
     def __init__(self, q: types.Quatf | codec.Numbers) -> None:
         self.q = codec.vector(q, types.Quatf)
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleRotationQuaternionResponse, int]:
-        v = _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_RESPONSE_0.read(raw, at)
-        at += 16
-        q = types.Quatf._make(v[0:4])
-        return cls(q), at
-
-    def _write(self) -> bytes:
-        out = _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_RESPONSE_0.write(
-            *codec.elements("q", self.q, 4)
-        )
-        return codec.finished(out)
-
-
-_AIDING_MEASUREMENT_ENABLE_RESPONSE_0 = codec.Block("HB", "aiding_source", "enable")
 
 
 class AidingMeasurementEnableResponse(Response):
@@ -1998,23 +1462,6 @@ class AidingMeasurementEnableResponse(Response):
     def __init__(self, aiding_source: AidingSource, enable: bool) -> None:
         self.aiding_source = aiding_source
         self.enable = enable
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AidingMeasurementEnableResponse, int]:
-        v = _AIDING_MEASUREMENT_ENABLE_RESPONSE_0.read(raw, at)
-        at += 3
-        aiding_source = AidingSource(v[0])
-        enable = codec.truth(v[1])
-        return cls(aiding_source, enable), at
-
-    def _write(self) -> bytes:
-        out = _AIDING_MEASUREMENT_ENABLE_RESPONSE_0.write(self.aiding_source, self.enable)
-        return codec.finished(out)
-
-
-_KINEMATIC_CONSTRAINT_RESPONSE_0 = codec.Block(
-    "BBB", "accel_constraint", "velocity_constraint", "angular_constraint"
-)
 
 
 class KinematicConstraintResponse(Response):
@@ -2055,35 +1502,6 @@ class KinematicConstraintResponse(Response):
         self.accel_constraint = accel_constraint
         self.velocity_constraint = velocity_constraint
         self.angular_constraint = angular_constraint
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[KinematicConstraintResponse, int]:
-        v = _KINEMATIC_CONSTRAINT_RESPONSE_0.read(raw, at)
-        at += 3
-        accel_constraint = AccelConstraint(v[0])
-        velocity_constraint = VelocityConstraint(v[1])
-        angular_constraint = AngularConstraint(v[2])
-        return cls(accel_constraint, velocity_constraint, angular_constraint), at
-
-    def _write(self) -> bytes:
-        out = _KINEMATIC_CONSTRAINT_RESPONSE_0.write(
-            self.accel_constraint, self.velocity_constraint, self.angular_constraint
-        )
-        return codec.finished(out)
-
-
-_INITIALIZATION_CONFIG_RESPONSE_0 = codec.Block(
-    "BBBfffffffffB",
-    "wait_for_run_command",
-    "initial_condition_source",
-    "auto_heading_alignment_selector",
-    "initial_heading",
-    "initial_pitch",
-    "initial_roll",
-    *["initial_position"] * 3,
-    *["initial_velocity"] * 3,
-    "reference_frame_selector",
-)
 
 
 class InitializationConfigResponse(Response):
@@ -2135,6 +1553,7 @@ class InitializationConfigResponse(Response):
         ("initial_velocity", "fff", types.Vector3f),
         ("reference_frame_selector", "B", ReferenceFrame),
     )
+
     _VECTORS = {"initial_position": (types.Vector3f,), "initial_velocity": (types.Vector3f,)}
 
     wait_for_run_command: int
@@ -2187,48 +1606,6 @@ class InitializationConfigResponse(Response):
         self.initial_velocity = codec.vector(initial_velocity, types.Vector3f)
         self.reference_frame_selector = reference_frame_selector
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[InitializationConfigResponse, int]:
-        v = _INITIALIZATION_CONFIG_RESPONSE_0.read(raw, at)
-        at += 40
-        wait_for_run_command = v[0]
-        initial_condition_source = InitialConditionSource(v[1])
-        auto_heading_alignment_selector = HeadingAlignment(v[2])
-        initial_heading = v[3]
-        initial_pitch = v[4]
-        initial_roll = v[5]
-        initial_position = types.Vector3f._make(v[6:9])
-        initial_velocity = types.Vector3f._make(v[9:12])
-        reference_frame_selector = ReferenceFrame(v[12])
-        return cls(
-            wait_for_run_command,
-            initial_condition_source,
-            auto_heading_alignment_selector,
-            initial_heading,
-            initial_pitch,
-            initial_roll,
-            initial_position,
-            initial_velocity,
-            reference_frame_selector,
-        ), at
-
-    def _write(self) -> bytes:
-        out = _INITIALIZATION_CONFIG_RESPONSE_0.write(
-            self.wait_for_run_command,
-            self.initial_condition_source,
-            self.auto_heading_alignment_selector,
-            self.initial_heading,
-            self.initial_pitch,
-            self.initial_roll,
-            *codec.elements("initial_position", self.initial_position, 3),
-            *codec.elements("initial_velocity", self.initial_velocity, 3),
-            self.reference_frame_selector,
-        )
-        return codec.finished(out)
-
-
-_ADAPTIVE_FILTER_OPTIONS_RESPONSE_0 = codec.Block("BH", "level", "time_limit")
-
 
 class AdaptiveFilterOptionsResponse(Response):
     """Adaptive filter control response (0x0D,0xD3).
@@ -2259,21 +1636,6 @@ class AdaptiveFilterOptionsResponse(Response):
         self.level = level
         self.time_limit = time_limit
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AdaptiveFilterOptionsResponse, int]:
-        v = _ADAPTIVE_FILTER_OPTIONS_RESPONSE_0.read(raw, at)
-        at += 3
-        level = AdaptiveLevel(v[0])
-        time_limit = v[1]
-        return cls(level, time_limit), at
-
-    def _write(self) -> bytes:
-        out = _ADAPTIVE_FILTER_OPTIONS_RESPONSE_0.write(self.level, self.time_limit)
-        return codec.finished(out)
-
-
-_MULTI_ANTENNA_OFFSET_RESPONSE_0 = codec.Block("Bfff", "receiver_id", *["antenna_offset"] * 3)
-
 
 class MultiAntennaOffsetResponse(Response):
     """GNSS multi-antenna offset response (0x0D,0xD4).
@@ -2293,6 +1655,7 @@ class MultiAntennaOffsetResponse(Response):
     NAME = "filter.multi_antenna_offset_response"
     ROLE = "response"
     _LAYOUT = (("receiver_id", "B", None), ("antenna_offset", "fff", types.Vector3f))
+
     _VECTORS = {"antenna_offset": (types.Vector3f,)}
 
     receiver_id: int
@@ -2305,25 +1668,6 @@ class MultiAntennaOffsetResponse(Response):
     def __init__(self, receiver_id: int, antenna_offset: types.Vector3f | codec.Numbers) -> None:
         self.receiver_id = receiver_id
         self.antenna_offset = codec.vector(antenna_offset, types.Vector3f)
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MultiAntennaOffsetResponse, int]:
-        v = _MULTI_ANTENNA_OFFSET_RESPONSE_0.read(raw, at)
-        at += 13
-        receiver_id = v[0]
-        antenna_offset = types.Vector3f._make(v[1:4])
-        return cls(receiver_id, antenna_offset), at
-
-    def _write(self) -> bytes:
-        out = _MULTI_ANTENNA_OFFSET_RESPONSE_0.write(
-            self.receiver_id, *codec.elements("antenna_offset", self.antenna_offset, 3)
-        )
-        return codec.finished(out)
-
-
-_RELATIVE_POSITION_CONFIG_RESPONSE_0 = codec.Block(
-    "BBddd", "source", "reference_frame_selector", *["reference_coordinates"] * 3
-)
 
 
 class RelativePositionConfigResponse(Response):
@@ -2349,6 +1693,7 @@ class RelativePositionConfigResponse(Response):
         ("reference_frame_selector", "B", ReferenceFrame),
         ("reference_coordinates", "ddd", types.Vector3d),
     )
+
     _VECTORS = {"reference_coordinates": (types.Vector3d,)}
 
     source: RelativePositionSource
@@ -2373,28 +1718,6 @@ class RelativePositionConfigResponse(Response):
         self.reference_frame_selector = reference_frame_selector
         self.reference_coordinates = codec.vector(reference_coordinates, types.Vector3d)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[RelativePositionConfigResponse, int]:
-        v = _RELATIVE_POSITION_CONFIG_RESPONSE_0.read(raw, at)
-        at += 26
-        source = RelativePositionSource(v[0])
-        reference_frame_selector = ReferenceFrame(v[1])
-        reference_coordinates = types.Vector3d._make(v[2:5])
-        return cls(source, reference_frame_selector, reference_coordinates), at
-
-    def _write(self) -> bytes:
-        out = _RELATIVE_POSITION_CONFIG_RESPONSE_0.write(
-            self.source,
-            self.reference_frame_selector,
-            *codec.elements("reference_coordinates", self.reference_coordinates, 3),
-        )
-        return codec.finished(out)
-
-
-_REFERENCE_POINT_LEVER_ARM_RESPONSE_0 = codec.Block(
-    "Bfff", "reference_point", *["lever_arm_offset"] * 3
-)
-
 
 class ReferencePointLeverArmResponse(Response):
     """Reference point lever arm response (0x0D,0xD6).
@@ -2418,6 +1741,7 @@ class ReferencePointLeverArmResponse(Response):
         ("reference_point", "B", ReferencePoint),
         ("lever_arm_offset", "fff", types.Vector3f),
     )
+
     _VECTORS = {"lever_arm_offset": (types.Vector3f,)}
 
     reference_point: ReferencePoint
@@ -2432,23 +1756,6 @@ class ReferencePointLeverArmResponse(Response):
     ) -> None:
         self.reference_point = reference_point
         self.lever_arm_offset = codec.vector(lever_arm_offset, types.Vector3f)
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ReferencePointLeverArmResponse, int]:
-        v = _REFERENCE_POINT_LEVER_ARM_RESPONSE_0.read(raw, at)
-        at += 13
-        reference_point = ReferencePoint(v[0])
-        lever_arm_offset = types.Vector3f._make(v[1:4])
-        return cls(reference_point, lever_arm_offset), at
-
-    def _write(self) -> bytes:
-        out = _REFERENCE_POINT_LEVER_ARM_RESPONSE_0.write(
-            self.reference_point, *codec.elements("lever_arm_offset", self.lever_arm_offset, 3)
-        )
-        return codec.finished(out)
-
-
-_SPEED_LEVER_ARM_RESPONSE_0 = codec.Block("Bfff", "source", *["lever_arm_offset"] * 3)
 
 
 class SpeedLeverArmResponse(Response):
@@ -2468,6 +1775,7 @@ class SpeedLeverArmResponse(Response):
     NAME = "filter.speed_lever_arm_response"
     ROLE = "response"
     _LAYOUT = (("source", "B", None), ("lever_arm_offset", "fff", types.Vector3f))
+
     _VECTORS = {"lever_arm_offset": (types.Vector3f,)}
 
     source: int
@@ -2480,23 +1788,6 @@ class SpeedLeverArmResponse(Response):
     ) -> None:
         self.source = source
         self.lever_arm_offset = codec.vector(lever_arm_offset, types.Vector3f)
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SpeedLeverArmResponse, int]:
-        v = _SPEED_LEVER_ARM_RESPONSE_0.read(raw, at)
-        at += 13
-        source = v[0]
-        lever_arm_offset = types.Vector3f._make(v[1:4])
-        return cls(lever_arm_offset, source=source), at
-
-    def _write(self) -> bytes:
-        out = _SPEED_LEVER_ARM_RESPONSE_0.write(
-            self.source, *codec.elements("lever_arm_offset", self.lever_arm_offset, 3)
-        )
-        return codec.finished(out)
-
-
-_VERTICAL_GYRO_CONSTRAINT_CONTROL_RESPONSE_0 = codec.Block("B", "enable")
 
 
 class VerticalGyroConstraintControlResponse(Response):
@@ -2523,20 +1814,6 @@ class VerticalGyroConstraintControlResponse(Response):
     def __init__(self, enable: int) -> None:
         self.enable = enable
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[VerticalGyroConstraintControlResponse, int]:
-        v = _VERTICAL_GYRO_CONSTRAINT_CONTROL_RESPONSE_0.read(raw, at)
-        at += 1
-        enable = v[0]
-        return cls(enable), at
-
-    def _write(self) -> bytes:
-        out = _VERTICAL_GYRO_CONSTRAINT_CONTROL_RESPONSE_0.write(self.enable)
-        return codec.finished(out)
-
-
-_WHEELED_VEHICLE_CONSTRAINT_CONTROL_RESPONSE_0 = codec.Block("B", "enable")
-
 
 class WheeledVehicleConstraintControlResponse(Response):
     """Wheeled vehicle constraint response (0x0D,0xE3).
@@ -2562,20 +1839,6 @@ class WheeledVehicleConstraintControlResponse(Response):
 
     def __init__(self, enable: int) -> None:
         self.enable = enable
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[WheeledVehicleConstraintControlResponse, int]:
-        v = _WHEELED_VEHICLE_CONSTRAINT_CONTROL_RESPONSE_0.read(raw, at)
-        at += 1
-        enable = v[0]
-        return cls(enable), at
-
-    def _write(self) -> bytes:
-        out = _WHEELED_VEHICLE_CONSTRAINT_CONTROL_RESPONSE_0.write(self.enable)
-        return codec.finished(out)
-
-
-_GNSS_ANTENNA_CALIBRATION_CONTROL_RESPONSE_0 = codec.Block("Bf", "enable", "max_offset")
 
 
 class GnssAntennaCalibrationControlResponse(Response):
@@ -2606,18 +1869,6 @@ class GnssAntennaCalibrationControlResponse(Response):
     def __init__(self, enable: int, max_offset: float) -> None:
         self.enable = enable
         self.max_offset = max_offset
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssAntennaCalibrationControlResponse, int]:
-        v = _GNSS_ANTENNA_CALIBRATION_CONTROL_RESPONSE_0.read(raw, at)
-        at += 5
-        enable = v[0]
-        max_offset = v[1]
-        return cls(enable, max_offset), at
-
-    def _write(self) -> bytes:
-        out = _GNSS_ANTENNA_CALIBRATION_CONTROL_RESPONSE_0.write(self.enable, self.max_offset)
-        return codec.finished(out)
 
 
 class Reset(Command[None]):
@@ -2651,16 +1902,6 @@ class Reset(Command[None]):
     DESCRIPTOR = 0x01
     NAME = "filter.reset"
     ROLE = "command"
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[Reset, int]:
-        return cls(), at
-
-    def _write(self) -> bytes:
-        return b""
-
-
-_SET_INITIAL_ATTITUDE_0 = codec.Block("fff", "roll", "pitch", "heading")
 
 
 class SetInitialAttitude(Command[None]):
@@ -2707,22 +1948,6 @@ class SetInitialAttitude(Command[None]):
         self.pitch = pitch
         self.heading = heading
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SetInitialAttitude, int]:
-        v = _SET_INITIAL_ATTITUDE_0.read(raw, at)
-        at += 12
-        roll = v[0]
-        pitch = v[1]
-        heading = v[2]
-        return cls(roll, pitch, heading), at
-
-    def _write(self) -> bytes:
-        out = _SET_INITIAL_ATTITUDE_0.write(self.roll, self.pitch, self.heading)
-        return codec.finished(out)
-
-
-_SET_INITIAL_HEADING_0 = codec.Block("f", "heading")
-
 
 class SetInitialHeading(Command[None]):
     """Set initial heading (0x0D,0x03).
@@ -2761,20 +1986,6 @@ class SetInitialHeading(Command[None]):
     def __init__(self, heading: float) -> None:
         self.heading = heading
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SetInitialHeading, int]:
-        v = _SET_INITIAL_HEADING_0.read(raw, at)
-        at += 4
-        heading = v[0]
-        return cls(heading), at
-
-    def _write(self) -> bytes:
-        out = _SET_INITIAL_HEADING_0.write(self.heading)
-        return codec.finished(out)
-
-
-_SET_INITIAL_ATTITUDE_FROM_IMU_0 = codec.Block("f", "declination")
-
 
 class SetInitialAttitudeFromImu(Command[None]):
     """Set initial attitude from IMU (0x0D,0x04).
@@ -2810,17 +2021,6 @@ class SetInitialAttitudeFromImu(Command[None]):
     def __init__(self, declination: float) -> None:
         self.declination = declination
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SetInitialAttitudeFromImu, int]:
-        v = _SET_INITIAL_ATTITUDE_FROM_IMU_0.read(raw, at)
-        at += 4
-        declination = v[0]
-        return cls(declination), at
-
-    def _write(self) -> bytes:
-        out = _SET_INITIAL_ATTITUDE_FROM_IMU_0.write(self.declination)
-        return codec.finished(out)
-
 
 class Run(Command[None]):
     """Run navigation filter (0x0D,0x05).
@@ -2843,18 +2043,6 @@ class Run(Command[None]):
     DESCRIPTOR = 0x05
     NAME = "filter.run"
     ROLE = "command"
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[Run, int]:
-        return cls(), at
-
-    def _write(self) -> bytes:
-        return b""
-
-
-_VEHICLE_DYNAMICS_MODE_0 = codec.Block("B", "function")
-_VEHICLE_DYNAMICS_MODE_1 = codec.Block("B", "mode")
-_VEHICLE_DYNAMICS_MODE_GROUPS = ((1, ("mode",), False),)
 
 
 class VehicleDynamicsMode(Command[R]):
@@ -2880,6 +2068,8 @@ class VehicleDynamicsMode(Command[R]):
     ROLE = "command"
     RESPONSES = (VehicleDynamicsModeResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (("function", "B", FunctionSelector), ("mode", "B", DynamicsMode))
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -2929,46 +2119,6 @@ class VehicleDynamicsMode(Command[R]):
             return (VehicleDynamicsModeResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[VehicleDynamicsMode[R], int]:
-        mode: DynamicsMode | None = None
-        v = _VEHICLE_DYNAMICS_MODE_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _VEHICLE_DYNAMICS_MODE_1.read(raw, at)
-            at += 1
-            mode = DynamicsMode(v[0])
-            done, end = 1, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, mode), at
-
-    def _write(self) -> bytes:
-        out = _VEHICLE_DYNAMICS_MODE_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _VEHICLE_DYNAMICS_MODE_GROUPS)
-        if there >= 1:
-            out += _VEHICLE_DYNAMICS_MODE_1.write(self.mode)
-        return codec.finished(out)
-
-
-_SENSOR_TO_VEHICLE_ROTATION_EULER_0 = codec.Block("B", "function")
-_SENSOR_TO_VEHICLE_ROTATION_EULER_1 = codec.Block("f", "roll")
-_SENSOR_TO_VEHICLE_ROTATION_EULER_2 = codec.Block("f", "pitch")
-_SENSOR_TO_VEHICLE_ROTATION_EULER_3 = codec.Block("f", "yaw")
-_SENSOR_TO_VEHICLE_ROTATION_EULER_GROUPS = (
-    (1, ("roll",), False),
-    (2, ("pitch",), False),
-    (3, ("yaw",), False),
-)
-
 
 class SensorToVehicleRotationEuler(Command[R]):
     """Sensor to vehicle frame transformation (0x0D,0x11).
@@ -3002,6 +2152,13 @@ class SensorToVehicleRotationEuler(Command[R]):
     ROLE = "command"
     RESPONSES = (SensorToVehicleRotationEulerResponse,)
     REQUIRED = {1: 3, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("roll", "f", None),
+        ("pitch", "f", None),
+        ("yaw", "f", None),
+    )
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -3061,58 +2218,6 @@ class SensorToVehicleRotationEuler(Command[R]):
             return (SensorToVehicleRotationEulerResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleRotationEuler[R], int]:
-        roll: float | None = None
-        pitch: float | None = None
-        yaw: float | None = None
-        v = _SENSOR_TO_VEHICLE_ROTATION_EULER_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _SENSOR_TO_VEHICLE_ROTATION_EULER_1.read(raw, at)
-            at += 4
-            roll = v[0]
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _SENSOR_TO_VEHICLE_ROTATION_EULER_2.read(raw, at)
-            at += 4
-            pitch = v[0]
-            done, end = 2, at
-            if at == len(raw) and required < 3:
-                raise Truncated(1, 0)
-            v = _SENSOR_TO_VEHICLE_ROTATION_EULER_3.read(raw, at)
-            at += 4
-            yaw = v[0]
-            done, end = 3, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, roll, pitch, yaw), at
-
-    def _write(self) -> bytes:
-        out = _SENSOR_TO_VEHICLE_ROTATION_EULER_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _SENSOR_TO_VEHICLE_ROTATION_EULER_GROUPS)
-        if there >= 1:
-            out += _SENSOR_TO_VEHICLE_ROTATION_EULER_1.write(self.roll)
-        if there >= 2:
-            out += _SENSOR_TO_VEHICLE_ROTATION_EULER_2.write(self.pitch)
-        if there >= 3:
-            out += _SENSOR_TO_VEHICLE_ROTATION_EULER_3.write(self.yaw)
-        return codec.finished(out)
-
-
-_SENSOR_TO_VEHICLE_OFFSET_0 = codec.Block("B", "function")
-_SENSOR_TO_VEHICLE_OFFSET_1 = codec.Block("fff", *["offset"] * 3)
-_SENSOR_TO_VEHICLE_OFFSET_GROUPS = ((1, ("offset",), False),)
-
 
 class SensorToVehicleOffset(Command[R]):
     """Sensor to vehicle offset (0x0D,0x12).
@@ -3140,6 +2245,9 @@ class SensorToVehicleOffset(Command[R]):
     ROLE = "command"
     RESPONSES = (SensorToVehicleOffsetResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (("function", "B", FunctionSelector), ("offset", "fff", types.Vector3f))
+    _ALWAYS = 1
+
     _VECTORS = {"offset": (types.Vector3f,)}
 
     function: FunctionSelector
@@ -3190,40 +2298,6 @@ class SensorToVehicleOffset(Command[R]):
             return (SensorToVehicleOffsetResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleOffset[R], int]:
-        offset: types.Vector3f | None = None
-        v = _SENSOR_TO_VEHICLE_OFFSET_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _SENSOR_TO_VEHICLE_OFFSET_1.read(raw, at)
-            at += 12
-            offset = types.Vector3f._make(v[0:3])
-            done, end = 1, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, offset), at
-
-    def _write(self) -> bytes:
-        out = _SENSOR_TO_VEHICLE_OFFSET_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _SENSOR_TO_VEHICLE_OFFSET_GROUPS)
-        if there >= 1:
-            out += _SENSOR_TO_VEHICLE_OFFSET_1.write(*codec.elements("offset", self.offset, 3))
-        return codec.finished(out)
-
-
-_ANTENNA_OFFSET_0 = codec.Block("B", "function")
-_ANTENNA_OFFSET_1 = codec.Block("fff", *["offset"] * 3)
-_ANTENNA_OFFSET_GROUPS = ((1, ("offset",), False),)
-
 
 class AntennaOffset(Command[R]):
     """GNSS antenna offset (0x0D,0x13).
@@ -3254,6 +2328,9 @@ class AntennaOffset(Command[R]):
     ROLE = "command"
     RESPONSES = (AntennaOffsetResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (("function", "B", FunctionSelector), ("offset", "fff", types.Vector3f))
+    _ALWAYS = 1
+
     _VECTORS = {"offset": (types.Vector3f,)}
 
     function: FunctionSelector
@@ -3304,40 +2381,6 @@ class AntennaOffset(Command[R]):
             return (AntennaOffsetResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AntennaOffset[R], int]:
-        offset: types.Vector3f | None = None
-        v = _ANTENNA_OFFSET_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _ANTENNA_OFFSET_1.read(raw, at)
-            at += 12
-            offset = types.Vector3f._make(v[0:3])
-            done, end = 1, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, offset), at
-
-    def _write(self) -> bytes:
-        out = _ANTENNA_OFFSET_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _ANTENNA_OFFSET_GROUPS)
-        if there >= 1:
-            out += _ANTENNA_OFFSET_1.write(*codec.elements("offset", self.offset, 3))
-        return codec.finished(out)
-
-
-_ESTIMATION_CONTROL_0 = codec.Block("B", "function")
-_ESTIMATION_CONTROL_1 = codec.Block("H", "flags")
-_ESTIMATION_CONTROL_GROUPS = ((1, ("flags",), False),)
-
 
 class EstimationControl(Command[R]):
     """Estimation control flags (0x0D,0x14).
@@ -3369,6 +2412,8 @@ class EstimationControl(Command[R]):
     ROLE = "command"
     RESPONSES = (EstimationControlResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (("function", "B", FunctionSelector), ("flags", "H", EstimatedStates))
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -3426,40 +2471,6 @@ class EstimationControl(Command[R]):
             return (EstimationControlResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EstimationControl[R], int]:
-        flags: EstimatedStates | None = None
-        v = _ESTIMATION_CONTROL_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _ESTIMATION_CONTROL_1.read(raw, at)
-            at += 2
-            flags = EstimatedStates(v[0])
-            done, end = 1, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, flags), at
-
-    def _write(self) -> bytes:
-        out = _ESTIMATION_CONTROL_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _ESTIMATION_CONTROL_GROUPS)
-        if there >= 1:
-            out += _ESTIMATION_CONTROL_1.write(self.flags)
-        return codec.finished(out)
-
-
-_GNSS_SOURCE_0 = codec.Block("B", "function")
-_GNSS_SOURCE_1 = codec.Block("B", "source")
-_GNSS_SOURCE_GROUPS = ((1, ("source",), False),)
-
 
 class GnssSource(Command[R]):
     """GNSS aiding source (0x0D,0x15).
@@ -3489,6 +2500,8 @@ class GnssSource(Command[R]):
     ROLE = "command"
     RESPONSES = (GnssSourceResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (("function", "B", FunctionSelector), ("source", "B", GnssAidingSource))
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -3532,48 +2545,6 @@ class GnssSource(Command[R]):
         if self.function == FunctionSelector.READ:
             return (GnssSourceResponse,)
         return ()
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssSource[R], int]:
-        source: GnssAidingSource | None = None
-        v = _GNSS_SOURCE_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _GNSS_SOURCE_1.read(raw, at)
-            at += 1
-            source = GnssAidingSource(v[0])
-            done, end = 1, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, source), at
-
-    def _write(self) -> bytes:
-        out = _GNSS_SOURCE_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _GNSS_SOURCE_GROUPS)
-        if there >= 1:
-            out += _GNSS_SOURCE_1.write(self.source)
-        return codec.finished(out)
-
-
-_EXTERNAL_GNSS_UPDATE_0 = codec.Block(
-    "dHdddfffffffff",
-    "tow",
-    "week_number",
-    "latitude",
-    "longitude",
-    "height",
-    *["velocity"] * 3,
-    *["position_uncertainty"] * 3,
-    *["velocity_uncertainty"] * 3,
-)
 
 
 class ExternalGnssUpdate(Command[None]):
@@ -3625,6 +2596,7 @@ class ExternalGnssUpdate(Command[None]):
         ("position_uncertainty", "fff", types.Ned3f),
         ("velocity_uncertainty", "fff", types.Ned3f),
     )
+
     _VECTORS = {
         "velocity": (types.Ned3f,),
         "position_uncertainty": (types.Ned3f,),
@@ -3671,45 +2643,6 @@ class ExternalGnssUpdate(Command[None]):
         self.velocity = codec.vector(velocity, types.Ned3f)
         self.position_uncertainty = codec.vector(position_uncertainty, types.Ned3f)
         self.velocity_uncertainty = codec.vector(velocity_uncertainty, types.Ned3f)
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ExternalGnssUpdate, int]:
-        v = _EXTERNAL_GNSS_UPDATE_0.read(raw, at)
-        at += 70
-        tow = v[0]
-        week_number = v[1]
-        latitude = v[2]
-        longitude = v[3]
-        height = v[4]
-        velocity = types.Ned3f._make(v[5:8])
-        position_uncertainty = types.Ned3f._make(v[8:11])
-        velocity_uncertainty = types.Ned3f._make(v[11:14])
-        return cls(
-            tow,
-            week_number,
-            latitude,
-            longitude,
-            height,
-            velocity,
-            position_uncertainty,
-            velocity_uncertainty,
-        ), at
-
-    def _write(self) -> bytes:
-        out = _EXTERNAL_GNSS_UPDATE_0.write(
-            self.tow,
-            self.week_number,
-            self.latitude,
-            self.longitude,
-            self.height,
-            *codec.elements("velocity", self.velocity, 3),
-            *codec.elements("position_uncertainty", self.position_uncertainty, 3),
-            *codec.elements("velocity_uncertainty", self.velocity_uncertainty, 3),
-        )
-        return codec.finished(out)
-
-
-_EXTERNAL_HEADING_UPDATE_0 = codec.Block("ffB", "heading", "heading_uncertainty", "type")
 
 
 class ExternalHeadingUpdate(Command[None]):
@@ -3761,24 +2694,6 @@ class ExternalHeadingUpdate(Command[None]):
         self.heading_uncertainty = heading_uncertainty
         self.type = type
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ExternalHeadingUpdate, int]:
-        v = _EXTERNAL_HEADING_UPDATE_0.read(raw, at)
-        at += 9
-        heading = v[0]
-        heading_uncertainty = v[1]
-        type = HeadingType(v[2])
-        return cls(heading, heading_uncertainty, type), at
-
-    def _write(self) -> bytes:
-        out = _EXTERNAL_HEADING_UPDATE_0.write(self.heading, self.heading_uncertainty, self.type)
-        return codec.finished(out)
-
-
-_HEADING_SOURCE_0 = codec.Block("B", "function")
-_HEADING_SOURCE_1 = codec.Block("B", "source")
-_HEADING_SOURCE_GROUPS = ((1, ("source",), False),)
-
 
 class HeadingSource(Command[R]):
     """Heading update control (0x0D,0x18).
@@ -3805,6 +2720,8 @@ class HeadingSource(Command[R]):
     ROLE = "command"
     RESPONSES = (HeadingSourceResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (("function", "B", FunctionSelector), ("source", "B", HeadingUpdateSource))
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -3863,40 +2780,6 @@ class HeadingSource(Command[R]):
             return (HeadingSourceResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[HeadingSource[R], int]:
-        source: HeadingUpdateSource | None = None
-        v = _HEADING_SOURCE_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _HEADING_SOURCE_1.read(raw, at)
-            at += 1
-            source = HeadingUpdateSource(v[0])
-            done, end = 1, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, source), at
-
-    def _write(self) -> bytes:
-        out = _HEADING_SOURCE_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _HEADING_SOURCE_GROUPS)
-        if there >= 1:
-            out += _HEADING_SOURCE_1.write(self.source)
-        return codec.finished(out)
-
-
-_AUTO_INITIALIZATION_CONTROL_0 = codec.Block("B", "function")
-_AUTO_INITIALIZATION_CONTROL_1 = codec.Block("B", "enable")
-_AUTO_INITIALIZATION_CONTROL_GROUPS = ((1, ("enable",), False),)
-
 
 class AutoInitializationControl(Command[R]):
     """Automatic initialization (0x0D,0x19).
@@ -3924,6 +2807,8 @@ class AutoInitializationControl(Command[R]):
     ROLE = "command"
     RESPONSES = (AutoInitializationControlResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (("function", "B", FunctionSelector), ("enable", "B", None))
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -3969,40 +2854,6 @@ class AutoInitializationControl(Command[R]):
             return (AutoInitializationControlResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AutoInitializationControl[R], int]:
-        enable: int | None = None
-        v = _AUTO_INITIALIZATION_CONTROL_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _AUTO_INITIALIZATION_CONTROL_1.read(raw, at)
-            at += 1
-            enable = v[0]
-            done, end = 1, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, enable), at
-
-    def _write(self) -> bytes:
-        out = _AUTO_INITIALIZATION_CONTROL_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _AUTO_INITIALIZATION_CONTROL_GROUPS)
-        if there >= 1:
-            out += _AUTO_INITIALIZATION_CONTROL_1.write(self.enable)
-        return codec.finished(out)
-
-
-_ACCEL_NOISE_0 = codec.Block("B", "function")
-_ACCEL_NOISE_1 = codec.Block("fff", *["noise"] * 3)
-_ACCEL_NOISE_GROUPS = ((1, ("noise",), False),)
-
 
 class AccelNoise(Command[R]):
     """Accelerometer noise (0x0D,0x1A).
@@ -4034,6 +2885,9 @@ class AccelNoise(Command[R]):
     ROLE = "command"
     RESPONSES = (AccelNoiseResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (("function", "B", FunctionSelector), ("noise", "fff", types.Vector3f))
+    _ALWAYS = 1
+
     _VECTORS = {"noise": (types.Vector3f,)}
 
     function: FunctionSelector
@@ -4082,40 +2936,6 @@ class AccelNoise(Command[R]):
             return (AccelNoiseResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AccelNoise[R], int]:
-        noise: types.Vector3f | None = None
-        v = _ACCEL_NOISE_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _ACCEL_NOISE_1.read(raw, at)
-            at += 12
-            noise = types.Vector3f._make(v[0:3])
-            done, end = 1, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, noise), at
-
-    def _write(self) -> bytes:
-        out = _ACCEL_NOISE_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _ACCEL_NOISE_GROUPS)
-        if there >= 1:
-            out += _ACCEL_NOISE_1.write(*codec.elements("noise", self.noise, 3))
-        return codec.finished(out)
-
-
-_GYRO_NOISE_0 = codec.Block("B", "function")
-_GYRO_NOISE_1 = codec.Block("fff", *["noise"] * 3)
-_GYRO_NOISE_GROUPS = ((1, ("noise",), False),)
-
 
 class GyroNoise(Command[R]):
     """Gyroscope noise (0x0D,0x1B).
@@ -4147,6 +2967,9 @@ class GyroNoise(Command[R]):
     ROLE = "command"
     RESPONSES = (GyroNoiseResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (("function", "B", FunctionSelector), ("noise", "fff", types.Vector3f))
+    _ALWAYS = 1
+
     _VECTORS = {"noise": (types.Vector3f,)}
 
     function: FunctionSelector
@@ -4195,41 +3018,6 @@ class GyroNoise(Command[R]):
             return (GyroNoiseResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GyroNoise[R], int]:
-        noise: types.Vector3f | None = None
-        v = _GYRO_NOISE_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _GYRO_NOISE_1.read(raw, at)
-            at += 12
-            noise = types.Vector3f._make(v[0:3])
-            done, end = 1, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, noise), at
-
-    def _write(self) -> bytes:
-        out = _GYRO_NOISE_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _GYRO_NOISE_GROUPS)
-        if there >= 1:
-            out += _GYRO_NOISE_1.write(*codec.elements("noise", self.noise, 3))
-        return codec.finished(out)
-
-
-_ACCEL_BIAS_MODEL_0 = codec.Block("B", "function")
-_ACCEL_BIAS_MODEL_1 = codec.Block("fff", *["beta"] * 3)
-_ACCEL_BIAS_MODEL_2 = codec.Block("fff", *["noise"] * 3)
-_ACCEL_BIAS_MODEL_GROUPS = ((1, ("beta",), False), (2, ("noise",), False))
-
 
 class AccelBiasModel(Command[R]):
     """Accelerometer bias model (0x0D,0x1C).
@@ -4255,6 +3043,13 @@ class AccelBiasModel(Command[R]):
     ROLE = "command"
     RESPONSES = (AccelBiasModelResponse,)
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("beta", "fff", types.Vector3f),
+        ("noise", "fff", types.Vector3f),
+    )
+    _ALWAYS = 1
+
     _VECTORS = {"beta": (types.Vector3f,), "noise": (types.Vector3f,)}
 
     function: FunctionSelector
@@ -4313,50 +3108,6 @@ class AccelBiasModel(Command[R]):
             return (AccelBiasModelResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AccelBiasModel[R], int]:
-        beta: types.Vector3f | None = None
-        noise: types.Vector3f | None = None
-        v = _ACCEL_BIAS_MODEL_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _ACCEL_BIAS_MODEL_1.read(raw, at)
-            at += 12
-            beta = types.Vector3f._make(v[0:3])
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _ACCEL_BIAS_MODEL_2.read(raw, at)
-            at += 12
-            noise = types.Vector3f._make(v[0:3])
-            done, end = 2, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, beta, noise), at
-
-    def _write(self) -> bytes:
-        out = _ACCEL_BIAS_MODEL_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _ACCEL_BIAS_MODEL_GROUPS)
-        if there >= 1:
-            out += _ACCEL_BIAS_MODEL_1.write(*codec.elements("beta", self.beta, 3))
-        if there >= 2:
-            out += _ACCEL_BIAS_MODEL_2.write(*codec.elements("noise", self.noise, 3))
-        return codec.finished(out)
-
-
-_GYRO_BIAS_MODEL_0 = codec.Block("B", "function")
-_GYRO_BIAS_MODEL_1 = codec.Block("fff", *["beta"] * 3)
-_GYRO_BIAS_MODEL_2 = codec.Block("fff", *["noise"] * 3)
-_GYRO_BIAS_MODEL_GROUPS = ((1, ("beta",), False), (2, ("noise",), False))
-
 
 class GyroBiasModel(Command[R]):
     """Gyroscope bias model (0x0D,0x1D).
@@ -4385,6 +3136,13 @@ class GyroBiasModel(Command[R]):
     ROLE = "command"
     RESPONSES = (GyroBiasModelResponse,)
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("beta", "fff", types.Vector3f),
+        ("noise", "fff", types.Vector3f),
+    )
+    _ALWAYS = 1
+
     _VECTORS = {"beta": (types.Vector3f,), "noise": (types.Vector3f,)}
 
     function: FunctionSelector
@@ -4443,50 +3201,6 @@ class GyroBiasModel(Command[R]):
             return (GyroBiasModelResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GyroBiasModel[R], int]:
-        beta: types.Vector3f | None = None
-        noise: types.Vector3f | None = None
-        v = _GYRO_BIAS_MODEL_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _GYRO_BIAS_MODEL_1.read(raw, at)
-            at += 12
-            beta = types.Vector3f._make(v[0:3])
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _GYRO_BIAS_MODEL_2.read(raw, at)
-            at += 12
-            noise = types.Vector3f._make(v[0:3])
-            done, end = 2, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, beta, noise), at
-
-    def _write(self) -> bytes:
-        out = _GYRO_BIAS_MODEL_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _GYRO_BIAS_MODEL_GROUPS)
-        if there >= 1:
-            out += _GYRO_BIAS_MODEL_1.write(*codec.elements("beta", self.beta, 3))
-        if there >= 2:
-            out += _GYRO_BIAS_MODEL_2.write(*codec.elements("noise", self.noise, 3))
-        return codec.finished(out)
-
-
-_AUTO_ZUPT_0 = codec.Block("B", "function")
-_AUTO_ZUPT_1 = codec.Block("B", "enable")
-_AUTO_ZUPT_2 = codec.Block("f", "threshold")
-_AUTO_ZUPT_GROUPS = ((1, ("enable",), False), (2, ("threshold",), False))
-
 
 class AutoZupt(Command[R]):
     """Automatic zero velocity update (0x0D,0x1E).
@@ -4515,6 +3229,8 @@ class AutoZupt(Command[R]):
     ROLE = "command"
     RESPONSES = (AutoZuptResponse,)
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (("function", "B", FunctionSelector), ("enable", "B", None), ("threshold", "f", None))
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -4560,49 +3276,6 @@ class AutoZupt(Command[R]):
         if self.function == FunctionSelector.READ:
             return (AutoZuptResponse,)
         return ()
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AutoZupt[R], int]:
-        enable: int | None = None
-        threshold: float | None = None
-        v = _AUTO_ZUPT_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _AUTO_ZUPT_1.read(raw, at)
-            at += 1
-            enable = v[0]
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _AUTO_ZUPT_2.read(raw, at)
-            at += 4
-            threshold = v[0]
-            done, end = 2, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, enable, threshold), at
-
-    def _write(self) -> bytes:
-        out = _AUTO_ZUPT_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _AUTO_ZUPT_GROUPS)
-        if there >= 1:
-            out += _AUTO_ZUPT_1.write(self.enable)
-        if there >= 2:
-            out += _AUTO_ZUPT_2.write(self.threshold)
-        return codec.finished(out)
-
-
-_EXTERNAL_HEADING_UPDATE_WITH_TIME_0 = codec.Block(
-    "dHffB", "tow", "week_number", "heading", "heading_uncertainty", "type"
-)
 
 
 class ExternalHeadingUpdateWithTime(Command[None]):
@@ -4670,29 +3343,6 @@ class ExternalHeadingUpdateWithTime(Command[None]):
         self.heading_uncertainty = heading_uncertainty
         self.type = type
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ExternalHeadingUpdateWithTime, int]:
-        v = _EXTERNAL_HEADING_UPDATE_WITH_TIME_0.read(raw, at)
-        at += 19
-        tow = v[0]
-        week_number = v[1]
-        heading = v[2]
-        heading_uncertainty = v[3]
-        type = HeadingType(v[4])
-        return cls(tow, week_number, heading, heading_uncertainty, type), at
-
-    def _write(self) -> bytes:
-        out = _EXTERNAL_HEADING_UPDATE_WITH_TIME_0.write(
-            self.tow, self.week_number, self.heading, self.heading_uncertainty, self.type
-        )
-        return codec.finished(out)
-
-
-_AUTO_ANGULAR_ZUPT_0 = codec.Block("B", "function")
-_AUTO_ANGULAR_ZUPT_1 = codec.Block("B", "enable")
-_AUTO_ANGULAR_ZUPT_2 = codec.Block("f", "threshold")
-_AUTO_ANGULAR_ZUPT_GROUPS = ((1, ("enable",), False), (2, ("threshold",), False))
-
 
 class AutoAngularZupt(Command[R]):
     """Zero angular rate update (0x0D,0x20).
@@ -4724,6 +3374,8 @@ class AutoAngularZupt(Command[R]):
     ROLE = "command"
     RESPONSES = (AutoAngularZuptResponse,)
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (("function", "B", FunctionSelector), ("enable", "B", None), ("threshold", "f", None))
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -4774,49 +3426,6 @@ class AutoAngularZupt(Command[R]):
             return (AutoAngularZuptResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AutoAngularZupt[R], int]:
-        enable: int | None = None
-        threshold: float | None = None
-        v = _AUTO_ANGULAR_ZUPT_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _AUTO_ANGULAR_ZUPT_1.read(raw, at)
-            at += 1
-            enable = v[0]
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _AUTO_ANGULAR_ZUPT_2.read(raw, at)
-            at += 4
-            threshold = v[0]
-            done, end = 2, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, enable, threshold), at
-
-    def _write(self) -> bytes:
-        out = _AUTO_ANGULAR_ZUPT_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _AUTO_ANGULAR_ZUPT_GROUPS)
-        if there >= 1:
-            out += _AUTO_ANGULAR_ZUPT_1.write(self.enable)
-        if there >= 2:
-            out += _AUTO_ANGULAR_ZUPT_2.write(self.threshold)
-        return codec.finished(out)
-
-
-_TARE_ORIENTATION_0 = codec.Block("B", "function")
-_TARE_ORIENTATION_1 = codec.Block("B", "axes")
-_TARE_ORIENTATION_GROUPS = ((1, ("axes",), False),)
-
 
 class TareOrientation(Command[R]):
     """Tare orientation (0x0D,0x21).
@@ -4849,6 +3458,8 @@ class TareOrientation(Command[R]):
     ROLE = "command"
     RESPONSES = (TareOrientationResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (("function", "B", FunctionSelector), ("axes", "B", TareAxes))
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -4890,35 +3501,6 @@ class TareOrientation(Command[R]):
             return (TareOrientationResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[TareOrientation[R], int]:
-        axes: TareAxes | None = None
-        v = _TARE_ORIENTATION_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _TARE_ORIENTATION_1.read(raw, at)
-            at += 1
-            axes = TareAxes(v[0])
-            done, end = 1, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, axes), at
-
-    def _write(self) -> bytes:
-        out = _TARE_ORIENTATION_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _TARE_ORIENTATION_GROUPS)
-        if there >= 1:
-            out += _TARE_ORIENTATION_1.write(self.axes)
-        return codec.finished(out)
-
 
 class CommandedZupt(Command[None]):
     """Commanded zero velocity update (0x0D,0x22).
@@ -4942,13 +3524,6 @@ class CommandedZupt(Command[None]):
     DESCRIPTOR = 0x22
     NAME = "filter.commanded_zupt"
     ROLE = "command"
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[CommandedZupt, int]:
-        return cls(), at
-
-    def _write(self) -> bytes:
-        return b""
 
 
 class CommandedAngularZupt(Command[None]):
@@ -4974,26 +3549,6 @@ class CommandedAngularZupt(Command[None]):
     DESCRIPTOR = 0x23
     NAME = "filter.commanded_angular_zupt"
     ROLE = "command"
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[CommandedAngularZupt, int]:
-        return cls(), at
-
-    def _write(self) -> bytes:
-        return b""
-
-
-_REFERENCE_POSITION_0 = codec.Block("B", "function")
-_REFERENCE_POSITION_1 = codec.Block("B", "enable")
-_REFERENCE_POSITION_2 = codec.Block("d", "latitude")
-_REFERENCE_POSITION_3 = codec.Block("d", "longitude")
-_REFERENCE_POSITION_4 = codec.Block("d", "altitude")
-_REFERENCE_POSITION_GROUPS = (
-    (1, ("enable",), False),
-    (2, ("latitude",), False),
-    (3, ("longitude",), False),
-    (4, ("altitude",), False),
-)
 
 
 class ReferencePosition(Command[R]):
@@ -5021,6 +3576,14 @@ class ReferencePosition(Command[R]):
     ROLE = "command"
     RESPONSES = (ReferencePositionResponse,)
     REQUIRED = {1: 4, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("enable", "B", None),
+        ("latitude", "d", None),
+        ("longitude", "d", None),
+        ("altitude", "d", None),
+    )
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -5097,65 +3660,6 @@ class ReferencePosition(Command[R]):
             return (ReferencePositionResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ReferencePosition[R], int]:
-        enable: int | None = None
-        latitude: float | None = None
-        longitude: float | None = None
-        altitude: float | None = None
-        v = _REFERENCE_POSITION_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _REFERENCE_POSITION_1.read(raw, at)
-            at += 1
-            enable = v[0]
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _REFERENCE_POSITION_2.read(raw, at)
-            at += 8
-            latitude = v[0]
-            done, end = 2, at
-            if at == len(raw) and required < 3:
-                raise Truncated(1, 0)
-            v = _REFERENCE_POSITION_3.read(raw, at)
-            at += 8
-            longitude = v[0]
-            done, end = 3, at
-            if at == len(raw) and required < 4:
-                raise Truncated(1, 0)
-            v = _REFERENCE_POSITION_4.read(raw, at)
-            at += 8
-            altitude = v[0]
-            done, end = 4, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, enable, latitude, longitude, altitude), at
-
-    def _write(self) -> bytes:
-        out = _REFERENCE_POSITION_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _REFERENCE_POSITION_GROUPS)
-        if there >= 1:
-            out += _REFERENCE_POSITION_1.write(self.enable)
-        if there >= 2:
-            out += _REFERENCE_POSITION_2.write(self.latitude)
-        if there >= 3:
-            out += _REFERENCE_POSITION_3.write(self.longitude)
-        if there >= 4:
-            out += _REFERENCE_POSITION_4.write(self.altitude)
-        return codec.finished(out)
-
-
-_MAG_CAPTURE_AUTO_CALIBRATION_0 = codec.Block("B", "function")
-
 
 class MagCaptureAutoCalibration(Command[None]):
     """Capture automatic magnetometer calibration (0x0D,0x27).
@@ -5183,6 +3687,7 @@ class MagCaptureAutoCalibration(Command[None]):
     NAME = "filter.mag_capture_auto_calibration"
     ROLE = "command"
     REQUIRED = {1: 0, 3: 0}
+    _LAYOUT = (("function", "B", FunctionSelector),)
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -5199,22 +3704,6 @@ class MagCaptureAutoCalibration(Command[None]):
     def save(cls) -> MagCaptureAutoCalibration:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagCaptureAutoCalibration, int]:
-        v = _MAG_CAPTURE_AUTO_CALIBRATION_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        return cls(function), at
-
-    def _write(self) -> bytes:
-        out = _MAG_CAPTURE_AUTO_CALIBRATION_0.write(self.function)
-        return codec.finished(out)
-
-
-_GRAVITY_NOISE_0 = codec.Block("B", "function")
-_GRAVITY_NOISE_1 = codec.Block("fff", *["noise"] * 3)
-_GRAVITY_NOISE_GROUPS = ((1, ("noise",), False),)
 
 
 class GravityNoise(Command[R]):
@@ -5245,6 +3734,9 @@ class GravityNoise(Command[R]):
     ROLE = "command"
     RESPONSES = (GravityNoiseResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (("function", "B", FunctionSelector), ("noise", "fff", types.Vector3f))
+    _ALWAYS = 1
+
     _VECTORS = {"noise": (types.Vector3f,)}
 
     function: FunctionSelector
@@ -5293,40 +3785,6 @@ class GravityNoise(Command[R]):
             return (GravityNoiseResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GravityNoise[R], int]:
-        noise: types.Vector3f | None = None
-        v = _GRAVITY_NOISE_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _GRAVITY_NOISE_1.read(raw, at)
-            at += 12
-            noise = types.Vector3f._make(v[0:3])
-            done, end = 1, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, noise), at
-
-    def _write(self) -> bytes:
-        out = _GRAVITY_NOISE_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _GRAVITY_NOISE_GROUPS)
-        if there >= 1:
-            out += _GRAVITY_NOISE_1.write(*codec.elements("noise", self.noise, 3))
-        return codec.finished(out)
-
-
-_PRESSURE_ALTITUDE_NOISE_0 = codec.Block("B", "function")
-_PRESSURE_ALTITUDE_NOISE_1 = codec.Block("f", "noise")
-_PRESSURE_ALTITUDE_NOISE_GROUPS = ((1, ("noise",), False),)
-
 
 class PressureAltitudeNoise(Command[R]):
     """Pressure altitude noise (0x0D,0x29).
@@ -5355,6 +3813,8 @@ class PressureAltitudeNoise(Command[R]):
     ROLE = "command"
     RESPONSES = (PressureAltitudeNoiseResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (("function", "B", FunctionSelector), ("noise", "f", None))
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -5402,40 +3862,6 @@ class PressureAltitudeNoise(Command[R]):
             return (PressureAltitudeNoiseResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[PressureAltitudeNoise[R], int]:
-        noise: float | None = None
-        v = _PRESSURE_ALTITUDE_NOISE_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _PRESSURE_ALTITUDE_NOISE_1.read(raw, at)
-            at += 4
-            noise = v[0]
-            done, end = 1, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, noise), at
-
-    def _write(self) -> bytes:
-        out = _PRESSURE_ALTITUDE_NOISE_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _PRESSURE_ALTITUDE_NOISE_GROUPS)
-        if there >= 1:
-            out += _PRESSURE_ALTITUDE_NOISE_1.write(self.noise)
-        return codec.finished(out)
-
-
-_HARD_IRON_OFFSET_NOISE_0 = codec.Block("B", "function")
-_HARD_IRON_OFFSET_NOISE_1 = codec.Block("fff", *["noise"] * 3)
-_HARD_IRON_OFFSET_NOISE_GROUPS = ((1, ("noise",), False),)
-
 
 class HardIronOffsetNoise(Command[R]):
     """Hard iron offset noise (0x0D,0x2B).
@@ -5461,6 +3887,9 @@ class HardIronOffsetNoise(Command[R]):
     ROLE = "command"
     RESPONSES = (HardIronOffsetNoiseResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (("function", "B", FunctionSelector), ("noise", "fff", types.Vector3f))
+    _ALWAYS = 1
+
     _VECTORS = {"noise": (types.Vector3f,)}
 
     function: FunctionSelector
@@ -5511,40 +3940,6 @@ class HardIronOffsetNoise(Command[R]):
             return (HardIronOffsetNoiseResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[HardIronOffsetNoise[R], int]:
-        noise: types.Vector3f | None = None
-        v = _HARD_IRON_OFFSET_NOISE_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _HARD_IRON_OFFSET_NOISE_1.read(raw, at)
-            at += 12
-            noise = types.Vector3f._make(v[0:3])
-            done, end = 1, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, noise), at
-
-    def _write(self) -> bytes:
-        out = _HARD_IRON_OFFSET_NOISE_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _HARD_IRON_OFFSET_NOISE_GROUPS)
-        if there >= 1:
-            out += _HARD_IRON_OFFSET_NOISE_1.write(*codec.elements("noise", self.noise, 3))
-        return codec.finished(out)
-
-
-_SOFT_IRON_MATRIX_NOISE_0 = codec.Block("B", "function")
-_SOFT_IRON_MATRIX_NOISE_1 = codec.Block("fffffffff", *["noise"] * 9)
-_SOFT_IRON_MATRIX_NOISE_GROUPS = ((1, ("noise",), False),)
-
 
 class SoftIronMatrixNoise(Command[R]):
     """Soft iron matrix noise (0x0D,0x2C).
@@ -5570,6 +3965,9 @@ class SoftIronMatrixNoise(Command[R]):
     ROLE = "command"
     RESPONSES = (SoftIronMatrixNoiseResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (("function", "B", FunctionSelector), ("noise", "fffffffff", types.Matrix3f))
+    _ALWAYS = 1
+
     _VECTORS = {"noise": (types.Matrix3f,)}
 
     function: FunctionSelector
@@ -5620,40 +4018,6 @@ class SoftIronMatrixNoise(Command[R]):
             return (SoftIronMatrixNoiseResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SoftIronMatrixNoise[R], int]:
-        noise: types.Matrix3f | None = None
-        v = _SOFT_IRON_MATRIX_NOISE_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _SOFT_IRON_MATRIX_NOISE_1.read(raw, at)
-            at += 36
-            noise = types.Matrix3f._make(v[0:9])
-            done, end = 1, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, noise), at
-
-    def _write(self) -> bytes:
-        out = _SOFT_IRON_MATRIX_NOISE_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _SOFT_IRON_MATRIX_NOISE_GROUPS)
-        if there >= 1:
-            out += _SOFT_IRON_MATRIX_NOISE_1.write(*codec.elements("noise", self.noise, 9))
-        return codec.finished(out)
-
-
-_ENABLE_MEASUREMENTS_0 = codec.Block("B", "function")
-_ENABLE_MEASUREMENTS_1 = codec.Block("H", "control")
-_ENABLE_MEASUREMENTS_GROUPS = ((1, ("control",), False),)
-
 
 class EnableMeasurements(Command[R]):
     """Enable or disable measurements (0x0D,0x41).
@@ -5680,6 +4044,8 @@ class EnableMeasurements(Command[R]):
     ROLE = "command"
     RESPONSES = (EnableMeasurementsResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (("function", "B", FunctionSelector), ("control", "H", MeasurementFlags))
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -5728,40 +4094,6 @@ class EnableMeasurements(Command[R]):
             return (EnableMeasurementsResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EnableMeasurements[R], int]:
-        control: MeasurementFlags | None = None
-        v = _ENABLE_MEASUREMENTS_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _ENABLE_MEASUREMENTS_1.read(raw, at)
-            at += 2
-            control = MeasurementFlags(v[0])
-            done, end = 1, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, control), at
-
-    def _write(self) -> bytes:
-        out = _ENABLE_MEASUREMENTS_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _ENABLE_MEASUREMENTS_GROUPS)
-        if there >= 1:
-            out += _ENABLE_MEASUREMENTS_1.write(self.control)
-        return codec.finished(out)
-
-
-_MAG_NOISE_0 = codec.Block("B", "function")
-_MAG_NOISE_1 = codec.Block("fff", *["noise"] * 3)
-_MAG_NOISE_GROUPS = ((1, ("noise",), False),)
-
 
 class MagNoise(Command[R]):
     """Magnetometer noise (0x0D,0x42).
@@ -5788,6 +4120,9 @@ class MagNoise(Command[R]):
     ROLE = "command"
     RESPONSES = (MagNoiseResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (("function", "B", FunctionSelector), ("noise", "fff", types.Vector3f))
+    _ALWAYS = 1
+
     _VECTORS = {"noise": (types.Vector3f,)}
 
     function: FunctionSelector
@@ -5834,41 +4169,6 @@ class MagNoise(Command[R]):
             return (MagNoiseResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagNoise[R], int]:
-        noise: types.Vector3f | None = None
-        v = _MAG_NOISE_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _MAG_NOISE_1.read(raw, at)
-            at += 12
-            noise = types.Vector3f._make(v[0:3])
-            done, end = 1, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, noise), at
-
-    def _write(self) -> bytes:
-        out = _MAG_NOISE_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _MAG_NOISE_GROUPS)
-        if there >= 1:
-            out += _MAG_NOISE_1.write(*codec.elements("noise", self.noise, 3))
-        return codec.finished(out)
-
-
-_MAGNETIC_DECLINATION_SOURCE_0 = codec.Block("B", "function")
-_MAGNETIC_DECLINATION_SOURCE_1 = codec.Block("B", "source")
-_MAGNETIC_DECLINATION_SOURCE_2 = codec.Block("f", "declination")
-_MAGNETIC_DECLINATION_SOURCE_GROUPS = ((1, ("source",), False), (2, ("declination",), False))
-
 
 class MagneticDeclinationSource(Command[R]):
     """Magnetic declination source (0x0D,0x43).
@@ -5899,6 +4199,12 @@ class MagneticDeclinationSource(Command[R]):
     ROLE = "command"
     RESPONSES = (MagneticDeclinationSourceResponse,)
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("source", "B", MagParameterSource),
+        ("declination", "f", None),
+    )
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -5961,63 +4267,6 @@ class MagneticDeclinationSource(Command[R]):
             return (MagneticDeclinationSourceResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagneticDeclinationSource[R], int]:
-        source: MagParameterSource | None = None
-        declination: float | None = None
-        v = _MAGNETIC_DECLINATION_SOURCE_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _MAGNETIC_DECLINATION_SOURCE_1.read(raw, at)
-            at += 1
-            source = MagParameterSource(v[0])
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _MAGNETIC_DECLINATION_SOURCE_2.read(raw, at)
-            at += 4
-            declination = v[0]
-            done, end = 2, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, source, declination), at
-
-    def _write(self) -> bytes:
-        out = _MAGNETIC_DECLINATION_SOURCE_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _MAGNETIC_DECLINATION_SOURCE_GROUPS)
-        if there >= 1:
-            out += _MAGNETIC_DECLINATION_SOURCE_1.write(self.source)
-        if there >= 2:
-            out += _MAGNETIC_DECLINATION_SOURCE_2.write(self.declination)
-        return codec.finished(out)
-
-
-_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_0 = codec.Block("B", "function")
-_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_1 = codec.Block("B", "adaptive_measurement")
-_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_2 = codec.Block("f", "frequency")
-_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_3 = codec.Block("f", "low_limit")
-_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_4 = codec.Block("f", "high_limit")
-_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_5 = codec.Block("f", "low_limit_uncertainty")
-_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_6 = codec.Block("f", "high_limit_uncertainty")
-_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_7 = codec.Block("f", "minimum_uncertainty")
-_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_GROUPS = (
-    (1, ("adaptive_measurement",), False),
-    (2, ("frequency",), False),
-    (3, ("low_limit",), False),
-    (4, ("high_limit",), False),
-    (5, ("low_limit_uncertainty",), False),
-    (6, ("high_limit_uncertainty",), False),
-    (7, ("minimum_uncertainty",), False),
-)
-
 
 class AccelMagnitudeErrorAdaptiveMeasurement(Command[R]):
     """Gravity magnitude error adaptive measurement (0x0D,0x44).
@@ -6069,6 +4318,17 @@ class AccelMagnitudeErrorAdaptiveMeasurement(Command[R]):
     ROLE = "command"
     RESPONSES = (AccelMagnitudeErrorAdaptiveMeasurementResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("adaptive_measurement", "B", AdaptiveMeasurementSelector),
+        ("frequency", "f", None),
+        ("low_limit", "f", None),
+        ("high_limit", "f", None),
+        ("low_limit_uncertainty", "f", None),
+        ("high_limit_uncertainty", "f", None),
+        ("minimum_uncertainty", "f", None),
+    )
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -6169,117 +4429,6 @@ class AccelMagnitudeErrorAdaptiveMeasurement(Command[R]):
             return (AccelMagnitudeErrorAdaptiveMeasurementResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AccelMagnitudeErrorAdaptiveMeasurement[R], int]:
-        adaptive_measurement: AdaptiveMeasurementSelector | None = None
-        frequency: float | None = None
-        low_limit: float | None = None
-        high_limit: float | None = None
-        low_limit_uncertainty: float | None = None
-        high_limit_uncertainty: float | None = None
-        minimum_uncertainty: float | None = None
-        v = _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_1.read(raw, at)
-            at += 1
-            adaptive_measurement = AdaptiveMeasurementSelector(v[0])
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_2.read(raw, at)
-            at += 4
-            frequency = v[0]
-            done, end = 2, at
-            if at == len(raw) and required < 3:
-                raise Truncated(1, 0)
-            v = _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_3.read(raw, at)
-            at += 4
-            low_limit = v[0]
-            done, end = 3, at
-            if at == len(raw) and required < 4:
-                raise Truncated(1, 0)
-            v = _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_4.read(raw, at)
-            at += 4
-            high_limit = v[0]
-            done, end = 4, at
-            if at == len(raw) and required < 5:
-                raise Truncated(1, 0)
-            v = _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_5.read(raw, at)
-            at += 4
-            low_limit_uncertainty = v[0]
-            done, end = 5, at
-            if at == len(raw) and required < 6:
-                raise Truncated(1, 0)
-            v = _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_6.read(raw, at)
-            at += 4
-            high_limit_uncertainty = v[0]
-            done, end = 6, at
-            if at == len(raw) and required < 7:
-                raise Truncated(1, 0)
-            v = _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_7.read(raw, at)
-            at += 4
-            minimum_uncertainty = v[0]
-            done, end = 7, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(
-            function,
-            adaptive_measurement,
-            frequency,
-            low_limit,
-            high_limit,
-            low_limit_uncertainty,
-            high_limit_uncertainty,
-            minimum_uncertainty,
-        ), at
-
-    def _write(self) -> bytes:
-        out = _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_GROUPS)
-        if there >= 1:
-            out += _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_1.write(self.adaptive_measurement)
-        if there >= 2:
-            out += _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_2.write(self.frequency)
-        if there >= 3:
-            out += _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_3.write(self.low_limit)
-        if there >= 4:
-            out += _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_4.write(self.high_limit)
-        if there >= 5:
-            out += _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_5.write(self.low_limit_uncertainty)
-        if there >= 6:
-            out += _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_6.write(self.high_limit_uncertainty)
-        if there >= 7:
-            out += _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_7.write(self.minimum_uncertainty)
-        return codec.finished(out)
-
-
-_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_0 = codec.Block("B", "function")
-_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_1 = codec.Block("B", "adaptive_measurement")
-_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_2 = codec.Block("f", "frequency")
-_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_3 = codec.Block("f", "low_limit")
-_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_4 = codec.Block("f", "high_limit")
-_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_5 = codec.Block("f", "low_limit_uncertainty")
-_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_6 = codec.Block("f", "high_limit_uncertainty")
-_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_7 = codec.Block("f", "minimum_uncertainty")
-_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_GROUPS = (
-    (1, ("adaptive_measurement",), False),
-    (2, ("frequency",), False),
-    (3, ("low_limit",), False),
-    (4, ("high_limit",), False),
-    (5, ("low_limit_uncertainty",), False),
-    (6, ("high_limit_uncertainty",), False),
-    (7, ("minimum_uncertainty",), False),
-)
-
 
 class MagMagnitudeErrorAdaptiveMeasurement(Command[R]):
     """Magnetometer magnitude error adaptive measurement (0x0D,0x45).
@@ -6330,6 +4479,17 @@ class MagMagnitudeErrorAdaptiveMeasurement(Command[R]):
     ROLE = "command"
     RESPONSES = (MagMagnitudeErrorAdaptiveMeasurementResponse,)
     REQUIRED = {1: 7, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("adaptive_measurement", "B", AdaptiveMeasurementSelector),
+        ("frequency", "f", None),
+        ("low_limit", "f", None),
+        ("high_limit", "f", None),
+        ("low_limit_uncertainty", "f", None),
+        ("high_limit_uncertainty", "f", None),
+        ("minimum_uncertainty", "f", None),
+    )
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -6444,113 +4604,6 @@ class MagMagnitudeErrorAdaptiveMeasurement(Command[R]):
             return (MagMagnitudeErrorAdaptiveMeasurementResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagMagnitudeErrorAdaptiveMeasurement[R], int]:
-        adaptive_measurement: AdaptiveMeasurementSelector | None = None
-        frequency: float | None = None
-        low_limit: float | None = None
-        high_limit: float | None = None
-        low_limit_uncertainty: float | None = None
-        high_limit_uncertainty: float | None = None
-        minimum_uncertainty: float | None = None
-        v = _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_1.read(raw, at)
-            at += 1
-            adaptive_measurement = AdaptiveMeasurementSelector(v[0])
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_2.read(raw, at)
-            at += 4
-            frequency = v[0]
-            done, end = 2, at
-            if at == len(raw) and required < 3:
-                raise Truncated(1, 0)
-            v = _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_3.read(raw, at)
-            at += 4
-            low_limit = v[0]
-            done, end = 3, at
-            if at == len(raw) and required < 4:
-                raise Truncated(1, 0)
-            v = _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_4.read(raw, at)
-            at += 4
-            high_limit = v[0]
-            done, end = 4, at
-            if at == len(raw) and required < 5:
-                raise Truncated(1, 0)
-            v = _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_5.read(raw, at)
-            at += 4
-            low_limit_uncertainty = v[0]
-            done, end = 5, at
-            if at == len(raw) and required < 6:
-                raise Truncated(1, 0)
-            v = _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_6.read(raw, at)
-            at += 4
-            high_limit_uncertainty = v[0]
-            done, end = 6, at
-            if at == len(raw) and required < 7:
-                raise Truncated(1, 0)
-            v = _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_7.read(raw, at)
-            at += 4
-            minimum_uncertainty = v[0]
-            done, end = 7, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(
-            function,
-            adaptive_measurement,
-            frequency,
-            low_limit,
-            high_limit,
-            low_limit_uncertainty,
-            high_limit_uncertainty,
-            minimum_uncertainty,
-        ), at
-
-    def _write(self) -> bytes:
-        out = _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_GROUPS)
-        if there >= 1:
-            out += _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_1.write(self.adaptive_measurement)
-        if there >= 2:
-            out += _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_2.write(self.frequency)
-        if there >= 3:
-            out += _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_3.write(self.low_limit)
-        if there >= 4:
-            out += _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_4.write(self.high_limit)
-        if there >= 5:
-            out += _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_5.write(self.low_limit_uncertainty)
-        if there >= 6:
-            out += _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_6.write(self.high_limit_uncertainty)
-        if there >= 7:
-            out += _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_7.write(self.minimum_uncertainty)
-        return codec.finished(out)
-
-
-_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_0 = codec.Block("B", "function")
-_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_1 = codec.Block("B", "enable")
-_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_2 = codec.Block("f", "frequency")
-_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_3 = codec.Block("f", "high_limit")
-_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_4 = codec.Block("f", "high_limit_uncertainty")
-_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_5 = codec.Block("f", "minimum_uncertainty")
-_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_GROUPS = (
-    (1, ("enable",), False),
-    (2, ("frequency",), False),
-    (3, ("high_limit",), False),
-    (4, ("high_limit_uncertainty",), False),
-    (5, ("minimum_uncertainty",), False),
-)
-
 
 class MagDipAngleErrorAdaptiveMeasurement(Command[R]):
     """Magnetometer dip angle error adaptive measurement (0x0D,0x46).
@@ -6596,6 +4649,15 @@ class MagDipAngleErrorAdaptiveMeasurement(Command[R]):
     ROLE = "command"
     RESPONSES = (MagDipAngleErrorAdaptiveMeasurementResponse,)
     REQUIRED = {1: 5, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("enable", "B", codec.truth),
+        ("frequency", "f", None),
+        ("high_limit", "f", None),
+        ("high_limit_uncertainty", "f", None),
+        ("minimum_uncertainty", "f", None),
+    )
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -6686,78 +4748,6 @@ class MagDipAngleErrorAdaptiveMeasurement(Command[R]):
             return (MagDipAngleErrorAdaptiveMeasurementResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagDipAngleErrorAdaptiveMeasurement[R], int]:
-        enable: bool | None = None
-        frequency: float | None = None
-        high_limit: float | None = None
-        high_limit_uncertainty: float | None = None
-        minimum_uncertainty: float | None = None
-        v = _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_1.read(raw, at)
-            at += 1
-            enable = codec.truth(v[0])
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_2.read(raw, at)
-            at += 4
-            frequency = v[0]
-            done, end = 2, at
-            if at == len(raw) and required < 3:
-                raise Truncated(1, 0)
-            v = _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_3.read(raw, at)
-            at += 4
-            high_limit = v[0]
-            done, end = 3, at
-            if at == len(raw) and required < 4:
-                raise Truncated(1, 0)
-            v = _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_4.read(raw, at)
-            at += 4
-            high_limit_uncertainty = v[0]
-            done, end = 4, at
-            if at == len(raw) and required < 5:
-                raise Truncated(1, 0)
-            v = _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_5.read(raw, at)
-            at += 4
-            minimum_uncertainty = v[0]
-            done, end = 5, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(
-            function, enable, frequency, high_limit, high_limit_uncertainty, minimum_uncertainty
-        ), at
-
-    def _write(self) -> bytes:
-        out = _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_GROUPS)
-        if there >= 1:
-            out += _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_1.write(self.enable)
-        if there >= 2:
-            out += _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_2.write(self.frequency)
-        if there >= 3:
-            out += _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_3.write(self.high_limit)
-        if there >= 4:
-            out += _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_4.write(self.high_limit_uncertainty)
-        if there >= 5:
-            out += _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_5.write(self.minimum_uncertainty)
-        return codec.finished(out)
-
-
-_ALTITUDE_AIDING_0 = codec.Block("B", "function")
-_ALTITUDE_AIDING_1 = codec.Block("B", "selector")
-_ALTITUDE_AIDING_GROUPS = ((1, ("selector",), False),)
-
 
 class AltitudeAiding(Command[R]):
     """Altitude aiding (0x0D,0x47).
@@ -6785,6 +4775,8 @@ class AltitudeAiding(Command[R]):
     ROLE = "command"
     RESPONSES = (AltitudeAidingResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (("function", "B", FunctionSelector), ("selector", "B", AltitudeAidingSource))
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -6830,40 +4822,6 @@ class AltitudeAiding(Command[R]):
             return (AltitudeAidingResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AltitudeAiding[R], int]:
-        selector: AltitudeAidingSource | None = None
-        v = _ALTITUDE_AIDING_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _ALTITUDE_AIDING_1.read(raw, at)
-            at += 1
-            selector = AltitudeAidingSource(v[0])
-            done, end = 1, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, selector), at
-
-    def _write(self) -> bytes:
-        out = _ALTITUDE_AIDING_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _ALTITUDE_AIDING_GROUPS)
-        if there >= 1:
-            out += _ALTITUDE_AIDING_1.write(self.selector)
-        return codec.finished(out)
-
-
-_PITCH_ROLL_AIDING_0 = codec.Block("B", "function")
-_PITCH_ROLL_AIDING_1 = codec.Block("B", "aiding")
-_PITCH_ROLL_AIDING_GROUPS = ((1, ("aiding",), False),)
-
 
 class PitchRollAiding(Command[R]):
     """Pitch and roll aiding (0x0D,0x4B).
@@ -6890,6 +4848,8 @@ class PitchRollAiding(Command[R]):
     ROLE = "command"
     RESPONSES = (PitchRollAidingResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (("function", "B", FunctionSelector), ("aiding", "B", PitchRollAidingSource))
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -6935,41 +4895,6 @@ class PitchRollAiding(Command[R]):
             return (PitchRollAidingResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[PitchRollAiding[R], int]:
-        aiding: PitchRollAidingSource | None = None
-        v = _PITCH_ROLL_AIDING_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _PITCH_ROLL_AIDING_1.read(raw, at)
-            at += 1
-            aiding = PitchRollAidingSource(v[0])
-            done, end = 1, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, aiding), at
-
-    def _write(self) -> bytes:
-        out = _PITCH_ROLL_AIDING_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _PITCH_ROLL_AIDING_GROUPS)
-        if there >= 1:
-            out += _PITCH_ROLL_AIDING_1.write(self.aiding)
-        return codec.finished(out)
-
-
-_MAGNETIC_INCLINATION_SOURCE_0 = codec.Block("B", "function")
-_MAGNETIC_INCLINATION_SOURCE_1 = codec.Block("B", "source")
-_MAGNETIC_INCLINATION_SOURCE_2 = codec.Block("f", "inclination")
-_MAGNETIC_INCLINATION_SOURCE_GROUPS = ((1, ("source",), False), (2, ("inclination",), False))
-
 
 class MagneticInclinationSource(Command[R]):
     """Magnetic inclination source (0x0D,0x4C).
@@ -6996,6 +4921,12 @@ class MagneticInclinationSource(Command[R]):
     ROLE = "command"
     RESPONSES = (MagneticInclinationSourceResponse,)
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("source", "B", MagParameterSource),
+        ("inclination", "f", None),
+    )
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -7052,50 +4983,6 @@ class MagneticInclinationSource(Command[R]):
             return (MagneticInclinationSourceResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagneticInclinationSource[R], int]:
-        source: MagParameterSource | None = None
-        inclination: float | None = None
-        v = _MAGNETIC_INCLINATION_SOURCE_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _MAGNETIC_INCLINATION_SOURCE_1.read(raw, at)
-            at += 1
-            source = MagParameterSource(v[0])
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _MAGNETIC_INCLINATION_SOURCE_2.read(raw, at)
-            at += 4
-            inclination = v[0]
-            done, end = 2, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, source, inclination), at
-
-    def _write(self) -> bytes:
-        out = _MAGNETIC_INCLINATION_SOURCE_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _MAGNETIC_INCLINATION_SOURCE_GROUPS)
-        if there >= 1:
-            out += _MAGNETIC_INCLINATION_SOURCE_1.write(self.source)
-        if there >= 2:
-            out += _MAGNETIC_INCLINATION_SOURCE_2.write(self.inclination)
-        return codec.finished(out)
-
-
-_MAGNETIC_MAGNITUDE_SOURCE_0 = codec.Block("B", "function")
-_MAGNETIC_MAGNITUDE_SOURCE_1 = codec.Block("B", "source")
-_MAGNETIC_MAGNITUDE_SOURCE_2 = codec.Block("f", "magnitude")
-_MAGNETIC_MAGNITUDE_SOURCE_GROUPS = ((1, ("source",), False), (2, ("magnitude",), False))
-
 
 class MagneticMagnitudeSource(Command[R]):
     """Magnetic field magnitude source (0x0D,0x4D).
@@ -7123,6 +5010,12 @@ class MagneticMagnitudeSource(Command[R]):
     ROLE = "command"
     RESPONSES = (MagneticMagnitudeSourceResponse,)
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("source", "B", MagParameterSource),
+        ("magnitude", "f", None),
+    )
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -7179,49 +5072,6 @@ class MagneticMagnitudeSource(Command[R]):
             return (MagneticMagnitudeSourceResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagneticMagnitudeSource[R], int]:
-        source: MagParameterSource | None = None
-        magnitude: float | None = None
-        v = _MAGNETIC_MAGNITUDE_SOURCE_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _MAGNETIC_MAGNITUDE_SOURCE_1.read(raw, at)
-            at += 1
-            source = MagParameterSource(v[0])
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _MAGNETIC_MAGNITUDE_SOURCE_2.read(raw, at)
-            at += 4
-            magnitude = v[0]
-            done, end = 2, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, source, magnitude), at
-
-    def _write(self) -> bytes:
-        out = _MAGNETIC_MAGNITUDE_SOURCE_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _MAGNETIC_MAGNITUDE_SOURCE_GROUPS)
-        if there >= 1:
-            out += _MAGNETIC_MAGNITUDE_SOURCE_1.write(self.source)
-        if there >= 2:
-            out += _MAGNETIC_MAGNITUDE_SOURCE_2.write(self.magnitude)
-        return codec.finished(out)
-
-
-_SENSOR_TO_VEHICLE_ROTATION_DCM_0 = codec.Block("B", "function")
-_SENSOR_TO_VEHICLE_ROTATION_DCM_1 = codec.Block("fffffffff", *["dcm"] * 9)
-_SENSOR_TO_VEHICLE_ROTATION_DCM_GROUPS = ((1, ("dcm",), False),)
-
 
 class SensorToVehicleRotationDcm(Command[R]):
     """Sensor to vehicle rotation, matrix (0x0D,0x4E).
@@ -7253,6 +5103,9 @@ class SensorToVehicleRotationDcm(Command[R]):
     ROLE = "command"
     RESPONSES = (SensorToVehicleRotationDcmResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (("function", "B", FunctionSelector), ("dcm", "fffffffff", types.Matrix3f))
+    _ALWAYS = 1
+
     _VECTORS = {"dcm": (types.Matrix3f,)}
 
     function: FunctionSelector
@@ -7303,40 +5156,6 @@ class SensorToVehicleRotationDcm(Command[R]):
             return (SensorToVehicleRotationDcmResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleRotationDcm[R], int]:
-        dcm: types.Matrix3f | None = None
-        v = _SENSOR_TO_VEHICLE_ROTATION_DCM_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _SENSOR_TO_VEHICLE_ROTATION_DCM_1.read(raw, at)
-            at += 36
-            dcm = types.Matrix3f._make(v[0:9])
-            done, end = 1, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, dcm), at
-
-    def _write(self) -> bytes:
-        out = _SENSOR_TO_VEHICLE_ROTATION_DCM_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _SENSOR_TO_VEHICLE_ROTATION_DCM_GROUPS)
-        if there >= 1:
-            out += _SENSOR_TO_VEHICLE_ROTATION_DCM_1.write(*codec.elements("dcm", self.dcm, 9))
-        return codec.finished(out)
-
-
-_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_0 = codec.Block("B", "function")
-_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_1 = codec.Block("ffff", *["q"] * 4)
-_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_GROUPS = ((1, ("q",), False),)
-
 
 class SensorToVehicleRotationQuaternion(Command[R]):
     """Sensor to vehicle rotation, quaternion (0x0D,0x4F).
@@ -7367,6 +5186,9 @@ class SensorToVehicleRotationQuaternion(Command[R]):
     ROLE = "command"
     RESPONSES = (SensorToVehicleRotationQuaternionResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (("function", "B", FunctionSelector), ("q", "ffff", types.Quatf))
+    _ALWAYS = 1
+
     _VECTORS = {"q": (types.Quatf,)}
 
     function: FunctionSelector
@@ -7423,41 +5245,6 @@ class SensorToVehicleRotationQuaternion(Command[R]):
             return (SensorToVehicleRotationQuaternionResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleRotationQuaternion[R], int]:
-        q: types.Quatf | None = None
-        v = _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_1.read(raw, at)
-            at += 16
-            q = types.Quatf._make(v[0:4])
-            done, end = 1, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, q), at
-
-    def _write(self) -> bytes:
-        out = _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_GROUPS)
-        if there >= 1:
-            out += _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_1.write(*codec.elements("q", self.q, 4))
-        return codec.finished(out)
-
-
-_AIDING_MEASUREMENT_ENABLE_0 = codec.Block("B", "function")
-_AIDING_MEASUREMENT_ENABLE_1 = codec.Block("H", "aiding_source")
-_AIDING_MEASUREMENT_ENABLE_2 = codec.Block("B", "enable")
-_AIDING_MEASUREMENT_ENABLE_GROUPS = ((1, ("aiding_source",), False), (2, ("enable",), False))
-
 
 class AidingMeasurementEnable(Command[R]):
     """Aiding measurement control (0x0D,0x50).
@@ -7483,6 +5270,12 @@ class AidingMeasurementEnable(Command[R]):
     ROLE = "command"
     RESPONSES = (AidingMeasurementEnableResponse,)
     REQUIRED = {1: 2, 2: 1, 3: 1, 4: 1, 5: 1}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("aiding_source", "H", AidingSource),
+        ("enable", "B", codec.truth),
+    )
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -7555,55 +5348,6 @@ class AidingMeasurementEnable(Command[R]):
             return (AidingMeasurementEnableResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AidingMeasurementEnable[R], int]:
-        aiding_source: AidingSource | None = None
-        enable: bool | None = None
-        v = _AIDING_MEASUREMENT_ENABLE_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _AIDING_MEASUREMENT_ENABLE_1.read(raw, at)
-            at += 2
-            aiding_source = AidingSource(v[0])
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _AIDING_MEASUREMENT_ENABLE_2.read(raw, at)
-            at += 1
-            enable = codec.truth(v[0])
-            done, end = 2, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, aiding_source, enable), at
-
-    def _write(self) -> bytes:
-        out = _AIDING_MEASUREMENT_ENABLE_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _AIDING_MEASUREMENT_ENABLE_GROUPS)
-        if there >= 1:
-            out += _AIDING_MEASUREMENT_ENABLE_1.write(self.aiding_source)
-        if there >= 2:
-            out += _AIDING_MEASUREMENT_ENABLE_2.write(self.enable)
-        return codec.finished(out)
-
-
-_KINEMATIC_CONSTRAINT_0 = codec.Block("B", "function")
-_KINEMATIC_CONSTRAINT_1 = codec.Block("B", "accel_constraint")
-_KINEMATIC_CONSTRAINT_2 = codec.Block("B", "velocity_constraint")
-_KINEMATIC_CONSTRAINT_3 = codec.Block("B", "angular_constraint")
-_KINEMATIC_CONSTRAINT_GROUPS = (
-    (1, ("accel_constraint",), False),
-    (2, ("velocity_constraint",), False),
-    (3, ("angular_constraint",), False),
-)
-
 
 class KinematicConstraint(Command[R]):
     """Kinematic constraint (0x0D,0x51).
@@ -7630,6 +5374,13 @@ class KinematicConstraint(Command[R]):
     ROLE = "command"
     RESPONSES = (KinematicConstraintResponse,)
     REQUIRED = {1: 3, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("accel_constraint", "B", AccelConstraint),
+        ("velocity_constraint", "B", VelocityConstraint),
+        ("angular_constraint", "B", AngularConstraint),
+    )
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -7696,76 +5447,6 @@ class KinematicConstraint(Command[R]):
             return (KinematicConstraintResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[KinematicConstraint[R], int]:
-        accel_constraint: AccelConstraint | None = None
-        velocity_constraint: VelocityConstraint | None = None
-        angular_constraint: AngularConstraint | None = None
-        v = _KINEMATIC_CONSTRAINT_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _KINEMATIC_CONSTRAINT_1.read(raw, at)
-            at += 1
-            accel_constraint = AccelConstraint(v[0])
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _KINEMATIC_CONSTRAINT_2.read(raw, at)
-            at += 1
-            velocity_constraint = VelocityConstraint(v[0])
-            done, end = 2, at
-            if at == len(raw) and required < 3:
-                raise Truncated(1, 0)
-            v = _KINEMATIC_CONSTRAINT_3.read(raw, at)
-            at += 1
-            angular_constraint = AngularConstraint(v[0])
-            done, end = 3, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, accel_constraint, velocity_constraint, angular_constraint), at
-
-    def _write(self) -> bytes:
-        out = _KINEMATIC_CONSTRAINT_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _KINEMATIC_CONSTRAINT_GROUPS)
-        if there >= 1:
-            out += _KINEMATIC_CONSTRAINT_1.write(self.accel_constraint)
-        if there >= 2:
-            out += _KINEMATIC_CONSTRAINT_2.write(self.velocity_constraint)
-        if there >= 3:
-            out += _KINEMATIC_CONSTRAINT_3.write(self.angular_constraint)
-        return codec.finished(out)
-
-
-_INITIALIZATION_CONFIG_0 = codec.Block("B", "function")
-_INITIALIZATION_CONFIG_1 = codec.Block("B", "wait_for_run_command")
-_INITIALIZATION_CONFIG_2 = codec.Block("B", "initial_condition_source")
-_INITIALIZATION_CONFIG_3 = codec.Block("B", "auto_heading_alignment_selector")
-_INITIALIZATION_CONFIG_4 = codec.Block("f", "initial_heading")
-_INITIALIZATION_CONFIG_5 = codec.Block("f", "initial_pitch")
-_INITIALIZATION_CONFIG_6 = codec.Block("f", "initial_roll")
-_INITIALIZATION_CONFIG_7 = codec.Block("fff", *["initial_position"] * 3)
-_INITIALIZATION_CONFIG_8 = codec.Block("fff", *["initial_velocity"] * 3)
-_INITIALIZATION_CONFIG_9 = codec.Block("B", "reference_frame_selector")
-_INITIALIZATION_CONFIG_GROUPS = (
-    (1, ("wait_for_run_command",), False),
-    (2, ("initial_condition_source",), False),
-    (3, ("auto_heading_alignment_selector",), False),
-    (4, ("initial_heading",), False),
-    (5, ("initial_pitch",), False),
-    (6, ("initial_roll",), False),
-    (7, ("initial_position",), False),
-    (8, ("initial_velocity",), False),
-    (9, ("reference_frame_selector",), False),
-)
-
 
 class InitializationConfig(Command[R]):
     """Navigation filter initialization (0x0D,0x52).
@@ -7818,6 +5499,20 @@ class InitializationConfig(Command[R]):
     ROLE = "command"
     RESPONSES = (InitializationConfigResponse,)
     REQUIRED = {1: 9, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("wait_for_run_command", "B", None),
+        ("initial_condition_source", "B", InitialConditionSource),
+        ("auto_heading_alignment_selector", "B", HeadingAlignment),
+        ("initial_heading", "f", None),
+        ("initial_pitch", "f", None),
+        ("initial_roll", "f", None),
+        ("initial_position", "fff", types.Vector3f),
+        ("initial_velocity", "fff", types.Vector3f),
+        ("reference_frame_selector", "B", ReferenceFrame),
+    )
+    _ALWAYS = 1
+
     _VECTORS = {"initial_position": (types.Vector3f,), "initial_velocity": (types.Vector3f,)}
 
     function: FunctionSelector
@@ -7937,128 +5632,6 @@ class InitializationConfig(Command[R]):
             return (InitializationConfigResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[InitializationConfig[R], int]:
-        wait_for_run_command: int | None = None
-        initial_condition_source: InitialConditionSource | None = None
-        auto_heading_alignment_selector: HeadingAlignment | None = None
-        initial_heading: float | None = None
-        initial_pitch: float | None = None
-        initial_roll: float | None = None
-        initial_position: types.Vector3f | None = None
-        initial_velocity: types.Vector3f | None = None
-        reference_frame_selector: ReferenceFrame | None = None
-        v = _INITIALIZATION_CONFIG_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _INITIALIZATION_CONFIG_1.read(raw, at)
-            at += 1
-            wait_for_run_command = v[0]
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _INITIALIZATION_CONFIG_2.read(raw, at)
-            at += 1
-            initial_condition_source = InitialConditionSource(v[0])
-            done, end = 2, at
-            if at == len(raw) and required < 3:
-                raise Truncated(1, 0)
-            v = _INITIALIZATION_CONFIG_3.read(raw, at)
-            at += 1
-            auto_heading_alignment_selector = HeadingAlignment(v[0])
-            done, end = 3, at
-            if at == len(raw) and required < 4:
-                raise Truncated(1, 0)
-            v = _INITIALIZATION_CONFIG_4.read(raw, at)
-            at += 4
-            initial_heading = v[0]
-            done, end = 4, at
-            if at == len(raw) and required < 5:
-                raise Truncated(1, 0)
-            v = _INITIALIZATION_CONFIG_5.read(raw, at)
-            at += 4
-            initial_pitch = v[0]
-            done, end = 5, at
-            if at == len(raw) and required < 6:
-                raise Truncated(1, 0)
-            v = _INITIALIZATION_CONFIG_6.read(raw, at)
-            at += 4
-            initial_roll = v[0]
-            done, end = 6, at
-            if at == len(raw) and required < 7:
-                raise Truncated(1, 0)
-            v = _INITIALIZATION_CONFIG_7.read(raw, at)
-            at += 12
-            initial_position = types.Vector3f._make(v[0:3])
-            done, end = 7, at
-            if at == len(raw) and required < 8:
-                raise Truncated(1, 0)
-            v = _INITIALIZATION_CONFIG_8.read(raw, at)
-            at += 12
-            initial_velocity = types.Vector3f._make(v[0:3])
-            done, end = 8, at
-            if at == len(raw) and required < 9:
-                raise Truncated(1, 0)
-            v = _INITIALIZATION_CONFIG_9.read(raw, at)
-            at += 1
-            reference_frame_selector = ReferenceFrame(v[0])
-            done, end = 9, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(
-            function,
-            wait_for_run_command,
-            initial_condition_source,
-            auto_heading_alignment_selector,
-            initial_heading,
-            initial_pitch,
-            initial_roll,
-            initial_position,
-            initial_velocity,
-            reference_frame_selector,
-        ), at
-
-    def _write(self) -> bytes:
-        out = _INITIALIZATION_CONFIG_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _INITIALIZATION_CONFIG_GROUPS)
-        if there >= 1:
-            out += _INITIALIZATION_CONFIG_1.write(self.wait_for_run_command)
-        if there >= 2:
-            out += _INITIALIZATION_CONFIG_2.write(self.initial_condition_source)
-        if there >= 3:
-            out += _INITIALIZATION_CONFIG_3.write(self.auto_heading_alignment_selector)
-        if there >= 4:
-            out += _INITIALIZATION_CONFIG_4.write(self.initial_heading)
-        if there >= 5:
-            out += _INITIALIZATION_CONFIG_5.write(self.initial_pitch)
-        if there >= 6:
-            out += _INITIALIZATION_CONFIG_6.write(self.initial_roll)
-        if there >= 7:
-            out += _INITIALIZATION_CONFIG_7.write(
-                *codec.elements("initial_position", self.initial_position, 3)
-            )
-        if there >= 8:
-            out += _INITIALIZATION_CONFIG_8.write(
-                *codec.elements("initial_velocity", self.initial_velocity, 3)
-            )
-        if there >= 9:
-            out += _INITIALIZATION_CONFIG_9.write(self.reference_frame_selector)
-        return codec.finished(out)
-
-
-_ADAPTIVE_FILTER_OPTIONS_0 = codec.Block("B", "function")
-_ADAPTIVE_FILTER_OPTIONS_1 = codec.Block("B", "level")
-_ADAPTIVE_FILTER_OPTIONS_2 = codec.Block("H", "time_limit")
-_ADAPTIVE_FILTER_OPTIONS_GROUPS = ((1, ("level",), False), (2, ("time_limit",), False))
-
 
 class AdaptiveFilterOptions(Command[R]):
     """Adaptive filter control (0x0D,0x53).
@@ -8084,6 +5657,12 @@ class AdaptiveFilterOptions(Command[R]):
     ROLE = "command"
     RESPONSES = (AdaptiveFilterOptionsResponse,)
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("level", "B", AdaptiveLevel),
+        ("time_limit", "H", None),
+    )
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -8142,50 +5721,6 @@ class AdaptiveFilterOptions(Command[R]):
             return (AdaptiveFilterOptionsResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AdaptiveFilterOptions[R], int]:
-        level: AdaptiveLevel | None = None
-        time_limit: int | None = None
-        v = _ADAPTIVE_FILTER_OPTIONS_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _ADAPTIVE_FILTER_OPTIONS_1.read(raw, at)
-            at += 1
-            level = AdaptiveLevel(v[0])
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _ADAPTIVE_FILTER_OPTIONS_2.read(raw, at)
-            at += 2
-            time_limit = v[0]
-            done, end = 2, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, level, time_limit), at
-
-    def _write(self) -> bytes:
-        out = _ADAPTIVE_FILTER_OPTIONS_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _ADAPTIVE_FILTER_OPTIONS_GROUPS)
-        if there >= 1:
-            out += _ADAPTIVE_FILTER_OPTIONS_1.write(self.level)
-        if there >= 2:
-            out += _ADAPTIVE_FILTER_OPTIONS_2.write(self.time_limit)
-        return codec.finished(out)
-
-
-_MULTI_ANTENNA_OFFSET_0 = codec.Block("B", "function")
-_MULTI_ANTENNA_OFFSET_1 = codec.Block("B", "receiver_id")
-_MULTI_ANTENNA_OFFSET_2 = codec.Block("fff", *["antenna_offset"] * 3)
-_MULTI_ANTENNA_OFFSET_GROUPS = ((1, ("receiver_id",), False), (2, ("antenna_offset",), False))
-
 
 class MultiAntennaOffset(Command[R]):
     """GNSS multi-antenna offset (0x0D,0x54).
@@ -8213,6 +5748,13 @@ class MultiAntennaOffset(Command[R]):
     ROLE = "command"
     RESPONSES = (MultiAntennaOffsetResponse,)
     REQUIRED = {1: 2, 2: 1, 3: 1, 4: 1, 5: 1}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("receiver_id", "B", None),
+        ("antenna_offset", "fff", types.Vector3f),
+    )
+    _ALWAYS = 1
+
     _VECTORS = {"antenna_offset": (types.Vector3f,)}
 
     function: FunctionSelector
@@ -8273,57 +5815,6 @@ class MultiAntennaOffset(Command[R]):
             return (MultiAntennaOffsetResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MultiAntennaOffset[R], int]:
-        receiver_id: int | None = None
-        antenna_offset: types.Vector3f | None = None
-        v = _MULTI_ANTENNA_OFFSET_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _MULTI_ANTENNA_OFFSET_1.read(raw, at)
-            at += 1
-            receiver_id = v[0]
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _MULTI_ANTENNA_OFFSET_2.read(raw, at)
-            at += 12
-            antenna_offset = types.Vector3f._make(v[0:3])
-            done, end = 2, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, receiver_id, antenna_offset), at
-
-    def _write(self) -> bytes:
-        out = _MULTI_ANTENNA_OFFSET_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _MULTI_ANTENNA_OFFSET_GROUPS)
-        if there >= 1:
-            out += _MULTI_ANTENNA_OFFSET_1.write(self.receiver_id)
-        if there >= 2:
-            out += _MULTI_ANTENNA_OFFSET_2.write(
-                *codec.elements("antenna_offset", self.antenna_offset, 3)
-            )
-        return codec.finished(out)
-
-
-_RELATIVE_POSITION_CONFIG_0 = codec.Block("B", "function")
-_RELATIVE_POSITION_CONFIG_1 = codec.Block("B", "source")
-_RELATIVE_POSITION_CONFIG_2 = codec.Block("B", "reference_frame_selector")
-_RELATIVE_POSITION_CONFIG_3 = codec.Block("ddd", *["reference_coordinates"] * 3)
-_RELATIVE_POSITION_CONFIG_GROUPS = (
-    (1, ("source",), False),
-    (2, ("reference_frame_selector",), False),
-    (3, ("reference_coordinates",), False),
-)
-
 
 class RelativePositionConfig(Command[R]):
     """Relative position configuration (0x0D,0x55).
@@ -8348,6 +5839,14 @@ class RelativePositionConfig(Command[R]):
     ROLE = "command"
     RESPONSES = (RelativePositionConfigResponse,)
     REQUIRED = {1: 3, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("source", "B", RelativePositionSource),
+        ("reference_frame_selector", "B", ReferenceFrame),
+        ("reference_coordinates", "ddd", types.Vector3d),
+    )
+    _ALWAYS = 1
+
     _VECTORS = {"reference_coordinates": (types.Vector3d,)}
 
     function: FunctionSelector
@@ -8419,64 +5918,6 @@ class RelativePositionConfig(Command[R]):
             return (RelativePositionConfigResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[RelativePositionConfig[R], int]:
-        source: RelativePositionSource | None = None
-        reference_frame_selector: ReferenceFrame | None = None
-        reference_coordinates: types.Vector3d | None = None
-        v = _RELATIVE_POSITION_CONFIG_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _RELATIVE_POSITION_CONFIG_1.read(raw, at)
-            at += 1
-            source = RelativePositionSource(v[0])
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _RELATIVE_POSITION_CONFIG_2.read(raw, at)
-            at += 1
-            reference_frame_selector = ReferenceFrame(v[0])
-            done, end = 2, at
-            if at == len(raw) and required < 3:
-                raise Truncated(1, 0)
-            v = _RELATIVE_POSITION_CONFIG_3.read(raw, at)
-            at += 24
-            reference_coordinates = types.Vector3d._make(v[0:3])
-            done, end = 3, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, source, reference_frame_selector, reference_coordinates), at
-
-    def _write(self) -> bytes:
-        out = _RELATIVE_POSITION_CONFIG_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _RELATIVE_POSITION_CONFIG_GROUPS)
-        if there >= 1:
-            out += _RELATIVE_POSITION_CONFIG_1.write(self.source)
-        if there >= 2:
-            out += _RELATIVE_POSITION_CONFIG_2.write(self.reference_frame_selector)
-        if there >= 3:
-            out += _RELATIVE_POSITION_CONFIG_3.write(
-                *codec.elements("reference_coordinates", self.reference_coordinates, 3)
-            )
-        return codec.finished(out)
-
-
-_REFERENCE_POINT_LEVER_ARM_0 = codec.Block("B", "function")
-_REFERENCE_POINT_LEVER_ARM_1 = codec.Block("B", "reference_point")
-_REFERENCE_POINT_LEVER_ARM_2 = codec.Block("fff", *["lever_arm_offset"] * 3)
-_REFERENCE_POINT_LEVER_ARM_GROUPS = (
-    (1, ("reference_point",), False),
-    (2, ("lever_arm_offset",), False),
-)
-
 
 class ReferencePointLeverArm(Command[R]):
     """Reference point lever arm (0x0D,0x56).
@@ -8504,6 +5945,13 @@ class ReferencePointLeverArm(Command[R]):
     ROLE = "command"
     RESPONSES = (ReferencePointLeverArmResponse,)
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("reference_point", "B", ReferencePoint),
+        ("lever_arm_offset", "fff", types.Vector3f),
+    )
+    _ALWAYS = 1
+
     _VECTORS = {"lever_arm_offset": (types.Vector3f,)}
 
     function: FunctionSelector
@@ -8566,49 +6014,6 @@ class ReferencePointLeverArm(Command[R]):
             return (ReferencePointLeverArmResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ReferencePointLeverArm[R], int]:
-        reference_point: ReferencePoint | None = None
-        lever_arm_offset: types.Vector3f | None = None
-        v = _REFERENCE_POINT_LEVER_ARM_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _REFERENCE_POINT_LEVER_ARM_1.read(raw, at)
-            at += 1
-            reference_point = ReferencePoint(v[0])
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _REFERENCE_POINT_LEVER_ARM_2.read(raw, at)
-            at += 12
-            lever_arm_offset = types.Vector3f._make(v[0:3])
-            done, end = 2, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, reference_point, lever_arm_offset), at
-
-    def _write(self) -> bytes:
-        out = _REFERENCE_POINT_LEVER_ARM_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _REFERENCE_POINT_LEVER_ARM_GROUPS)
-        if there >= 1:
-            out += _REFERENCE_POINT_LEVER_ARM_1.write(self.reference_point)
-        if there >= 2:
-            out += _REFERENCE_POINT_LEVER_ARM_2.write(
-                *codec.elements("lever_arm_offset", self.lever_arm_offset, 3)
-            )
-        return codec.finished(out)
-
-
-_SPEED_MEASUREMENT_0 = codec.Block("Bfff", "source", "tow", "speed", "speed_uncertainty")
-
 
 class SpeedMeasurement(Command[None]):
     """Speed measurement (0x0D,0x60).
@@ -8658,26 +6063,6 @@ class SpeedMeasurement(Command[None]):
         self.speed = speed
         self.speed_uncertainty = speed_uncertainty
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SpeedMeasurement, int]:
-        v = _SPEED_MEASUREMENT_0.read(raw, at)
-        at += 13
-        source = v[0]
-        tow = v[1]
-        speed = v[2]
-        speed_uncertainty = v[3]
-        return cls(tow, speed, speed_uncertainty, source=source), at
-
-    def _write(self) -> bytes:
-        out = _SPEED_MEASUREMENT_0.write(self.source, self.tow, self.speed, self.speed_uncertainty)
-        return codec.finished(out)
-
-
-_SPEED_LEVER_ARM_0 = codec.Block("B", "function")
-_SPEED_LEVER_ARM_1 = codec.Block("B", "source")
-_SPEED_LEVER_ARM_2 = codec.Block("fff", *["lever_arm_offset"] * 3)
-_SPEED_LEVER_ARM_GROUPS = ((1, ("source",), False), (2, ("lever_arm_offset",), False))
-
 
 class SpeedLeverArm(Command[R]):
     """Speed measurement lever arm (0x0D,0x61).
@@ -8705,6 +6090,13 @@ class SpeedLeverArm(Command[R]):
     ROLE = "command"
     RESPONSES = (SpeedLeverArmResponse,)
     REQUIRED = {1: 2, 2: 1, 3: 1, 4: 1, 5: 1}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("source", "B", None),
+        ("lever_arm_offset", "fff", types.Vector3f),
+    )
+    _ALWAYS = 1
+
     _VECTORS = {"lever_arm_offset": (types.Vector3f,)}
 
     function: FunctionSelector
@@ -8759,51 +6151,6 @@ class SpeedLeverArm(Command[R]):
             return (SpeedLeverArmResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SpeedLeverArm[R], int]:
-        source: int | None = None
-        lever_arm_offset: types.Vector3f | None = None
-        v = _SPEED_LEVER_ARM_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _SPEED_LEVER_ARM_1.read(raw, at)
-            at += 1
-            source = v[0]
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _SPEED_LEVER_ARM_2.read(raw, at)
-            at += 12
-            lever_arm_offset = types.Vector3f._make(v[0:3])
-            done, end = 2, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, source, lever_arm_offset), at
-
-    def _write(self) -> bytes:
-        out = _SPEED_LEVER_ARM_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _SPEED_LEVER_ARM_GROUPS)
-        if there >= 1:
-            out += _SPEED_LEVER_ARM_1.write(self.source)
-        if there >= 2:
-            out += _SPEED_LEVER_ARM_2.write(
-                *codec.elements("lever_arm_offset", self.lever_arm_offset, 3)
-            )
-        return codec.finished(out)
-
-
-_VERTICAL_GYRO_CONSTRAINT_CONTROL_0 = codec.Block("B", "function")
-_VERTICAL_GYRO_CONSTRAINT_CONTROL_1 = codec.Block("B", "enable")
-_VERTICAL_GYRO_CONSTRAINT_CONTROL_GROUPS = ((1, ("enable",), False),)
-
 
 class VerticalGyroConstraintControl(Command[R]):
     """Vertical gyro constraint (0x0D,0x62).
@@ -8830,6 +6177,8 @@ class VerticalGyroConstraintControl(Command[R]):
     ROLE = "command"
     RESPONSES = (VerticalGyroConstraintControlResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (("function", "B", FunctionSelector), ("enable", "B", None))
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -8881,40 +6230,6 @@ class VerticalGyroConstraintControl(Command[R]):
             return (VerticalGyroConstraintControlResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[VerticalGyroConstraintControl[R], int]:
-        enable: int | None = None
-        v = _VERTICAL_GYRO_CONSTRAINT_CONTROL_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _VERTICAL_GYRO_CONSTRAINT_CONTROL_1.read(raw, at)
-            at += 1
-            enable = v[0]
-            done, end = 1, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, enable), at
-
-    def _write(self) -> bytes:
-        out = _VERTICAL_GYRO_CONSTRAINT_CONTROL_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _VERTICAL_GYRO_CONSTRAINT_CONTROL_GROUPS)
-        if there >= 1:
-            out += _VERTICAL_GYRO_CONSTRAINT_CONTROL_1.write(self.enable)
-        return codec.finished(out)
-
-
-_WHEELED_VEHICLE_CONSTRAINT_CONTROL_0 = codec.Block("B", "function")
-_WHEELED_VEHICLE_CONSTRAINT_CONTROL_1 = codec.Block("B", "enable")
-_WHEELED_VEHICLE_CONSTRAINT_CONTROL_GROUPS = ((1, ("enable",), False),)
-
 
 class WheeledVehicleConstraintControl(Command[R]):
     """Wheeled vehicle constraint (0x0D,0x63).
@@ -8943,6 +6258,8 @@ class WheeledVehicleConstraintControl(Command[R]):
     ROLE = "command"
     RESPONSES = (WheeledVehicleConstraintControlResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (("function", "B", FunctionSelector), ("enable", "B", None))
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -8994,41 +6311,6 @@ class WheeledVehicleConstraintControl(Command[R]):
             return (WheeledVehicleConstraintControlResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[WheeledVehicleConstraintControl[R], int]:
-        enable: int | None = None
-        v = _WHEELED_VEHICLE_CONSTRAINT_CONTROL_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _WHEELED_VEHICLE_CONSTRAINT_CONTROL_1.read(raw, at)
-            at += 1
-            enable = v[0]
-            done, end = 1, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, enable), at
-
-    def _write(self) -> bytes:
-        out = _WHEELED_VEHICLE_CONSTRAINT_CONTROL_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _WHEELED_VEHICLE_CONSTRAINT_CONTROL_GROUPS)
-        if there >= 1:
-            out += _WHEELED_VEHICLE_CONSTRAINT_CONTROL_1.write(self.enable)
-        return codec.finished(out)
-
-
-_GNSS_ANTENNA_CALIBRATION_CONTROL_0 = codec.Block("B", "function")
-_GNSS_ANTENNA_CALIBRATION_CONTROL_1 = codec.Block("B", "enable")
-_GNSS_ANTENNA_CALIBRATION_CONTROL_2 = codec.Block("f", "max_offset")
-_GNSS_ANTENNA_CALIBRATION_CONTROL_GROUPS = ((1, ("enable",), False), (2, ("max_offset",), False))
-
 
 class GnssAntennaCalibrationControl(Command[R]):
     """GNSS antenna offset calibration (0x0D,0x64).
@@ -9055,6 +6337,12 @@ class GnssAntennaCalibrationControl(Command[R]):
     ROLE = "command"
     RESPONSES = (GnssAntennaCalibrationControlResponse,)
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("enable", "B", None),
+        ("max_offset", "f", None),
+    )
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -9114,44 +6402,6 @@ class GnssAntennaCalibrationControl(Command[R]):
         if self.function == FunctionSelector.READ:
             return (GnssAntennaCalibrationControlResponse,)
         return ()
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssAntennaCalibrationControl[R], int]:
-        enable: int | None = None
-        max_offset: float | None = None
-        v = _GNSS_ANTENNA_CALIBRATION_CONTROL_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _GNSS_ANTENNA_CALIBRATION_CONTROL_1.read(raw, at)
-            at += 1
-            enable = v[0]
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _GNSS_ANTENNA_CALIBRATION_CONTROL_2.read(raw, at)
-            at += 4
-            max_offset = v[0]
-            done, end = 2, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, enable, max_offset), at
-
-    def _write(self) -> bytes:
-        out = _GNSS_ANTENNA_CALIBRATION_CONTROL_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _GNSS_ANTENNA_CALIBRATION_CONTROL_GROUPS)
-        if there >= 1:
-            out += _GNSS_ANTENNA_CALIBRATION_CONTROL_1.write(self.enable)
-        if there >= 2:
-            out += _GNSS_ANTENNA_CALIBRATION_CONTROL_2.write(self.max_offset)
-        return codec.finished(out)
 
 
 VehicleDynamicsModeResponse.COMMANDS = (VehicleDynamicsMode,)

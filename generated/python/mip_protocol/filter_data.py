@@ -362,9 +362,6 @@ class Cv7StatusFlags(IntFlag):
         return Cv7StatusFlags(int(self) & ~0xF000 | value << 12)
 
 
-_LLH_POSITION_0 = codec.Block("dddH", "latitude", "longitude", "ellipsoid_height", "valid_flags")
-
-
 class LlhPosition(Data):
     """LLH position (0x82,0x01).
 
@@ -423,25 +420,6 @@ class LlhPosition(Data):
         self.ellipsoid_height = ellipsoid_height
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[LlhPosition, int]:
-        v = _LLH_POSITION_0.read(raw, at)
-        at += 26
-        latitude = v[0]
-        longitude = v[1]
-        ellipsoid_height = v[2]
-        valid_flags = ValidFlags(v[3])
-        return cls(latitude, longitude, ellipsoid_height, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _LLH_POSITION_0.write(
-            self.latitude, self.longitude, self.ellipsoid_height, self.valid_flags
-        )
-        return codec.finished(out)
-
-
-_NED_VELOCITY_0 = codec.Block("fffH", "north", "east", "down", "valid_flags")
-
 
 class NedVelocity(Data):
     """NED velocity (0x82,0x02).
@@ -499,23 +477,6 @@ class NedVelocity(Data):
         self.down = down
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[NedVelocity, int]:
-        v = _NED_VELOCITY_0.read(raw, at)
-        at += 14
-        north = v[0]
-        east = v[1]
-        down = v[2]
-        valid_flags = ValidFlags(v[3])
-        return cls(north, east, down, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _NED_VELOCITY_0.write(self.north, self.east, self.down, self.valid_flags)
-        return codec.finished(out)
-
-
-_ATTITUDE_QUATERNION_0 = codec.Block("ffffH", *["q"] * 4, "valid_flags")
-
 
 class AttitudeQuaternion(Data):
     """Attitude quaternion (0x82,0x03).
@@ -557,6 +518,7 @@ class AttitudeQuaternion(Data):
     NAME = "filter_data.attitude_quaternion"
     ROLE = "data"
     _LAYOUT = (("q", "ffff", types.Quatf), ("valid_flags", "H", ValidFlags))
+
     _VECTORS = {"q": (types.Quatf,)}
 
     q: types.Quatf
@@ -569,21 +531,6 @@ class AttitudeQuaternion(Data):
     def __init__(self, q: types.Quatf | codec.Numbers, valid_flags: ValidFlags) -> None:
         self.q = codec.vector(q, types.Quatf)
         self.valid_flags = valid_flags
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AttitudeQuaternion, int]:
-        v = _ATTITUDE_QUATERNION_0.read(raw, at)
-        at += 18
-        q = types.Quatf._make(v[0:4])
-        valid_flags = ValidFlags(v[4])
-        return cls(q, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _ATTITUDE_QUATERNION_0.write(*codec.elements("q", self.q, 4), self.valid_flags)
-        return codec.finished(out)
-
-
-_ATTITUDE_DCM_0 = codec.Block("fffffffffH", *["dcm"] * 9, "valid_flags")
 
 
 class AttitudeDcm(Data):
@@ -626,6 +573,7 @@ class AttitudeDcm(Data):
     NAME = "filter_data.attitude_dcm"
     ROLE = "data"
     _LAYOUT = (("dcm", "fffffffff", types.Matrix3f), ("valid_flags", "H", ValidFlags))
+
     _VECTORS = {"dcm": (types.Matrix3f,)}
 
     dcm: types.Matrix3f
@@ -639,21 +587,6 @@ class AttitudeDcm(Data):
     def __init__(self, dcm: types.Matrix3f | codec.Rows, valid_flags: ValidFlags) -> None:
         self.dcm = codec.vector(dcm, types.Matrix3f)
         self.valid_flags = valid_flags
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AttitudeDcm, int]:
-        v = _ATTITUDE_DCM_0.read(raw, at)
-        at += 38
-        dcm = types.Matrix3f._make(v[0:9])
-        valid_flags = ValidFlags(v[9])
-        return cls(dcm, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _ATTITUDE_DCM_0.write(*codec.elements("dcm", self.dcm, 9), self.valid_flags)
-        return codec.finished(out)
-
-
-_EULER_ANGLES_0 = codec.Block("fffH", "roll", "pitch", "yaw", "valid_flags")
 
 
 class EulerAngles(Data):
@@ -728,23 +661,6 @@ class EulerAngles(Data):
         self.yaw = yaw
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EulerAngles, int]:
-        v = _EULER_ANGLES_0.read(raw, at)
-        at += 14
-        roll = v[0]
-        pitch = v[1]
-        yaw = v[2]
-        valid_flags = ValidFlags(v[3])
-        return cls(roll, pitch, yaw, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _EULER_ANGLES_0.write(self.roll, self.pitch, self.yaw, self.valid_flags)
-        return codec.finished(out)
-
-
-_GYRO_BIAS_0 = codec.Block("fffH", *["bias"] * 3, "valid_flags")
-
 
 class GyroBias(Data):
     """Gyroscope bias (0x82,0x06).
@@ -773,6 +689,7 @@ class GyroBias(Data):
     NAME = "filter_data.gyro_bias"
     ROLE = "data"
     _LAYOUT = (("bias", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
+
     _VECTORS = {"bias": (types.Vector3f,)}
 
     bias: types.Vector3f
@@ -785,21 +702,6 @@ class GyroBias(Data):
     def __init__(self, bias: types.Vector3f | codec.Numbers, valid_flags: ValidFlags) -> None:
         self.bias = codec.vector(bias, types.Vector3f)
         self.valid_flags = valid_flags
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GyroBias, int]:
-        v = _GYRO_BIAS_0.read(raw, at)
-        at += 14
-        bias = types.Vector3f._make(v[0:3])
-        valid_flags = ValidFlags(v[3])
-        return cls(bias, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _GYRO_BIAS_0.write(*codec.elements("bias", self.bias, 3), self.valid_flags)
-        return codec.finished(out)
-
-
-_ACCEL_BIAS_0 = codec.Block("fffH", *["bias"] * 3, "valid_flags")
 
 
 class AccelBias(Data):
@@ -825,6 +727,7 @@ class AccelBias(Data):
     NAME = "filter_data.accel_bias"
     ROLE = "data"
     _LAYOUT = (("bias", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
+
     _VECTORS = {"bias": (types.Vector3f,)}
 
     bias: types.Vector3f
@@ -837,21 +740,6 @@ class AccelBias(Data):
     def __init__(self, bias: types.Vector3f | codec.Numbers, valid_flags: ValidFlags) -> None:
         self.bias = codec.vector(bias, types.Vector3f)
         self.valid_flags = valid_flags
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AccelBias, int]:
-        v = _ACCEL_BIAS_0.read(raw, at)
-        at += 14
-        bias = types.Vector3f._make(v[0:3])
-        valid_flags = ValidFlags(v[3])
-        return cls(bias, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _ACCEL_BIAS_0.write(*codec.elements("bias", self.bias, 3), self.valid_flags)
-        return codec.finished(out)
-
-
-_LLH_POSITION_UNCERTAINTY_0 = codec.Block("fffH", "north", "east", "down", "valid_flags")
 
 
 class LlhPositionUncertainty(Data):
@@ -904,23 +792,6 @@ class LlhPositionUncertainty(Data):
         self.down = down
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[LlhPositionUncertainty, int]:
-        v = _LLH_POSITION_UNCERTAINTY_0.read(raw, at)
-        at += 14
-        north = v[0]
-        east = v[1]
-        down = v[2]
-        valid_flags = ValidFlags(v[3])
-        return cls(north, east, down, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _LLH_POSITION_UNCERTAINTY_0.write(self.north, self.east, self.down, self.valid_flags)
-        return codec.finished(out)
-
-
-_NED_VELOCITY_UNCERTAINTY_0 = codec.Block("fffH", "north", "east", "down", "valid_flags")
-
 
 class NedVelocityUncertainty(Data):
     """NED velocity uncertainty (0x82,0x09).
@@ -971,23 +842,6 @@ class NedVelocityUncertainty(Data):
         self.east = east
         self.down = down
         self.valid_flags = valid_flags
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[NedVelocityUncertainty, int]:
-        v = _NED_VELOCITY_UNCERTAINTY_0.read(raw, at)
-        at += 14
-        north = v[0]
-        east = v[1]
-        down = v[2]
-        valid_flags = ValidFlags(v[3])
-        return cls(north, east, down, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _NED_VELOCITY_UNCERTAINTY_0.write(self.north, self.east, self.down, self.valid_flags)
-        return codec.finished(out)
-
-
-_EULER_ANGLES_UNCERTAINTY_0 = codec.Block("fffH", "roll", "pitch", "yaw", "valid_flags")
 
 
 class EulerAnglesUncertainty(Data):
@@ -1048,23 +902,6 @@ class EulerAnglesUncertainty(Data):
         self.yaw = yaw
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EulerAnglesUncertainty, int]:
-        v = _EULER_ANGLES_UNCERTAINTY_0.read(raw, at)
-        at += 14
-        roll = v[0]
-        pitch = v[1]
-        yaw = v[2]
-        valid_flags = ValidFlags(v[3])
-        return cls(roll, pitch, yaw, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _EULER_ANGLES_UNCERTAINTY_0.write(self.roll, self.pitch, self.yaw, self.valid_flags)
-        return codec.finished(out)
-
-
-_GYRO_BIAS_UNCERTAINTY_0 = codec.Block("fffH", *["bias_uncertainty"] * 3, "valid_flags")
-
 
 class GyroBiasUncertainty(Data):
     """Gyroscope bias uncertainty (0x82,0x0B).
@@ -1091,6 +928,7 @@ class GyroBiasUncertainty(Data):
     NAME = "filter_data.gyro_bias_uncertainty"
     ROLE = "data"
     _LAYOUT = (("bias_uncertainty", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
+
     _VECTORS = {"bias_uncertainty": (types.Vector3f,)}
 
     bias_uncertainty: types.Vector3f
@@ -1105,23 +943,6 @@ class GyroBiasUncertainty(Data):
     ) -> None:
         self.bias_uncertainty = codec.vector(bias_uncertainty, types.Vector3f)
         self.valid_flags = valid_flags
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GyroBiasUncertainty, int]:
-        v = _GYRO_BIAS_UNCERTAINTY_0.read(raw, at)
-        at += 14
-        bias_uncertainty = types.Vector3f._make(v[0:3])
-        valid_flags = ValidFlags(v[3])
-        return cls(bias_uncertainty, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _GYRO_BIAS_UNCERTAINTY_0.write(
-            *codec.elements("bias_uncertainty", self.bias_uncertainty, 3), self.valid_flags
-        )
-        return codec.finished(out)
-
-
-_ACCEL_BIAS_UNCERTAINTY_0 = codec.Block("fffH", *["bias_uncertainty"] * 3, "valid_flags")
 
 
 class AccelBiasUncertainty(Data):
@@ -1145,6 +966,7 @@ class AccelBiasUncertainty(Data):
     NAME = "filter_data.accel_bias_uncertainty"
     ROLE = "data"
     _LAYOUT = (("bias_uncertainty", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
+
     _VECTORS = {"bias_uncertainty": (types.Vector3f,)}
 
     bias_uncertainty: types.Vector3f
@@ -1159,23 +981,6 @@ class AccelBiasUncertainty(Data):
     ) -> None:
         self.bias_uncertainty = codec.vector(bias_uncertainty, types.Vector3f)
         self.valid_flags = valid_flags
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AccelBiasUncertainty, int]:
-        v = _ACCEL_BIAS_UNCERTAINTY_0.read(raw, at)
-        at += 14
-        bias_uncertainty = types.Vector3f._make(v[0:3])
-        valid_flags = ValidFlags(v[3])
-        return cls(bias_uncertainty, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _ACCEL_BIAS_UNCERTAINTY_0.write(
-            *codec.elements("bias_uncertainty", self.bias_uncertainty, 3), self.valid_flags
-        )
-        return codec.finished(out)
-
-
-_LINEAR_ACCEL_0 = codec.Block("fffH", *["accel"] * 3, "valid_flags")
 
 
 class LinearAccel(Data):
@@ -1205,6 +1010,7 @@ class LinearAccel(Data):
     NAME = "filter_data.linear_accel"
     ROLE = "data"
     _LAYOUT = (("accel", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
+
     _VECTORS = {"accel": (types.Vector3f,)}
 
     accel: types.Vector3f
@@ -1217,21 +1023,6 @@ class LinearAccel(Data):
     def __init__(self, accel: types.Vector3f | codec.Numbers, valid_flags: ValidFlags) -> None:
         self.accel = codec.vector(accel, types.Vector3f)
         self.valid_flags = valid_flags
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[LinearAccel, int]:
-        v = _LINEAR_ACCEL_0.read(raw, at)
-        at += 14
-        accel = types.Vector3f._make(v[0:3])
-        valid_flags = ValidFlags(v[3])
-        return cls(accel, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _LINEAR_ACCEL_0.write(*codec.elements("accel", self.accel, 3), self.valid_flags)
-        return codec.finished(out)
-
-
-_COMP_ANGULAR_RATE_0 = codec.Block("fffH", *["gyro"] * 3, "valid_flags")
 
 
 class CompAngularRate(Data):
@@ -1262,6 +1053,7 @@ class CompAngularRate(Data):
     NAME = "filter_data.comp_angular_rate"
     ROLE = "data"
     _LAYOUT = (("gyro", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
+
     _VECTORS = {"gyro": (types.Vector3f,)}
 
     gyro: types.Vector3f
@@ -1275,21 +1067,6 @@ class CompAngularRate(Data):
     def __init__(self, gyro: types.Vector3f | codec.Numbers, valid_flags: ValidFlags) -> None:
         self.gyro = codec.vector(gyro, types.Vector3f)
         self.valid_flags = valid_flags
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[CompAngularRate, int]:
-        v = _COMP_ANGULAR_RATE_0.read(raw, at)
-        at += 14
-        gyro = types.Vector3f._make(v[0:3])
-        valid_flags = ValidFlags(v[3])
-        return cls(gyro, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _COMP_ANGULAR_RATE_0.write(*codec.elements("gyro", self.gyro, 3), self.valid_flags)
-        return codec.finished(out)
-
-
-_WGS84_GRAVITY_MAGNITUDE_0 = codec.Block("fH", "gravity_magnitude", "valid_flags")
 
 
 class Wgs84GravityMagnitude(Data):
@@ -1326,21 +1103,6 @@ class Wgs84GravityMagnitude(Data):
     def __init__(self, gravity_magnitude: float, valid_flags: ValidFlags) -> None:
         self.gravity_magnitude = gravity_magnitude
         self.valid_flags = valid_flags
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[Wgs84GravityMagnitude, int]:
-        v = _WGS84_GRAVITY_MAGNITUDE_0.read(raw, at)
-        at += 6
-        gravity_magnitude = v[0]
-        valid_flags = ValidFlags(v[1])
-        return cls(gravity_magnitude, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _WGS84_GRAVITY_MAGNITUDE_0.write(self.gravity_magnitude, self.valid_flags)
-        return codec.finished(out)
-
-
-_STATUS_0 = codec.Block("HHH", "filter_state", "dynamics_mode", "status_flags")
 
 
 class Status(Data):
@@ -1422,22 +1184,6 @@ class Status(Data):
         self.dynamics_mode = dynamics_mode
         self.status_flags = status_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[Status, int]:
-        v = _STATUS_0.read(raw, at)
-        at += 6
-        filter_state = v[0]
-        dynamics_mode = v[1]
-        status_flags = v[2]
-        return cls(filter_state, dynamics_mode, status_flags), at
-
-    def _write(self) -> bytes:
-        out = _STATUS_0.write(self.filter_state, self.dynamics_mode, self.status_flags)
-        return codec.finished(out)
-
-
-_TIMESTAMP_0 = codec.Block("dHH", "tow", "week_number", "valid_flags")
-
 
 class Timestamp(Data):
     """Filter timestamp (0x82,0x11).
@@ -1482,22 +1228,6 @@ class Timestamp(Data):
         self.week_number = week_number
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[Timestamp, int]:
-        v = _TIMESTAMP_0.read(raw, at)
-        at += 12
-        tow = v[0]
-        week_number = v[1]
-        valid_flags = ValidFlags(v[2])
-        return cls(tow, week_number, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _TIMESTAMP_0.write(self.tow, self.week_number, self.valid_flags)
-        return codec.finished(out)
-
-
-_QUATERNION_ATTITUDE_UNCERTAINTY_0 = codec.Block("ffffH", *["q"] * 4, "valid_flags")
-
 
 class QuaternionAttitudeUncertainty(Data):
     """Quaternion uncertainty (0x82,0x12).
@@ -1526,6 +1256,7 @@ class QuaternionAttitudeUncertainty(Data):
     NAME = "filter_data.quaternion_attitude_uncertainty"
     ROLE = "data"
     _LAYOUT = (("q", "ffff", types.Quatf), ("valid_flags", "H", ValidFlags))
+
     _VECTORS = {"q": (types.Quatf,)}
 
     q: types.Quatf
@@ -1538,23 +1269,6 @@ class QuaternionAttitudeUncertainty(Data):
     def __init__(self, q: types.Quatf | codec.Numbers, valid_flags: ValidFlags) -> None:
         self.q = codec.vector(q, types.Quatf)
         self.valid_flags = valid_flags
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[QuaternionAttitudeUncertainty, int]:
-        v = _QUATERNION_ATTITUDE_UNCERTAINTY_0.read(raw, at)
-        at += 18
-        q = types.Quatf._make(v[0:4])
-        valid_flags = ValidFlags(v[4])
-        return cls(q, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _QUATERNION_ATTITUDE_UNCERTAINTY_0.write(
-            *codec.elements("q", self.q, 4), self.valid_flags
-        )
-        return codec.finished(out)
-
-
-_GRAVITY_VECTOR_0 = codec.Block("fffH", *["gravity"] * 3, "valid_flags")
 
 
 class GravityVector(Data):
@@ -1584,6 +1298,7 @@ class GravityVector(Data):
     NAME = "filter_data.gravity_vector"
     ROLE = "data"
     _LAYOUT = (("gravity", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
+
     _VECTORS = {"gravity": (types.Vector3f,)}
 
     gravity: types.Vector3f
@@ -1597,23 +1312,6 @@ class GravityVector(Data):
     def __init__(self, gravity: types.Vector3f | codec.Numbers, valid_flags: ValidFlags) -> None:
         self.gravity = codec.vector(gravity, types.Vector3f)
         self.valid_flags = valid_flags
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GravityVector, int]:
-        v = _GRAVITY_VECTOR_0.read(raw, at)
-        at += 14
-        gravity = types.Vector3f._make(v[0:3])
-        valid_flags = ValidFlags(v[3])
-        return cls(gravity, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _GRAVITY_VECTOR_0.write(*codec.elements("gravity", self.gravity, 3), self.valid_flags)
-        return codec.finished(out)
-
-
-_HEADING_UPDATE_STATE_0 = codec.Block(
-    "ffHH", "heading", "heading_uncertainty", "source", "valid_flags"
-)
 
 
 class HeadingUpdateState(Data):
@@ -1672,33 +1370,6 @@ class HeadingUpdateState(Data):
         self.heading_uncertainty = heading_uncertainty
         self.source = source
         self.valid_flags = valid_flags
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[HeadingUpdateState, int]:
-        v = _HEADING_UPDATE_STATE_0.read(raw, at)
-        at += 12
-        heading = v[0]
-        heading_uncertainty = v[1]
-        source = HeadingSourceFlags(v[2])
-        valid_flags = ValidFlags(v[3])
-        return cls(heading, heading_uncertainty, source, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _HEADING_UPDATE_STATE_0.write(
-            self.heading, self.heading_uncertainty, self.source, self.valid_flags
-        )
-        return codec.finished(out)
-
-
-_MAGNETIC_MODEL_0 = codec.Block(
-    "fffffH",
-    "intensity_north",
-    "intensity_east",
-    "intensity_down",
-    "inclination",
-    "declination",
-    "valid_flags",
-)
 
 
 class MagneticModel(Data):
@@ -1785,34 +1456,6 @@ class MagneticModel(Data):
         self.declination = declination
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagneticModel, int]:
-        v = _MAGNETIC_MODEL_0.read(raw, at)
-        at += 22
-        intensity_north = v[0]
-        intensity_east = v[1]
-        intensity_down = v[2]
-        inclination = v[3]
-        declination = v[4]
-        valid_flags = ValidFlags(v[5])
-        return cls(
-            intensity_north, intensity_east, intensity_down, inclination, declination, valid_flags
-        ), at
-
-    def _write(self) -> bytes:
-        out = _MAGNETIC_MODEL_0.write(
-            self.intensity_north,
-            self.intensity_east,
-            self.intensity_down,
-            self.inclination,
-            self.declination,
-            self.valid_flags,
-        )
-        return codec.finished(out)
-
-
-_GYRO_SCALE_FACTOR_0 = codec.Block("fffH", *["scale_factor"] * 3, "valid_flags")
-
 
 class GyroScaleFactor(Data):
     """Gyroscope scale factor (0x82,0x16).
@@ -1835,6 +1478,7 @@ class GyroScaleFactor(Data):
     NAME = "filter_data.gyro_scale_factor"
     ROLE = "data"
     _LAYOUT = (("scale_factor", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
+
     _VECTORS = {"scale_factor": (types.Vector3f,)}
 
     scale_factor: types.Vector3f
@@ -1849,23 +1493,6 @@ class GyroScaleFactor(Data):
     ) -> None:
         self.scale_factor = codec.vector(scale_factor, types.Vector3f)
         self.valid_flags = valid_flags
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GyroScaleFactor, int]:
-        v = _GYRO_SCALE_FACTOR_0.read(raw, at)
-        at += 14
-        scale_factor = types.Vector3f._make(v[0:3])
-        valid_flags = ValidFlags(v[3])
-        return cls(scale_factor, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _GYRO_SCALE_FACTOR_0.write(
-            *codec.elements("scale_factor", self.scale_factor, 3), self.valid_flags
-        )
-        return codec.finished(out)
-
-
-_ACCEL_SCALE_FACTOR_0 = codec.Block("fffH", *["scale_factor"] * 3, "valid_flags")
 
 
 class AccelScaleFactor(Data):
@@ -1889,6 +1516,7 @@ class AccelScaleFactor(Data):
     NAME = "filter_data.accel_scale_factor"
     ROLE = "data"
     _LAYOUT = (("scale_factor", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
+
     _VECTORS = {"scale_factor": (types.Vector3f,)}
 
     scale_factor: types.Vector3f
@@ -1903,25 +1531,6 @@ class AccelScaleFactor(Data):
     ) -> None:
         self.scale_factor = codec.vector(scale_factor, types.Vector3f)
         self.valid_flags = valid_flags
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AccelScaleFactor, int]:
-        v = _ACCEL_SCALE_FACTOR_0.read(raw, at)
-        at += 14
-        scale_factor = types.Vector3f._make(v[0:3])
-        valid_flags = ValidFlags(v[3])
-        return cls(scale_factor, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _ACCEL_SCALE_FACTOR_0.write(
-            *codec.elements("scale_factor", self.scale_factor, 3), self.valid_flags
-        )
-        return codec.finished(out)
-
-
-_GYRO_SCALE_FACTOR_UNCERTAINTY_0 = codec.Block(
-    "fffH", *["scale_factor_uncertainty"] * 3, "valid_flags"
-)
 
 
 class GyroScaleFactorUncertainty(Data):
@@ -1947,6 +1556,7 @@ class GyroScaleFactorUncertainty(Data):
         ("scale_factor_uncertainty", "fff", types.Vector3f),
         ("valid_flags", "H", ValidFlags),
     )
+
     _VECTORS = {"scale_factor_uncertainty": (types.Vector3f,)}
 
     scale_factor_uncertainty: types.Vector3f
@@ -1961,26 +1571,6 @@ class GyroScaleFactorUncertainty(Data):
     ) -> None:
         self.scale_factor_uncertainty = codec.vector(scale_factor_uncertainty, types.Vector3f)
         self.valid_flags = valid_flags
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GyroScaleFactorUncertainty, int]:
-        v = _GYRO_SCALE_FACTOR_UNCERTAINTY_0.read(raw, at)
-        at += 14
-        scale_factor_uncertainty = types.Vector3f._make(v[0:3])
-        valid_flags = ValidFlags(v[3])
-        return cls(scale_factor_uncertainty, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _GYRO_SCALE_FACTOR_UNCERTAINTY_0.write(
-            *codec.elements("scale_factor_uncertainty", self.scale_factor_uncertainty, 3),
-            self.valid_flags,
-        )
-        return codec.finished(out)
-
-
-_ACCEL_SCALE_FACTOR_UNCERTAINTY_0 = codec.Block(
-    "fffH", *["scale_factor_uncertainty"] * 3, "valid_flags"
-)
 
 
 class AccelScaleFactorUncertainty(Data):
@@ -2006,6 +1596,7 @@ class AccelScaleFactorUncertainty(Data):
         ("scale_factor_uncertainty", "fff", types.Vector3f),
         ("valid_flags", "H", ValidFlags),
     )
+
     _VECTORS = {"scale_factor_uncertainty": (types.Vector3f,)}
 
     scale_factor_uncertainty: types.Vector3f
@@ -2020,24 +1611,6 @@ class AccelScaleFactorUncertainty(Data):
     ) -> None:
         self.scale_factor_uncertainty = codec.vector(scale_factor_uncertainty, types.Vector3f)
         self.valid_flags = valid_flags
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AccelScaleFactorUncertainty, int]:
-        v = _ACCEL_SCALE_FACTOR_UNCERTAINTY_0.read(raw, at)
-        at += 14
-        scale_factor_uncertainty = types.Vector3f._make(v[0:3])
-        valid_flags = ValidFlags(v[3])
-        return cls(scale_factor_uncertainty, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _ACCEL_SCALE_FACTOR_UNCERTAINTY_0.write(
-            *codec.elements("scale_factor_uncertainty", self.scale_factor_uncertainty, 3),
-            self.valid_flags,
-        )
-        return codec.finished(out)
-
-
-_MAG_BIAS_0 = codec.Block("fffH", *["bias"] * 3, "valid_flags")
 
 
 class MagBias(Data):
@@ -2060,6 +1633,7 @@ class MagBias(Data):
     NAME = "filter_data.mag_bias"
     ROLE = "data"
     _LAYOUT = (("bias", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
+
     _VECTORS = {"bias": (types.Vector3f,)}
 
     bias: types.Vector3f
@@ -2072,21 +1646,6 @@ class MagBias(Data):
     def __init__(self, bias: types.Vector3f | codec.Numbers, valid_flags: ValidFlags) -> None:
         self.bias = codec.vector(bias, types.Vector3f)
         self.valid_flags = valid_flags
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagBias, int]:
-        v = _MAG_BIAS_0.read(raw, at)
-        at += 14
-        bias = types.Vector3f._make(v[0:3])
-        valid_flags = ValidFlags(v[3])
-        return cls(bias, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _MAG_BIAS_0.write(*codec.elements("bias", self.bias, 3), self.valid_flags)
-        return codec.finished(out)
-
-
-_MAG_BIAS_UNCERTAINTY_0 = codec.Block("fffH", *["bias_uncertainty"] * 3, "valid_flags")
 
 
 class MagBiasUncertainty(Data):
@@ -2108,6 +1667,7 @@ class MagBiasUncertainty(Data):
     NAME = "filter_data.mag_bias_uncertainty"
     ROLE = "data"
     _LAYOUT = (("bias_uncertainty", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
+
     _VECTORS = {"bias_uncertainty": (types.Vector3f,)}
 
     bias_uncertainty: types.Vector3f
@@ -2122,23 +1682,6 @@ class MagBiasUncertainty(Data):
     ) -> None:
         self.bias_uncertainty = codec.vector(bias_uncertainty, types.Vector3f)
         self.valid_flags = valid_flags
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagBiasUncertainty, int]:
-        v = _MAG_BIAS_UNCERTAINTY_0.read(raw, at)
-        at += 14
-        bias_uncertainty = types.Vector3f._make(v[0:3])
-        valid_flags = ValidFlags(v[3])
-        return cls(bias_uncertainty, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _MAG_BIAS_UNCERTAINTY_0.write(
-            *codec.elements("bias_uncertainty", self.bias_uncertainty, 3), self.valid_flags
-        )
-        return codec.finished(out)
-
-
-_COMP_ACCEL_0 = codec.Block("fffH", *["accel"] * 3, "valid_flags")
 
 
 class CompAccel(Data):
@@ -2168,6 +1711,7 @@ class CompAccel(Data):
     NAME = "filter_data.comp_accel"
     ROLE = "data"
     _LAYOUT = (("accel", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
+
     _VECTORS = {"accel": (types.Vector3f,)}
 
     accel: types.Vector3f
@@ -2181,29 +1725,6 @@ class CompAccel(Data):
     def __init__(self, accel: types.Vector3f | codec.Numbers, valid_flags: ValidFlags) -> None:
         self.accel = codec.vector(accel, types.Vector3f)
         self.valid_flags = valid_flags
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[CompAccel, int]:
-        v = _COMP_ACCEL_0.read(raw, at)
-        at += 14
-        accel = types.Vector3f._make(v[0:3])
-        valid_flags = ValidFlags(v[3])
-        return cls(accel, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _COMP_ACCEL_0.write(*codec.elements("accel", self.accel, 3), self.valid_flags)
-        return codec.finished(out)
-
-
-_STANDARD_ATMOSPHERE_0 = codec.Block(
-    "fffffH",
-    "geometric_altitude",
-    "geopotential_altitude",
-    "standard_temperature",
-    "standard_pressure",
-    "standard_density",
-    "valid_flags",
-)
 
 
 class StandardAtmosphere(Data):
@@ -2287,39 +1808,6 @@ class StandardAtmosphere(Data):
         self.standard_density = standard_density
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[StandardAtmosphere, int]:
-        v = _STANDARD_ATMOSPHERE_0.read(raw, at)
-        at += 22
-        geometric_altitude = v[0]
-        geopotential_altitude = v[1]
-        standard_temperature = v[2]
-        standard_pressure = v[3]
-        standard_density = v[4]
-        valid_flags = ValidFlags(v[5])
-        return cls(
-            geometric_altitude,
-            geopotential_altitude,
-            standard_temperature,
-            standard_pressure,
-            standard_density,
-            valid_flags,
-        ), at
-
-    def _write(self) -> bytes:
-        out = _STANDARD_ATMOSPHERE_0.write(
-            self.geometric_altitude,
-            self.geopotential_altitude,
-            self.standard_temperature,
-            self.standard_pressure,
-            self.standard_density,
-            self.valid_flags,
-        )
-        return codec.finished(out)
-
-
-_PRESSURE_ALTITUDE_0 = codec.Block("fH", "pressure_altitude", "valid_flags")
-
 
 class PressureAltitude(Data):
     """Pressure altitude (0x82,0x21).
@@ -2358,21 +1846,6 @@ class PressureAltitude(Data):
         self.pressure_altitude = pressure_altitude
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[PressureAltitude, int]:
-        v = _PRESSURE_ALTITUDE_0.read(raw, at)
-        at += 6
-        pressure_altitude = v[0]
-        valid_flags = ValidFlags(v[1])
-        return cls(pressure_altitude, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _PRESSURE_ALTITUDE_0.write(self.pressure_altitude, self.valid_flags)
-        return codec.finished(out)
-
-
-_DENSITY_ALTITUDE_0 = codec.Block("fH", "density_altitude", "valid_flags")
-
 
 class DensityAltitude(Data):
     """Density altitude (0x82,0x22).
@@ -2407,21 +1880,6 @@ class DensityAltitude(Data):
         self.density_altitude = density_altitude
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[DensityAltitude, int]:
-        v = _DENSITY_ALTITUDE_0.read(raw, at)
-        at += 6
-        density_altitude = v[0]
-        valid_flags = ValidFlags(v[1])
-        return cls(density_altitude, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _DENSITY_ALTITUDE_0.write(self.density_altitude, self.valid_flags)
-        return codec.finished(out)
-
-
-_MAG_OFFSET_0 = codec.Block("fffH", *["hard_iron"] * 3, "valid_flags")
-
 
 class MagOffset(Data):
     """Magnetometer offset (0x82,0x25).
@@ -2448,6 +1906,7 @@ class MagOffset(Data):
     NAME = "filter_data.mag_offset"
     ROLE = "data"
     _LAYOUT = (("hard_iron", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
+
     _VECTORS = {"hard_iron": (types.Vector3f,)}
 
     hard_iron: types.Vector3f
@@ -2460,21 +1919,6 @@ class MagOffset(Data):
     def __init__(self, hard_iron: types.Vector3f | codec.Numbers, valid_flags: ValidFlags) -> None:
         self.hard_iron = codec.vector(hard_iron, types.Vector3f)
         self.valid_flags = valid_flags
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagOffset, int]:
-        v = _MAG_OFFSET_0.read(raw, at)
-        at += 14
-        hard_iron = types.Vector3f._make(v[0:3])
-        valid_flags = ValidFlags(v[3])
-        return cls(hard_iron, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _MAG_OFFSET_0.write(*codec.elements("hard_iron", self.hard_iron, 3), self.valid_flags)
-        return codec.finished(out)
-
-
-_MAG_MATRIX_0 = codec.Block("fffffffffH", *["soft_iron"] * 9, "valid_flags")
 
 
 class MagMatrix(Data):
@@ -2502,6 +1946,7 @@ class MagMatrix(Data):
     NAME = "filter_data.mag_matrix"
     ROLE = "data"
     _LAYOUT = (("soft_iron", "fffffffff", types.Matrix3f), ("valid_flags", "H", ValidFlags))
+
     _VECTORS = {"soft_iron": (types.Matrix3f,)}
 
     soft_iron: types.Matrix3f
@@ -2514,21 +1959,6 @@ class MagMatrix(Data):
     def __init__(self, soft_iron: types.Matrix3f | codec.Rows, valid_flags: ValidFlags) -> None:
         self.soft_iron = codec.vector(soft_iron, types.Matrix3f)
         self.valid_flags = valid_flags
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagMatrix, int]:
-        v = _MAG_MATRIX_0.read(raw, at)
-        at += 38
-        soft_iron = types.Matrix3f._make(v[0:9])
-        valid_flags = ValidFlags(v[9])
-        return cls(soft_iron, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _MAG_MATRIX_0.write(*codec.elements("soft_iron", self.soft_iron, 9), self.valid_flags)
-        return codec.finished(out)
-
-
-_MAG_OFFSET_UNCERTAINTY_0 = codec.Block("fffH", *["hard_iron_uncertainty"] * 3, "valid_flags")
 
 
 class MagOffsetUncertainty(Data):
@@ -2552,6 +1982,7 @@ class MagOffsetUncertainty(Data):
     NAME = "filter_data.mag_offset_uncertainty"
     ROLE = "data"
     _LAYOUT = (("hard_iron_uncertainty", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
+
     _VECTORS = {"hard_iron_uncertainty": (types.Vector3f,)}
 
     hard_iron_uncertainty: types.Vector3f
@@ -2566,24 +1997,6 @@ class MagOffsetUncertainty(Data):
     ) -> None:
         self.hard_iron_uncertainty = codec.vector(hard_iron_uncertainty, types.Vector3f)
         self.valid_flags = valid_flags
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagOffsetUncertainty, int]:
-        v = _MAG_OFFSET_UNCERTAINTY_0.read(raw, at)
-        at += 14
-        hard_iron_uncertainty = types.Vector3f._make(v[0:3])
-        valid_flags = ValidFlags(v[3])
-        return cls(hard_iron_uncertainty, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _MAG_OFFSET_UNCERTAINTY_0.write(
-            *codec.elements("hard_iron_uncertainty", self.hard_iron_uncertainty, 3),
-            self.valid_flags,
-        )
-        return codec.finished(out)
-
-
-_MAG_MATRIX_UNCERTAINTY_0 = codec.Block("fffffffffH", *["soft_iron_uncertainty"] * 9, "valid_flags")
 
 
 class MagMatrixUncertainty(Data):
@@ -2610,6 +2023,7 @@ class MagMatrixUncertainty(Data):
         ("soft_iron_uncertainty", "fffffffff", types.Matrix3f),
         ("valid_flags", "H", ValidFlags),
     )
+
     _VECTORS = {"soft_iron_uncertainty": (types.Matrix3f,)}
 
     soft_iron_uncertainty: types.Matrix3f
@@ -2624,24 +2038,6 @@ class MagMatrixUncertainty(Data):
     ) -> None:
         self.soft_iron_uncertainty = codec.vector(soft_iron_uncertainty, types.Matrix3f)
         self.valid_flags = valid_flags
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagMatrixUncertainty, int]:
-        v = _MAG_MATRIX_UNCERTAINTY_0.read(raw, at)
-        at += 38
-        soft_iron_uncertainty = types.Matrix3f._make(v[0:9])
-        valid_flags = ValidFlags(v[9])
-        return cls(soft_iron_uncertainty, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _MAG_MATRIX_UNCERTAINTY_0.write(
-            *codec.elements("soft_iron_uncertainty", self.soft_iron_uncertainty, 9),
-            self.valid_flags,
-        )
-        return codec.finished(out)
-
-
-_MAG_COVARIANCE_MATRIX_0 = codec.Block("fffffffffH", *["covariance"] * 9, "valid_flags")
 
 
 class MagCovarianceMatrix(Data):
@@ -2664,6 +2060,7 @@ class MagCovarianceMatrix(Data):
     NAME = "filter_data.mag_covariance_matrix"
     ROLE = "data"
     _LAYOUT = (("covariance", "fffffffff", types.Matrix3f), ("valid_flags", "H", ValidFlags))
+
     _VECTORS = {"covariance": (types.Matrix3f,)}
 
     covariance: types.Matrix3f
@@ -2677,23 +2074,6 @@ class MagCovarianceMatrix(Data):
     def __init__(self, covariance: types.Matrix3f | codec.Rows, valid_flags: ValidFlags) -> None:
         self.covariance = codec.vector(covariance, types.Matrix3f)
         self.valid_flags = valid_flags
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagCovarianceMatrix, int]:
-        v = _MAG_COVARIANCE_MATRIX_0.read(raw, at)
-        at += 38
-        covariance = types.Matrix3f._make(v[0:9])
-        valid_flags = ValidFlags(v[9])
-        return cls(covariance, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _MAG_COVARIANCE_MATRIX_0.write(
-            *codec.elements("covariance", self.covariance, 9), self.valid_flags
-        )
-        return codec.finished(out)
-
-
-_MAG_RESIDUAL_VECTOR_0 = codec.Block("fffH", *["residual"] * 3, "valid_flags")
 
 
 class MagResidualVector(Data):
@@ -2716,6 +2096,7 @@ class MagResidualVector(Data):
     NAME = "filter_data.mag_residual_vector"
     ROLE = "data"
     _LAYOUT = (("residual", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
+
     _VECTORS = {"residual": (types.Vector3f,)}
 
     residual: types.Vector3f
@@ -2728,23 +2109,6 @@ class MagResidualVector(Data):
     def __init__(self, residual: types.Vector3f | codec.Numbers, valid_flags: ValidFlags) -> None:
         self.residual = codec.vector(residual, types.Vector3f)
         self.valid_flags = valid_flags
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagResidualVector, int]:
-        v = _MAG_RESIDUAL_VECTOR_0.read(raw, at)
-        at += 14
-        residual = types.Vector3f._make(v[0:3])
-        valid_flags = ValidFlags(v[3])
-        return cls(residual, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _MAG_RESIDUAL_VECTOR_0.write(
-            *codec.elements("residual", self.residual, 3), self.valid_flags
-        )
-        return codec.finished(out)
-
-
-_ANTENNA_OFFSET_CORRECTION_0 = codec.Block("fffH", *["offset"] * 3, "valid_flags")
 
 
 class AntennaOffsetCorrection(Data):
@@ -2770,6 +2134,7 @@ class AntennaOffsetCorrection(Data):
     NAME = "filter_data.antenna_offset_correction"
     ROLE = "data"
     _LAYOUT = (("offset", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
+
     _VECTORS = {"offset": (types.Vector3f,)}
 
     offset: types.Vector3f
@@ -2782,25 +2147,6 @@ class AntennaOffsetCorrection(Data):
     def __init__(self, offset: types.Vector3f | codec.Numbers, valid_flags: ValidFlags) -> None:
         self.offset = codec.vector(offset, types.Vector3f)
         self.valid_flags = valid_flags
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AntennaOffsetCorrection, int]:
-        v = _ANTENNA_OFFSET_CORRECTION_0.read(raw, at)
-        at += 14
-        offset = types.Vector3f._make(v[0:3])
-        valid_flags = ValidFlags(v[3])
-        return cls(offset, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _ANTENNA_OFFSET_CORRECTION_0.write(
-            *codec.elements("offset", self.offset, 3), self.valid_flags
-        )
-        return codec.finished(out)
-
-
-_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_0 = codec.Block(
-    "fffH", *["offset_uncertainty"] * 3, "valid_flags"
-)
 
 
 class AntennaOffsetCorrectionUncertainty(Data):
@@ -2823,6 +2169,7 @@ class AntennaOffsetCorrectionUncertainty(Data):
     NAME = "filter_data.antenna_offset_correction_uncertainty"
     ROLE = "data"
     _LAYOUT = (("offset_uncertainty", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
+
     _VECTORS = {"offset_uncertainty": (types.Vector3f,)}
 
     offset_uncertainty: types.Vector3f
@@ -2837,23 +2184,6 @@ class AntennaOffsetCorrectionUncertainty(Data):
     ) -> None:
         self.offset_uncertainty = codec.vector(offset_uncertainty, types.Vector3f)
         self.valid_flags = valid_flags
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AntennaOffsetCorrectionUncertainty, int]:
-        v = _ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_0.read(raw, at)
-        at += 14
-        offset_uncertainty = types.Vector3f._make(v[0:3])
-        valid_flags = ValidFlags(v[3])
-        return cls(offset_uncertainty, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_0.write(
-            *codec.elements("offset_uncertainty", self.offset_uncertainty, 3), self.valid_flags
-        )
-        return codec.finished(out)
-
-
-_CLOCK_CORRECTION_0 = codec.Block("BffH", "receiver_id", "bias", "bias_drift", "valid_flags")
 
 
 class ClockCorrection(Data):
@@ -2898,27 +2228,6 @@ class ClockCorrection(Data):
         self.bias = bias
         self.bias_drift = bias_drift
         self.valid_flags = valid_flags
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ClockCorrection, int]:
-        v = _CLOCK_CORRECTION_0.read(raw, at)
-        at += 11
-        receiver_id = v[0]
-        bias = v[1]
-        bias_drift = v[2]
-        valid_flags = ValidFlags(v[3])
-        return cls(receiver_id, bias, bias_drift, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _CLOCK_CORRECTION_0.write(
-            self.receiver_id, self.bias, self.bias_drift, self.valid_flags
-        )
-        return codec.finished(out)
-
-
-_CLOCK_CORRECTION_UNCERTAINTY_0 = codec.Block(
-    "BffH", "receiver_id", "bias_uncertainty", "bias_drift_uncertainty", "valid_flags"
-)
 
 
 class ClockCorrectionUncertainty(Data):
@@ -2971,27 +2280,6 @@ class ClockCorrectionUncertainty(Data):
         self.bias_drift_uncertainty = bias_drift_uncertainty
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ClockCorrectionUncertainty, int]:
-        v = _CLOCK_CORRECTION_UNCERTAINTY_0.read(raw, at)
-        at += 11
-        receiver_id = v[0]
-        bias_uncertainty = v[1]
-        bias_drift_uncertainty = v[2]
-        valid_flags = ValidFlags(v[3])
-        return cls(receiver_id, bias_uncertainty, bias_drift_uncertainty, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _CLOCK_CORRECTION_UNCERTAINTY_0.write(
-            self.receiver_id, self.bias_uncertainty, self.bias_drift_uncertainty, self.valid_flags
-        )
-        return codec.finished(out)
-
-
-_MULTI_ANTENNA_OFFSET_CORRECTION_0 = codec.Block(
-    "BfffH", "receiver_id", *["offset"] * 3, "valid_flags"
-)
-
 
 class MultiAntennaOffsetCorrection(Data):
     """Multi-antenna offset correction (0x82,0x34).
@@ -3020,6 +2308,7 @@ class MultiAntennaOffsetCorrection(Data):
         ("offset", "fff", types.Vector3f),
         ("valid_flags", "H", ValidFlags),
     )
+
     _VECTORS = {"offset": (types.Vector3f,)}
 
     receiver_id: int
@@ -3037,26 +2326,6 @@ class MultiAntennaOffsetCorrection(Data):
         self.receiver_id = receiver_id
         self.offset = codec.vector(offset, types.Vector3f)
         self.valid_flags = valid_flags
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MultiAntennaOffsetCorrection, int]:
-        v = _MULTI_ANTENNA_OFFSET_CORRECTION_0.read(raw, at)
-        at += 15
-        receiver_id = v[0]
-        offset = types.Vector3f._make(v[1:4])
-        valid_flags = ValidFlags(v[4])
-        return cls(receiver_id, offset, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _MULTI_ANTENNA_OFFSET_CORRECTION_0.write(
-            self.receiver_id, *codec.elements("offset", self.offset, 3), self.valid_flags
-        )
-        return codec.finished(out)
-
-
-_MULTI_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_0 = codec.Block(
-    "BfffH", "receiver_id", *["offset_uncertainty"] * 3, "valid_flags"
-)
 
 
 class MultiAntennaOffsetCorrectionUncertainty(Data):
@@ -3083,6 +2352,7 @@ class MultiAntennaOffsetCorrectionUncertainty(Data):
         ("offset_uncertainty", "fff", types.Vector3f),
         ("valid_flags", "H", ValidFlags),
     )
+
     _VECTORS = {"offset_uncertainty": (types.Vector3f,)}
 
     receiver_id: int
@@ -3103,26 +2373,6 @@ class MultiAntennaOffsetCorrectionUncertainty(Data):
         self.receiver_id = receiver_id
         self.offset_uncertainty = codec.vector(offset_uncertainty, types.Vector3f)
         self.valid_flags = valid_flags
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MultiAntennaOffsetCorrectionUncertainty, int]:
-        v = _MULTI_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_0.read(raw, at)
-        at += 15
-        receiver_id = v[0]
-        offset_uncertainty = types.Vector3f._make(v[1:4])
-        valid_flags = ValidFlags(v[4])
-        return cls(receiver_id, offset_uncertainty, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _MULTI_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_0.write(
-            self.receiver_id,
-            *codec.elements("offset_uncertainty", self.offset_uncertainty, 3),
-            self.valid_flags,
-        )
-        return codec.finished(out)
-
-
-_ECEF_POSITION_UNCERTAINTY_0 = codec.Block("fffH", *["position_uncertainty"] * 3, "valid_flags")
 
 
 class EcefPositionUncertainty(Data):
@@ -3146,6 +2396,7 @@ class EcefPositionUncertainty(Data):
     NAME = "filter_data.ecef_position_uncertainty"
     ROLE = "data"
     _LAYOUT = (("position_uncertainty", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
+
     _VECTORS = {"position_uncertainty": (types.Vector3f,)}
 
     position_uncertainty: types.Vector3f
@@ -3160,23 +2411,6 @@ class EcefPositionUncertainty(Data):
     ) -> None:
         self.position_uncertainty = codec.vector(position_uncertainty, types.Vector3f)
         self.valid_flags = valid_flags
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EcefPositionUncertainty, int]:
-        v = _ECEF_POSITION_UNCERTAINTY_0.read(raw, at)
-        at += 14
-        position_uncertainty = types.Vector3f._make(v[0:3])
-        valid_flags = ValidFlags(v[3])
-        return cls(position_uncertainty, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _ECEF_POSITION_UNCERTAINTY_0.write(
-            *codec.elements("position_uncertainty", self.position_uncertainty, 3), self.valid_flags
-        )
-        return codec.finished(out)
-
-
-_ECEF_VELOCITY_UNCERTAINTY_0 = codec.Block("fffH", *["velocity_uncertainty"] * 3, "valid_flags")
 
 
 class EcefVelocityUncertainty(Data):
@@ -3200,6 +2434,7 @@ class EcefVelocityUncertainty(Data):
     NAME = "filter_data.ecef_velocity_uncertainty"
     ROLE = "data"
     _LAYOUT = (("velocity_uncertainty", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
+
     _VECTORS = {"velocity_uncertainty": (types.Vector3f,)}
 
     velocity_uncertainty: types.Vector3f
@@ -3214,23 +2449,6 @@ class EcefVelocityUncertainty(Data):
     ) -> None:
         self.velocity_uncertainty = codec.vector(velocity_uncertainty, types.Vector3f)
         self.valid_flags = valid_flags
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EcefVelocityUncertainty, int]:
-        v = _ECEF_VELOCITY_UNCERTAINTY_0.read(raw, at)
-        at += 14
-        velocity_uncertainty = types.Vector3f._make(v[0:3])
-        valid_flags = ValidFlags(v[3])
-        return cls(velocity_uncertainty, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _ECEF_VELOCITY_UNCERTAINTY_0.write(
-            *codec.elements("velocity_uncertainty", self.velocity_uncertainty, 3), self.valid_flags
-        )
-        return codec.finished(out)
-
-
-_ECEF_POSITION_0 = codec.Block("dddH", *["position"] * 3, "valid_flags")
 
 
 class EcefPosition(Data):
@@ -3256,6 +2474,7 @@ class EcefPosition(Data):
     NAME = "filter_data.ecef_position"
     ROLE = "data"
     _LAYOUT = (("position", "ddd", types.Vector3d), ("valid_flags", "H", ValidFlags))
+
     _VECTORS = {"position": (types.Vector3d,)}
 
     position: types.Vector3d
@@ -3268,23 +2487,6 @@ class EcefPosition(Data):
     def __init__(self, position: types.Vector3d | codec.Numbers, valid_flags: ValidFlags) -> None:
         self.position = codec.vector(position, types.Vector3d)
         self.valid_flags = valid_flags
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EcefPosition, int]:
-        v = _ECEF_POSITION_0.read(raw, at)
-        at += 26
-        position = types.Vector3d._make(v[0:3])
-        valid_flags = ValidFlags(v[3])
-        return cls(position, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _ECEF_POSITION_0.write(
-            *codec.elements("position", self.position, 3), self.valid_flags
-        )
-        return codec.finished(out)
-
-
-_ECEF_VELOCITY_0 = codec.Block("fffH", *["velocity"] * 3, "valid_flags")
 
 
 class EcefVelocity(Data):
@@ -3312,6 +2514,7 @@ class EcefVelocity(Data):
     NAME = "filter_data.ecef_velocity"
     ROLE = "data"
     _LAYOUT = (("velocity", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
+
     _VECTORS = {"velocity": (types.Vector3f,)}
 
     velocity: types.Vector3f
@@ -3324,23 +2527,6 @@ class EcefVelocity(Data):
     def __init__(self, velocity: types.Vector3f | codec.Numbers, valid_flags: ValidFlags) -> None:
         self.velocity = codec.vector(velocity, types.Vector3f)
         self.valid_flags = valid_flags
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EcefVelocity, int]:
-        v = _ECEF_VELOCITY_0.read(raw, at)
-        at += 14
-        velocity = types.Vector3f._make(v[0:3])
-        valid_flags = ValidFlags(v[3])
-        return cls(velocity, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _ECEF_VELOCITY_0.write(
-            *codec.elements("velocity", self.velocity, 3), self.valid_flags
-        )
-        return codec.finished(out)
-
-
-_NED_RELATIVE_POSITION_0 = codec.Block("dddH", *["relative_position"] * 3, "valid_flags")
 
 
 class NedRelativePosition(Data):
@@ -3365,6 +2551,7 @@ class NedRelativePosition(Data):
     NAME = "filter_data.ned_relative_position"
     ROLE = "data"
     _LAYOUT = (("relative_position", "ddd", types.Ned3d), ("valid_flags", "H", ValidFlags))
+
     _VECTORS = {"relative_position": (types.Ned3d,)}
 
     relative_position: types.Ned3d
@@ -3379,25 +2566,6 @@ class NedRelativePosition(Data):
     ) -> None:
         self.relative_position = codec.vector(relative_position, types.Ned3d)
         self.valid_flags = valid_flags
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[NedRelativePosition, int]:
-        v = _NED_RELATIVE_POSITION_0.read(raw, at)
-        at += 26
-        relative_position = types.Ned3d._make(v[0:3])
-        valid_flags = ValidFlags(v[3])
-        return cls(relative_position, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _NED_RELATIVE_POSITION_0.write(
-            *codec.elements("relative_position", self.relative_position, 3), self.valid_flags
-        )
-        return codec.finished(out)
-
-
-_GNSS_POSITION_AIDING_STATUS_0 = codec.Block(
-    "BfHBBBBBBBB", "receiver_id", "tow", "status", *["reserved"] * 8
-)
 
 
 class GnssPositionAidingStatus(Data):
@@ -3450,25 +2618,6 @@ class GnssPositionAidingStatus(Data):
         self.status = status
         self.reserved = codec.several(reserved)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssPositionAidingStatus, int]:
-        v = _GNSS_POSITION_AIDING_STATUS_0.read(raw, at)
-        at += 15
-        receiver_id = v[0]
-        tow = v[1]
-        status = GnssAidingStatus(v[2])
-        reserved = v[3:11]
-        return cls(receiver_id, tow, status, reserved), at
-
-    def _write(self) -> bytes:
-        out = _GNSS_POSITION_AIDING_STATUS_0.write(
-            self.receiver_id, self.tow, self.status, *codec.exactly("reserved", self.reserved, 8)
-        )
-        return codec.finished(out)
-
-
-_GNSS_ATTITUDE_AIDING_STATUS_0 = codec.Block("fHBBBBBBBB", "tow", "status", *["reserved"] * 8)
-
 
 class GnssAttitudeAidingStatus(Data):
     """GNSS attitude aiding status (0x82,0x44).
@@ -3513,24 +2662,6 @@ class GnssAttitudeAidingStatus(Data):
         self.status = status
         self.reserved = codec.several(reserved)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssAttitudeAidingStatus, int]:
-        v = _GNSS_ATTITUDE_AIDING_STATUS_0.read(raw, at)
-        at += 14
-        tow = v[0]
-        status = GnssAidingStatus(v[1])
-        reserved = v[2:10]
-        return cls(tow, status, reserved), at
-
-    def _write(self) -> bytes:
-        out = _GNSS_ATTITUDE_AIDING_STATUS_0.write(
-            self.tow, self.status, *codec.exactly("reserved", self.reserved, 8)
-        )
-        return codec.finished(out)
-
-
-_HEADING_AIDING_STATUS_0 = codec.Block("fBff", "tow", "type", *["reserved"] * 2)
-
 
 class HeadingAidingStatus(Data):
     """Heading aiding status (0x82,0x45).
@@ -3570,24 +2701,6 @@ class HeadingAidingStatus(Data):
         self.tow = tow
         self.type = type
         self.reserved = codec.several(reserved)
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[HeadingAidingStatus, int]:
-        v = _HEADING_AIDING_STATUS_0.read(raw, at)
-        at += 13
-        tow = v[0]
-        type = HeadingAidingType(v[1])
-        reserved = v[2:4]
-        return cls(tow, type, reserved), at
-
-    def _write(self) -> bytes:
-        out = _HEADING_AIDING_STATUS_0.write(
-            self.tow, self.type, *codec.exactly("reserved", self.reserved, 2)
-        )
-        return codec.finished(out)
-
-
-_AIDING_MEASUREMENT_SUMMARY_0 = codec.Block("fBBB", "tow", "source", "type", "indicator")
 
 
 class AidingMeasurementSummary(Data):
@@ -3639,23 +2752,6 @@ class AidingMeasurementSummary(Data):
         self.type = type
         self.indicator = indicator
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AidingMeasurementSummary, int]:
-        v = _AIDING_MEASUREMENT_SUMMARY_0.read(raw, at)
-        at += 7
-        tow = v[0]
-        source = v[1]
-        type = AidingMeasurementType(v[2])
-        indicator = AidingMeasurementIndicator(v[3])
-        return cls(tow, source, type, indicator), at
-
-    def _write(self) -> bytes:
-        out = _AIDING_MEASUREMENT_SUMMARY_0.write(self.tow, self.source, self.type, self.indicator)
-        return codec.finished(out)
-
-
-_ODOMETER_SCALE_FACTOR_ERROR_0 = codec.Block("fH", "scale_factor_error", "valid_flags")
-
 
 class OdometerScaleFactorError(Data):
     """Odometer scale factor error (0x82,0x47).
@@ -3689,23 +2785,6 @@ class OdometerScaleFactorError(Data):
         self.scale_factor_error = scale_factor_error
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[OdometerScaleFactorError, int]:
-        v = _ODOMETER_SCALE_FACTOR_ERROR_0.read(raw, at)
-        at += 6
-        scale_factor_error = v[0]
-        valid_flags = ValidFlags(v[1])
-        return cls(scale_factor_error, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _ODOMETER_SCALE_FACTOR_ERROR_0.write(self.scale_factor_error, self.valid_flags)
-        return codec.finished(out)
-
-
-_ODOMETER_SCALE_FACTOR_ERROR_UNCERTAINTY_0 = codec.Block(
-    "fH", "scale_factor_error_uncertainty", "valid_flags"
-)
-
 
 class OdometerScaleFactorErrorUncertainty(Data):
     """Odometer scale factor error uncertainty (0x82,0x48).
@@ -3737,25 +2816,6 @@ class OdometerScaleFactorErrorUncertainty(Data):
     def __init__(self, scale_factor_error_uncertainty: float, valid_flags: ValidFlags) -> None:
         self.scale_factor_error_uncertainty = scale_factor_error_uncertainty
         self.valid_flags = valid_flags
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[OdometerScaleFactorErrorUncertainty, int]:
-        v = _ODOMETER_SCALE_FACTOR_ERROR_UNCERTAINTY_0.read(raw, at)
-        at += 6
-        scale_factor_error_uncertainty = v[0]
-        valid_flags = ValidFlags(v[1])
-        return cls(scale_factor_error_uncertainty, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _ODOMETER_SCALE_FACTOR_ERROR_UNCERTAINTY_0.write(
-            self.scale_factor_error_uncertainty, self.valid_flags
-        )
-        return codec.finished(out)
-
-
-_GNSS_DUAL_ANTENNA_STATUS_0 = codec.Block(
-    "fffBHH", "tow", "heading", "heading_uncertainty", "fix_type", "status_flags", "valid_flags"
-)
 
 
 class GnssDualAntennaStatus(Data):
@@ -3830,34 +2890,6 @@ class GnssDualAntennaStatus(Data):
         self.status_flags = status_flags
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssDualAntennaStatus, int]:
-        v = _GNSS_DUAL_ANTENNA_STATUS_0.read(raw, at)
-        at += 17
-        tow = v[0]
-        heading = v[1]
-        heading_uncertainty = v[2]
-        fix_type = DualAntennaFixType(v[3])
-        status_flags = DualAntennaStatusFlags(v[4])
-        valid_flags = ValidFlags(v[5])
-        return cls(tow, heading, heading_uncertainty, fix_type, status_flags, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _GNSS_DUAL_ANTENNA_STATUS_0.write(
-            self.tow,
-            self.heading,
-            self.heading_uncertainty,
-            self.fix_type,
-            self.status_flags,
-            self.valid_flags,
-        )
-        return codec.finished(out)
-
-
-_AIDING_FRAME_CONFIG_ERROR_0 = codec.Block(
-    "Bfffffff", "frame_id", *["translation"] * 3, *["attitude"] * 4
-)
-
 
 class AidingFrameConfigError(Data):
     """Aiding frame configuration error (0x82,0x50).
@@ -3883,6 +2915,7 @@ class AidingFrameConfigError(Data):
         ("translation", "fff", types.Vector3f),
         ("attitude", "ffff", types.Quatf),
     )
+
     _VECTORS = {"translation": (types.Vector3f,), "attitude": (types.Quatf,)}
 
     frame_id: int
@@ -3901,28 +2934,6 @@ class AidingFrameConfigError(Data):
         self.frame_id = frame_id
         self.translation = codec.vector(translation, types.Vector3f)
         self.attitude = codec.vector(attitude, types.Quatf)
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AidingFrameConfigError, int]:
-        v = _AIDING_FRAME_CONFIG_ERROR_0.read(raw, at)
-        at += 29
-        frame_id = v[0]
-        translation = types.Vector3f._make(v[1:4])
-        attitude = types.Quatf._make(v[4:8])
-        return cls(frame_id, translation, attitude), at
-
-    def _write(self) -> bytes:
-        out = _AIDING_FRAME_CONFIG_ERROR_0.write(
-            self.frame_id,
-            *codec.elements("translation", self.translation, 3),
-            *codec.elements("attitude", self.attitude, 4),
-        )
-        return codec.finished(out)
-
-
-_AIDING_FRAME_CONFIG_ERROR_UNCERTAINTY_0 = codec.Block(
-    "Bffffff", "frame_id", *["translation_uncertainty"] * 3, *["attitude_uncertainty"] * 3
-)
 
 
 class AidingFrameConfigErrorUncertainty(Data):
@@ -3949,6 +2960,7 @@ class AidingFrameConfigErrorUncertainty(Data):
         ("translation_uncertainty", "fff", types.Vector3f),
         ("attitude_uncertainty", "fff", types.Vector3f),
     )
+
     _VECTORS = {
         "translation_uncertainty": (types.Vector3f,),
         "attitude_uncertainty": (types.Vector3f,),
@@ -3973,23 +2985,6 @@ class AidingFrameConfigErrorUncertainty(Data):
         self.frame_id = frame_id
         self.translation_uncertainty = codec.vector(translation_uncertainty, types.Vector3f)
         self.attitude_uncertainty = codec.vector(attitude_uncertainty, types.Vector3f)
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AidingFrameConfigErrorUncertainty, int]:
-        v = _AIDING_FRAME_CONFIG_ERROR_UNCERTAINTY_0.read(raw, at)
-        at += 25
-        frame_id = v[0]
-        translation_uncertainty = types.Vector3f._make(v[1:4])
-        attitude_uncertainty = types.Vector3f._make(v[4:7])
-        return cls(frame_id, translation_uncertainty, attitude_uncertainty), at
-
-    def _write(self) -> bytes:
-        out = _AIDING_FRAME_CONFIG_ERROR_UNCERTAINTY_0.write(
-            self.frame_id,
-            *codec.elements("translation_uncertainty", self.translation_uncertainty, 3),
-            *codec.elements("attitude_uncertainty", self.attitude_uncertainty, 3),
-        )
-        return codec.finished(out)
 
 
 #: The types of each descriptor; several if constants or the size of the data distinguish layouts.

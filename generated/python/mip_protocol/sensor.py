@@ -49,9 +49,6 @@ class OdometerFlags(IntFlag):
     """Set if an odometer is configured; its values are then valid. Bit 0."""
 
 
-_RAW_ACCEL_0 = codec.Block("fff", *["raw_accel"] * 3)
-
-
 class RawAccel(Data):
     """Raw accel (0x80,0x01).
 
@@ -73,6 +70,7 @@ class RawAccel(Data):
     NAME = "sensor.raw_accel"
     ROLE = "data"
     _LAYOUT = (("raw_accel", "fff", types.Vector3f),)
+
     _VECTORS = {"raw_accel": (types.Vector3f,)}
 
     raw_accel: types.Vector3f
@@ -80,20 +78,6 @@ class RawAccel(Data):
 
     def __init__(self, raw_accel: types.Vector3f | codec.Numbers) -> None:
         self.raw_accel = codec.vector(raw_accel, types.Vector3f)
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[RawAccel, int]:
-        v = _RAW_ACCEL_0.read(raw, at)
-        at += 12
-        raw_accel = types.Vector3f._make(v[0:3])
-        return cls(raw_accel), at
-
-    def _write(self) -> bytes:
-        out = _RAW_ACCEL_0.write(*codec.elements("raw_accel", self.raw_accel, 3))
-        return codec.finished(out)
-
-
-_RAW_GYRO_0 = codec.Block("fff", *["raw_gyro"] * 3)
 
 
 class RawGyro(Data):
@@ -117,6 +101,7 @@ class RawGyro(Data):
     NAME = "sensor.raw_gyro"
     ROLE = "data"
     _LAYOUT = (("raw_gyro", "fff", types.Vector3f),)
+
     _VECTORS = {"raw_gyro": (types.Vector3f,)}
 
     raw_gyro: types.Vector3f
@@ -124,20 +109,6 @@ class RawGyro(Data):
 
     def __init__(self, raw_gyro: types.Vector3f | codec.Numbers) -> None:
         self.raw_gyro = codec.vector(raw_gyro, types.Vector3f)
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[RawGyro, int]:
-        v = _RAW_GYRO_0.read(raw, at)
-        at += 12
-        raw_gyro = types.Vector3f._make(v[0:3])
-        return cls(raw_gyro), at
-
-    def _write(self) -> bytes:
-        out = _RAW_GYRO_0.write(*codec.elements("raw_gyro", self.raw_gyro, 3))
-        return codec.finished(out)
-
-
-_RAW_MAG_0 = codec.Block("fff", *["raw_mag"] * 3)
 
 
 class RawMag(Data):
@@ -160,6 +131,7 @@ class RawMag(Data):
     NAME = "sensor.raw_mag"
     ROLE = "data"
     _LAYOUT = (("raw_mag", "fff", types.Vector3f),)
+
     _VECTORS = {"raw_mag": (types.Vector3f,)}
 
     raw_mag: types.Vector3f
@@ -170,20 +142,6 @@ class RawMag(Data):
 
     def __init__(self, raw_mag: types.Vector3f | codec.Numbers) -> None:
         self.raw_mag = codec.vector(raw_mag, types.Vector3f)
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[RawMag, int]:
-        v = _RAW_MAG_0.read(raw, at)
-        at += 12
-        raw_mag = types.Vector3f._make(v[0:3])
-        return cls(raw_mag), at
-
-    def _write(self) -> bytes:
-        out = _RAW_MAG_0.write(*codec.elements("raw_mag", self.raw_mag, 3))
-        return codec.finished(out)
-
-
-_SCALED_ACCEL_0 = codec.Block("fff", *["scaled_accel"] * 3)
 
 
 class ScaledAccel(Data):
@@ -240,6 +198,7 @@ class ScaledAccel(Data):
     NAME = "sensor.scaled_accel"
     ROLE = "data"
     _LAYOUT = (("scaled_accel", "fff", types.Vector3f),)
+
     _VECTORS = {"scaled_accel": (types.Vector3f,)}
 
     scaled_accel: types.Vector3f
@@ -249,20 +208,6 @@ class ScaledAccel(Data):
 
     def __init__(self, scaled_accel: types.Vector3f | codec.Numbers) -> None:
         self.scaled_accel = codec.vector(scaled_accel, types.Vector3f)
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ScaledAccel, int]:
-        v = _SCALED_ACCEL_0.read(raw, at)
-        at += 12
-        scaled_accel = types.Vector3f._make(v[0:3])
-        return cls(scaled_accel), at
-
-    def _write(self) -> bytes:
-        out = _SCALED_ACCEL_0.write(*codec.elements("scaled_accel", self.scaled_accel, 3))
-        return codec.finished(out)
-
-
-_SCALED_GYRO_0 = codec.Block("fff", *["scaled_gyro"] * 3)
 
 
 class ScaledGyro(Data):
@@ -316,6 +261,7 @@ class ScaledGyro(Data):
     NAME = "sensor.scaled_gyro"
     ROLE = "data"
     _LAYOUT = (("scaled_gyro", "fff", types.Vector3f),)
+
     _VECTORS = {"scaled_gyro": (types.Vector3f,)}
 
     scaled_gyro: types.Vector3f
@@ -325,20 +271,6 @@ class ScaledGyro(Data):
 
     def __init__(self, scaled_gyro: types.Vector3f | codec.Numbers) -> None:
         self.scaled_gyro = codec.vector(scaled_gyro, types.Vector3f)
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ScaledGyro, int]:
-        v = _SCALED_GYRO_0.read(raw, at)
-        at += 12
-        scaled_gyro = types.Vector3f._make(v[0:3])
-        return cls(scaled_gyro), at
-
-    def _write(self) -> bytes:
-        out = _SCALED_GYRO_0.write(*codec.elements("scaled_gyro", self.scaled_gyro, 3))
-        return codec.finished(out)
-
-
-_SCALED_MAG_0 = codec.Block("fff", *["scaled_mag"] * 3)
 
 
 class ScaledMag(Data):
@@ -390,6 +322,7 @@ class ScaledMag(Data):
     NAME = "sensor.scaled_mag"
     ROLE = "data"
     _LAYOUT = (("scaled_mag", "fff", types.Vector3f),)
+
     _VECTORS = {"scaled_mag": (types.Vector3f,)}
 
     scaled_mag: types.Vector3f
@@ -397,20 +330,6 @@ class ScaledMag(Data):
 
     def __init__(self, scaled_mag: types.Vector3f | codec.Numbers) -> None:
         self.scaled_mag = codec.vector(scaled_mag, types.Vector3f)
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ScaledMag, int]:
-        v = _SCALED_MAG_0.read(raw, at)
-        at += 12
-        scaled_mag = types.Vector3f._make(v[0:3])
-        return cls(scaled_mag), at
-
-    def _write(self) -> bytes:
-        out = _SCALED_MAG_0.write(*codec.elements("scaled_mag", self.scaled_mag, 3))
-        return codec.finished(out)
-
-
-_DELTA_THETA_0 = codec.Block("fff", *["delta_theta"] * 3)
 
 
 class DeltaTheta(Data):
@@ -443,6 +362,7 @@ class DeltaTheta(Data):
     NAME = "sensor.delta_theta"
     ROLE = "data"
     _LAYOUT = (("delta_theta", "fff", types.Vector3f),)
+
     _VECTORS = {"delta_theta": (types.Vector3f,)}
 
     delta_theta: types.Vector3f
@@ -452,20 +372,6 @@ class DeltaTheta(Data):
 
     def __init__(self, delta_theta: types.Vector3f | codec.Numbers) -> None:
         self.delta_theta = codec.vector(delta_theta, types.Vector3f)
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[DeltaTheta, int]:
-        v = _DELTA_THETA_0.read(raw, at)
-        at += 12
-        delta_theta = types.Vector3f._make(v[0:3])
-        return cls(delta_theta), at
-
-    def _write(self) -> bytes:
-        out = _DELTA_THETA_0.write(*codec.elements("delta_theta", self.delta_theta, 3))
-        return codec.finished(out)
-
-
-_DELTA_VELOCITY_0 = codec.Block("fff", *["delta_velocity"] * 3)
 
 
 class DeltaVelocity(Data):
@@ -501,6 +407,7 @@ class DeltaVelocity(Data):
     NAME = "sensor.delta_velocity"
     ROLE = "data"
     _LAYOUT = (("delta_velocity", "fff", types.Vector3f),)
+
     _VECTORS = {"delta_velocity": (types.Vector3f,)}
 
     delta_velocity: types.Vector3f
@@ -510,20 +417,6 @@ class DeltaVelocity(Data):
 
     def __init__(self, delta_velocity: types.Vector3f | codec.Numbers) -> None:
         self.delta_velocity = codec.vector(delta_velocity, types.Vector3f)
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[DeltaVelocity, int]:
-        v = _DELTA_VELOCITY_0.read(raw, at)
-        at += 12
-        delta_velocity = types.Vector3f._make(v[0:3])
-        return cls(delta_velocity), at
-
-    def _write(self) -> bytes:
-        out = _DELTA_VELOCITY_0.write(*codec.elements("delta_velocity", self.delta_velocity, 3))
-        return codec.finished(out)
-
-
-_COMP_ORIENTATION_MATRIX_0 = codec.Block("fffffffff", *["m"] * 9)
 
 
 class CompOrientationMatrix(Data):
@@ -554,6 +447,7 @@ class CompOrientationMatrix(Data):
     NAME = "sensor.comp_orientation_matrix"
     ROLE = "data"
     _LAYOUT = (("m", "fffffffff", types.Matrix3f),)
+
     _VECTORS = {"m": (types.Matrix3f,)}
 
     m: types.Matrix3f
@@ -565,20 +459,6 @@ class CompOrientationMatrix(Data):
 
     def __init__(self, m: types.Matrix3f | codec.Rows) -> None:
         self.m = codec.vector(m, types.Matrix3f)
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[CompOrientationMatrix, int]:
-        v = _COMP_ORIENTATION_MATRIX_0.read(raw, at)
-        at += 36
-        m = types.Matrix3f._make(v[0:9])
-        return cls(m), at
-
-    def _write(self) -> bytes:
-        out = _COMP_ORIENTATION_MATRIX_0.write(*codec.elements("m", self.m, 9))
-        return codec.finished(out)
-
-
-_COMP_QUATERNION_0 = codec.Block("ffff", *["q"] * 4)
 
 
 class CompQuaternion(Data):
@@ -610,6 +490,7 @@ class CompQuaternion(Data):
     NAME = "sensor.comp_quaternion"
     ROLE = "data"
     _LAYOUT = (("q", "ffff", types.Quatf),)
+
     _VECTORS = {"q": (types.Quatf,)}
 
     q: types.Quatf
@@ -621,20 +502,6 @@ class CompQuaternion(Data):
 
     def __init__(self, q: types.Quatf | codec.Numbers) -> None:
         self.q = codec.vector(q, types.Quatf)
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[CompQuaternion, int]:
-        v = _COMP_QUATERNION_0.read(raw, at)
-        at += 16
-        q = types.Quatf._make(v[0:4])
-        return cls(q), at
-
-    def _write(self) -> bytes:
-        out = _COMP_QUATERNION_0.write(*codec.elements("q", self.q, 4))
-        return codec.finished(out)
-
-
-_COMP_ORIENTATION_UPDATE_MATRIX_0 = codec.Block("fffffffff", *["m"] * 9)
 
 
 class CompOrientationUpdateMatrix(Data):
@@ -661,6 +528,7 @@ class CompOrientationUpdateMatrix(Data):
     NAME = "sensor.comp_orientation_update_matrix"
     ROLE = "data"
     _LAYOUT = (("m", "fffffffff", types.Matrix3f),)
+
     _VECTORS = {"m": (types.Matrix3f,)}
 
     m: types.Matrix3f
@@ -668,20 +536,6 @@ class CompOrientationUpdateMatrix(Data):
 
     def __init__(self, m: types.Matrix3f | codec.Rows) -> None:
         self.m = codec.vector(m, types.Matrix3f)
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[CompOrientationUpdateMatrix, int]:
-        v = _COMP_ORIENTATION_UPDATE_MATRIX_0.read(raw, at)
-        at += 36
-        m = types.Matrix3f._make(v[0:9])
-        return cls(m), at
-
-    def _write(self) -> bytes:
-        out = _COMP_ORIENTATION_UPDATE_MATRIX_0.write(*codec.elements("m", self.m, 9))
-        return codec.finished(out)
-
-
-_COMP_EULER_ANGLES_0 = codec.Block("fff", "roll", "pitch", "yaw")
 
 
 class CompEulerAngles(Data):
@@ -732,22 +586,6 @@ class CompEulerAngles(Data):
         self.pitch = pitch
         self.yaw = yaw
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[CompEulerAngles, int]:
-        v = _COMP_EULER_ANGLES_0.read(raw, at)
-        at += 12
-        roll = v[0]
-        pitch = v[1]
-        yaw = v[2]
-        return cls(roll, pitch, yaw), at
-
-    def _write(self) -> bytes:
-        out = _COMP_EULER_ANGLES_0.write(self.roll, self.pitch, self.yaw)
-        return codec.finished(out)
-
-
-_ORIENTATION_RAW_TEMPERATURE_0 = codec.Block("HHHH", *["raw_temperature"] * 4)
-
 
 class OrientationRawTemperature(Data):
     """Orientation raw temperatures (0x80,0x0D).
@@ -782,22 +620,6 @@ class OrientationRawTemperature(Data):
     def __init__(self, raw_temperature: Sequence[int]) -> None:
         self.raw_temperature = codec.several(raw_temperature)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[OrientationRawTemperature, int]:
-        v = _ORIENTATION_RAW_TEMPERATURE_0.read(raw, at)
-        at += 8
-        raw_temperature = v[0:4]
-        return cls(raw_temperature), at
-
-    def _write(self) -> bytes:
-        out = _ORIENTATION_RAW_TEMPERATURE_0.write(
-            *codec.exactly("raw_temperature", self.raw_temperature, 4)
-        )
-        return codec.finished(out)
-
-
-_INTERNAL_TIMESTAMP_0 = codec.Block("I", "counts")
-
 
 class InternalTimestamp(Data):
     """Internal timestamp (0x80,0x0E).
@@ -827,20 +649,6 @@ class InternalTimestamp(Data):
 
     def __init__(self, counts: int) -> None:
         self.counts = counts
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[InternalTimestamp, int]:
-        v = _INTERNAL_TIMESTAMP_0.read(raw, at)
-        at += 4
-        counts = v[0]
-        return cls(counts), at
-
-    def _write(self) -> bytes:
-        out = _INTERNAL_TIMESTAMP_0.write(self.counts)
-        return codec.finished(out)
-
-
-_PPS_TIMESTAMP_0 = codec.Block("II", "seconds", "useconds")
 
 
 class PpsTimestamp(Data):
@@ -880,21 +688,6 @@ class PpsTimestamp(Data):
     @classmethod
     def matches(cls, data: bytes) -> bool:
         return len(data) < 9
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[PpsTimestamp, int]:
-        v = _PPS_TIMESTAMP_0.read(raw, at)
-        at += 8
-        seconds = v[0]
-        useconds = v[1]
-        return cls(seconds, useconds), at
-
-    def _write(self) -> bytes:
-        out = _PPS_TIMESTAMP_0.write(self.seconds, self.useconds)
-        return codec.finished(out)
-
-
-_PPS_TIMESTAMP_WITH_FLAGS_0 = codec.Block("BII", "flags", "seconds", "nanoseconds")
 
 
 class PpsTimestampWithFlags(Data):
@@ -939,22 +732,6 @@ class PpsTimestampWithFlags(Data):
     def matches(cls, data: bytes) -> bool:
         return 9 <= len(data)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[PpsTimestampWithFlags, int]:
-        v = _PPS_TIMESTAMP_WITH_FLAGS_0.read(raw, at)
-        at += 9
-        flags = v[0]
-        seconds = v[1]
-        nanoseconds = v[2]
-        return cls(flags, seconds, nanoseconds), at
-
-    def _write(self) -> bytes:
-        out = _PPS_TIMESTAMP_WITH_FLAGS_0.write(self.flags, self.seconds, self.nanoseconds)
-        return codec.finished(out)
-
-
-_NORTH_VECTOR_0 = codec.Block("fff", *["stabilized_mag"] * 3)
-
 
 class NorthVector(Data):
     """Complementary filter stabilized north vector (0x80,0x10).
@@ -982,6 +759,7 @@ class NorthVector(Data):
     NAME = "sensor.north_vector"
     ROLE = "data"
     _LAYOUT = (("stabilized_mag", "fff", types.Vector3f),)
+
     _VECTORS = {"stabilized_mag": (types.Vector3f,)}
 
     stabilized_mag: types.Vector3f
@@ -992,20 +770,6 @@ class NorthVector(Data):
 
     def __init__(self, stabilized_mag: types.Vector3f | codec.Numbers) -> None:
         self.stabilized_mag = codec.vector(stabilized_mag, types.Vector3f)
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[NorthVector, int]:
-        v = _NORTH_VECTOR_0.read(raw, at)
-        at += 12
-        stabilized_mag = types.Vector3f._make(v[0:3])
-        return cls(stabilized_mag), at
-
-    def _write(self) -> bytes:
-        out = _NORTH_VECTOR_0.write(*codec.elements("stabilized_mag", self.stabilized_mag, 3))
-        return codec.finished(out)
-
-
-_UP_VECTOR_0 = codec.Block("fff", *["stabilized_accel"] * 3)
 
 
 class UpVector(Data):
@@ -1034,6 +798,7 @@ class UpVector(Data):
     NAME = "sensor.up_vector"
     ROLE = "data"
     _LAYOUT = (("stabilized_accel", "fff", types.Vector3f),)
+
     _VECTORS = {"stabilized_accel": (types.Vector3f,)}
 
     stabilized_accel: types.Vector3f
@@ -1045,20 +810,6 @@ class UpVector(Data):
 
     def __init__(self, stabilized_accel: types.Vector3f | codec.Numbers) -> None:
         self.stabilized_accel = codec.vector(stabilized_accel, types.Vector3f)
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[UpVector, int]:
-        v = _UP_VECTOR_0.read(raw, at)
-        at += 12
-        stabilized_accel = types.Vector3f._make(v[0:3])
-        return cls(stabilized_accel), at
-
-    def _write(self) -> bytes:
-        out = _UP_VECTOR_0.write(*codec.elements("stabilized_accel", self.stabilized_accel, 3))
-        return codec.finished(out)
-
-
-_GPS_TIMESTAMP_0 = codec.Block("dHH", "tow", "week_number", "valid_flags")
 
 
 class GpsTimestamp(Data):
@@ -1122,24 +873,6 @@ class GpsTimestamp(Data):
         self.week_number = week_number
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GpsTimestamp, int]:
-        v = _GPS_TIMESTAMP_0.read(raw, at)
-        at += 12
-        tow = v[0]
-        week_number = v[1]
-        valid_flags = types.SensorGpsTimestampFlags(v[2])
-        return cls(tow, week_number, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _GPS_TIMESTAMP_0.write(self.tow, self.week_number, self.valid_flags)
-        return codec.finished(out)
-
-
-_TEMPERATURE_STATISTICS_0 = codec.Block(
-    "fff", "min_temperature", "max_temperature", "mean_temperature"
-)
-
 
 class TemperatureStatistics(Data):
     """Temperature statistics (0x80,0x14).
@@ -1183,24 +916,6 @@ class TemperatureStatistics(Data):
         self.max_temperature = max_temperature
         self.mean_temperature = mean_temperature
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[TemperatureStatistics, int]:
-        v = _TEMPERATURE_STATISTICS_0.read(raw, at)
-        at += 12
-        min_temperature = v[0]
-        max_temperature = v[1]
-        mean_temperature = v[2]
-        return cls(min_temperature, max_temperature, mean_temperature), at
-
-    def _write(self) -> bytes:
-        out = _TEMPERATURE_STATISTICS_0.write(
-            self.min_temperature, self.max_temperature, self.mean_temperature
-        )
-        return codec.finished(out)
-
-
-_RAW_PRESSURE_0 = codec.Block("f", "raw_pressure")
-
 
 class RawPressure(Data):
     """Raw pressure (0x80,0x16).
@@ -1227,20 +942,6 @@ class RawPressure(Data):
 
     def __init__(self, raw_pressure: float) -> None:
         self.raw_pressure = raw_pressure
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[RawPressure, int]:
-        v = _RAW_PRESSURE_0.read(raw, at)
-        at += 4
-        raw_pressure = v[0]
-        return cls(raw_pressure), at
-
-    def _write(self) -> bytes:
-        out = _RAW_PRESSURE_0.write(self.raw_pressure)
-        return codec.finished(out)
-
-
-_SCALED_PRESSURE_0 = codec.Block("f", "scaled_pressure")
 
 
 class ScaledPressure(Data):
@@ -1293,20 +994,6 @@ class ScaledPressure(Data):
     def __init__(self, scaled_pressure: float) -> None:
         self.scaled_pressure = scaled_pressure
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ScaledPressure, int]:
-        v = _SCALED_PRESSURE_0.read(raw, at)
-        at += 4
-        scaled_pressure = v[0]
-        return cls(scaled_pressure), at
-
-    def _write(self) -> bytes:
-        out = _SCALED_PRESSURE_0.write(self.scaled_pressure)
-        return codec.finished(out)
-
-
-_OVERRANGE_STATUS_0 = codec.Block("H", "status")
-
 
 class OverrangeStatus(Data):
     """Overrange status (0x80,0x18).
@@ -1335,20 +1022,6 @@ class OverrangeStatus(Data):
 
     def __init__(self, status: OverrangeFlags) -> None:
         self.status = status
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[OverrangeStatus, int]:
-        v = _OVERRANGE_STATUS_0.read(raw, at)
-        at += 2
-        status = OverrangeFlags(v[0])
-        return cls(status), at
-
-    def _write(self) -> bytes:
-        out = _OVERRANGE_STATUS_0.write(self.status)
-        return codec.finished(out)
-
-
-_ODOMETER_0 = codec.Block("ffH", "speed", "uncertainty", "valid_flags")
 
 
 class Odometer(Data):
@@ -1391,19 +1064,6 @@ class Odometer(Data):
         self.speed = speed
         self.uncertainty = uncertainty
         self.valid_flags = valid_flags
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[Odometer, int]:
-        v = _ODOMETER_0.read(raw, at)
-        at += 10
-        speed = v[0]
-        uncertainty = v[1]
-        valid_flags = OdometerFlags(v[2])
-        return cls(speed, uncertainty, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _ODOMETER_0.write(self.speed, self.uncertainty, self.valid_flags)
-        return codec.finished(out)
 
 
 #: The types of each descriptor; several if constants or the size of the data distinguish layouts.

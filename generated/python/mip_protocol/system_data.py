@@ -28,9 +28,6 @@ class GpioPinStates(IntFlag):
     """GPIO pin 4 is high. Bit 3."""
 
 
-_BUILT_IN_TEST_0 = codec.Block("BBBBBBBBBBBBBBBB", *["result"] * 16)
-
-
 class BuiltInTest(Data):
     """Built-in test (0xA0,0x01).
 
@@ -71,20 +68,6 @@ class BuiltInTest(Data):
     def __init__(self, result: Sequence[int]) -> None:
         self.result = codec.several(result)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[BuiltInTest, int]:
-        v = _BUILT_IN_TEST_0.read(raw, at)
-        at += 16
-        result = v[0:16]
-        return cls(result), at
-
-    def _write(self) -> bytes:
-        out = _BUILT_IN_TEST_0.write(*codec.exactly("result", self.result, 16))
-        return codec.finished(out)
-
-
-_TIME_SYNC_STATUS_0 = codec.Block("BB", "time_sync", "last_pps_received")
-
 
 class TimeSyncStatus(Data):
     """Time sync status (0xA0,0x02).
@@ -117,21 +100,6 @@ class TimeSyncStatus(Data):
     def __init__(self, time_sync: bool, last_pps_received: int) -> None:
         self.time_sync = time_sync
         self.last_pps_received = last_pps_received
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[TimeSyncStatus, int]:
-        v = _TIME_SYNC_STATUS_0.read(raw, at)
-        at += 2
-        time_sync = codec.truth(v[0])
-        last_pps_received = v[1]
-        return cls(time_sync, last_pps_received), at
-
-    def _write(self) -> bytes:
-        out = _TIME_SYNC_STATUS_0.write(self.time_sync, self.last_pps_received)
-        return codec.finished(out)
-
-
-_GPIO_STATE_0 = codec.Block("B", "states")
 
 
 class GpioState(Data):
@@ -168,20 +136,6 @@ class GpioState(Data):
     def __init__(self, states: GpioPinStates) -> None:
         self.states = states
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GpioState, int]:
-        v = _GPIO_STATE_0.read(raw, at)
-        at += 1
-        states = GpioPinStates(v[0])
-        return cls(states), at
-
-    def _write(self) -> bytes:
-        out = _GPIO_STATE_0.write(self.states)
-        return codec.finished(out)
-
-
-_GPIO_ANALOG_VALUE_0 = codec.Block("Bf", "gpio_id", "value")
-
 
 class GpioAnalogValue(Data):
     """GPIO analog value (0xA0,0x04).
@@ -214,18 +168,6 @@ class GpioAnalogValue(Data):
     def __init__(self, gpio_id: int, value: float) -> None:
         self.gpio_id = gpio_id
         self.value = value
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GpioAnalogValue, int]:
-        v = _GPIO_ANALOG_VALUE_0.read(raw, at)
-        at += 5
-        gpio_id = v[0]
-        value = v[1]
-        return cls(gpio_id, value), at
-
-    def _write(self) -> bytes:
-        out = _GPIO_ANALOG_VALUE_0.write(self.gpio_id, self.value)
-        return codec.finished(out)
 
 
 #: The types of each descriptor; several if constants or the size of the data distinguish layouts.
