@@ -48,18 +48,18 @@ function withImports(names, lines) {
 function membersOf(names, record, parameters, values) {
     const items = parameters
         .filter((one) => !isDerived(one) && !isReserved(one))
-        .map((one) => after(`${names.member(one.name)}: `, valueOf(names, record, one, operationOf(record, one.name), values[one.name])));
+        .map((one) => after(`${names.member(one.name)}: `, literalOf(names, record, one, operationOf(record, one.name), values[one.name])));
     return brackets("{", items, "}", { pad: " " });
 }
 
-function valueOf(names, record, parameter, op, value) {
+function literalOf(names, record, parameter, op, value) {
     switch (op.kind) {
         case "text":
             return JSON.stringify(printable(value));
         case "bits":
             return `${hexLiteral(bitsNumber(value)).toLowerCase()}n`;
         case "array": {
-            const items = value.map((one) => valueOf(names, record, parameter, op.item, one));
+            const items = value.map((one) => literalOf(names, record, parameter, op.item, one));
             return brackets("[", items, "]");
         }
         case "struct": {
@@ -69,7 +69,9 @@ function valueOf(names, record, parameter, op, value) {
         case "switch": {
             const found = alternativeOf(op, value);
             const inner = found && parameter.cases.find((one) => one.parameter?.name === found.operation.member).parameter;
-            const items = inner ? [after(`${names.member(inner.name)}: `, valueOf(names, record, inner, found.operation, found.value))] : [];
+            const items = inner
+                ? [after(`${names.member(inner.name)}: `, literalOf(names, record, inner, found.operation, found.value))]
+                : [];
             return brackets("{", items, "}", { pad: " " });
         }
     }
