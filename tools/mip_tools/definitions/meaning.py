@@ -180,8 +180,8 @@ class Meaning:
 
     def flags_on(self, p: Item, record: Item) -> dict[str, tuple[Any, ...]]:
         """Devices where a parameter has another valid flag, or the same flag is another bit."""
-        valid = p.get("valid", [])
-        own: dict[str, list[str]] = {
+        valid: list[str] = p.get("valid", [])
+        own: dict[str, Any] = {
             v["key"]: v["valid"]
             for v in p.get("variants", ())
             if v["by"] == "device" and "valid" in v and "member" not in v

@@ -51,12 +51,13 @@ def sets(document: Document, module: Any) -> None:
 
 
 def clocks(document: Document, module: Any) -> None:
-    found = document.content.get("clocks", ())
+    found = document.content["clocks"]
+    stamps = [(document.place(name), c["name"]) for c in found for name in c.get("timestamps", ())]
     _fill(
         module,
         CLOCKS={c["name"]: c.get("epoch") for c in found},
-        TIMESTAMPS={(t["set"], t["descriptor"]): c["name"] for c in found for t in c["timestamps"]},
-        LEAP_SECONDS=tuple((day, seconds) for day, seconds in document.content.get("leap_seconds", ())),
+        TIMESTAMPS={(set, f["descriptor"]): name for (set, f), name in stamps},
+        LEAP_SECONDS=tuple(document.content["leap_seconds"].items()),
     )
 
 
