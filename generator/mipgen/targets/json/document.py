@@ -8,11 +8,12 @@ from __future__ import annotations
 
 import dataclasses
 import json
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from operator import attrgetter
 from typing import Any
 
 from mipgen import model as m
+from mipgen.emit.target import Identifier
 from mipgen.facts import describe
 from mipgen.facts.sample_values import SampleValues
 from mipgen.model import guides, simulation
@@ -92,6 +93,8 @@ def document(model: m.Model) -> dict[str, Any]:
         "manuals": plain(p.manuals),
         "notes": plain(p.notes),
         "vocabulary": plain(p.vocabulary),
+        "clocks": [_clock(c, model) for c in p.clocks],
+        "leap_seconds": dict(p.leap_seconds),
         "types": [_attributes(t) for t in types(model)],
         "sets": [_set(s, model) for s in model.sets],
         "fields": [_with_samples(f, samples) for f in (p.acknowledge, *model.fields)],
@@ -109,6 +112,16 @@ def types(model: m.Model) -> list[m.Type]:
     selector, *rest = model.protocol.function_selector, *model.all_types
     codes = [] if model.protocol.ack_code in rest else [model.protocol.ack_code]
     return [selector, *codes, *rest]
+
+
+def identifiers(model: m.Model) -> Iterator[Identifier]:
+    """Fields and types are referred to by name. Scalars are types too."""
+    for f in (model.protocol.acknowledge, *model.fields):
+        yield Identifier("fields", f.full_name, f"field {f.full_name}", f.position)
+    for name in m.SCALARS:
+        yield Identifier("types", name, f"scalar {name}", None)
+    for t in types(model):
+        yield Identifier("types", type_name(t), f"type {t.name}", getattr(t, "position", None))
 
 
 # --------------------------------------------------------------------------- values
@@ -231,6 +244,11 @@ _MORE: dict[type, Callable[[Any, dict[str, Any]], dict[str, Any]]] = {
     m.Enum: _type,
     m.Bitfield: _type,
 }
+
+
+def _clock(c: m.Clock, model: m.Model) -> dict[str, Any]:
+    """A clock with its timestamps, as far as a part of a specification has them."""
+    return _attributes(c) | {"timestamps": [name for name in c.timestamps if model.field(name)]}
 
 
 def _set(s: m.Set, model: m.Model) -> dict[str, Any]:
