@@ -48,9 +48,9 @@ struct mip_line {
 bool mip_line_open(struct mip_line *line, const char *name, uint32_t baud);
 
 /**
- * Opens a port again that was lost, as when mip_device_poll has returned false: closes it, and tries
- * to open it every 100 ms, for `within` milliseconds. The device goes on with it, at the same baud
- * rate:
+ * Opens a port again that was lost, as when mip_device_poll has returned false: closes it, and
+ * tries to open it every 100 ms, for `within` milliseconds. The device goes on with it, at the same
+ * baud rate:
  *
  *     while (mip_device_poll(&device) || mip_line_reopen(&line, 30000)) { ... }
  *
