@@ -33,8 +33,8 @@ class Soak:
     """Packets of which the simulator says that it has dropped them."""
     behind: float
     """Seconds by which simulated time is late at the end."""
-    late: bool
-    """Did the simulator say so?"""
+    late: float
+    """What the simulator says of that."""
     cpu: float
     """Percent of a core."""
     memory: tuple[int, int]
@@ -82,7 +82,7 @@ def soak(seconds: float) -> Soak:
         missing=round(simulated * RATE) + 1 - packets,
         reported=sum(int(n) for n in re.findall(r": (\d+) packets? dropped", said)),
         behind=round(wall - simulated, 3),
-        late="simulated time is late" in said,
+        late=float((re.findall(r"simulated time ends ([\d.]+) s late", said) or ["0"])[0]),
         cpu=round(100 * ticks / os.sysconf("SC_CLK_TCK") / wall, 1),
         memory=(memory[0], memory[1]),
     )

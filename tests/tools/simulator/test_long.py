@@ -87,5 +87,5 @@ def test_what_cannot_be_kept_is_told() -> None:
     """On a machine with other work, too."""
     found = soak(600)
     assert found.packets > 0 and found.missing <= found.reported
-    assert found.behind < 1.5 or found.late
+    assert found.behind < found.late + 1.5
     assert found.memory[1] < 1.05 * found.memory[0]
