@@ -8,15 +8,17 @@ from __future__ import annotations
 
 import dataclasses
 import json
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from operator import attrgetter
 from typing import Any
 
 from mipgen import model as m
 from mipgen.emit import slices
+from mipgen.emit.target import Identifier
 from mipgen.facts import describe
 from mipgen.facts.sample_values import SampleValues
+from mipgen.lower.session import Rate, session
 from mipgen.model import guides, simulation
 from mipgen.model.simulation import Quantity
 
@@ -115,6 +117,7 @@ def _parts(model: m.Model) -> dict[str, Any]:
         "barrier": dict(zip(("set", "descriptor"), p.barrier, strict=True)),
         "ack_code": type_name(p.ack_code),
         "function_selector": type_name(p.function_selector),
+        **_session(model),
         "scalars": {s.name: {"size": s.size, "kind": s.kind} for s in m.SCALARS.values()},
         "functions": [_attributes(f) for f in p.functions],
         "units": plain(p.units),
@@ -122,6 +125,8 @@ def _parts(model: m.Model) -> dict[str, Any]:
         "manuals": plain(p.manuals),
         "notes": plain(p.notes),
         "vocabulary": plain(p.vocabulary),
+        "clocks": [_clock(c, model) for c in p.clocks],
+        "leap_seconds": dict(p.leap_seconds),
         "types": _Each(types(model), _attributes),
         "sets": _Each(model.sets, lambda s: _set(s, model)),
         "fields": _Each((p.acknowledge, *model.fields), lambda f: _with_samples(f, samples)),
@@ -134,11 +139,40 @@ def _parts(model: m.Model) -> dict[str, Any]:
     }
 
 
+def _session(model: m.Model) -> dict[str, Any]:
+    """The commands that start data, if the specification names them."""
+    found = session(model)
+    if found is None:
+        return {}
+    item = found.entries.item.struct
+    assert item is not None
+    older = [
+        {"set": x.set, **_rate(x.base_rate), "format": x.format.full_name, "stream": x.stream} for x in found.older
+    ]
+    commands = {"format": found.format, "stream": found.stream, "resume": found.resume}
+    names = {key: f.full_name for key, f in commands.items()}
+    return {"session": {**_rate(found.base_rate), **names, "item": type_name(item), "older": older}}
+
+
+def _rate(r: Rate) -> dict[str, str]:
+    return {"base_rate": r.command.full_name, "rate": r.parameter.name}
+
+
 def types(model: m.Model) -> list[m.Type]:
     """All of them, those that others use before these."""
     selector, *rest = model.protocol.function_selector, *model.all_types
     codes = [] if model.protocol.ack_code in rest else [model.protocol.ack_code]
     return [selector, *codes, *rest]
+
+
+def identifiers(model: m.Model) -> Iterator[Identifier]:
+    """Fields and types are referred to by name. Scalars are types too."""
+    for f in (model.protocol.acknowledge, *model.fields):
+        yield Identifier("fields", f.full_name, f"field {f.full_name}", f.position)
+    for name in m.SCALARS:
+        yield Identifier("types", name, f"scalar {name}", None)
+    for t in types(model):
+        yield Identifier("types", type_name(t), f"type {t.name}", getattr(t, "position", None))
 
 
 # --------------------------------------------------------------------------- values
@@ -261,6 +295,11 @@ _MORE: dict[type, Callable[[Any, dict[str, Any]], dict[str, Any]]] = {
     m.Enum: _type,
     m.Bitfield: _type,
 }
+
+
+def _clock(c: m.Clock, model: m.Model) -> dict[str, Any]:
+    """A clock with its timestamps, as far as a part of a specification has them."""
+    return _attributes(c) | {"timestamps": [name for name in c.timestamps if model.field(name)]}
 
 
 def _set(s: m.Set, model: m.Model) -> dict[str, Any]:
