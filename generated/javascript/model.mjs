@@ -10,6 +10,7 @@ export default {
 "barrier": {"set":1,"descriptor":1},
 "ack_code": "ack_code",
 "function_selector": "function_selector",
+"session": {"base_rate":"3dm.get_base_rate","rate":"rate","format":"3dm.message_format","stream":"3dm.data_stream_control","resume":"base.resume","item":"descriptor_rate","older":[{"set":128,"base_rate":"3dm.get_imu_base_rate","rate":"rate","format":"3dm.imu_message_format","stream":1},{"set":129,"base_rate":"3dm.get_gnss_base_rate","rate":"rate","format":"3dm.gnss_message_format","stream":2},{"set":130,"base_rate":"3dm.get_filter_base_rate","rate":"rate","format":"3dm.filter_message_format","stream":3}]},
 "scalars": {
 "u8": {"size":1,"kind":"unsigned"},
 "u16": {"size":2,"kind":"unsigned"},

@@ -102,8 +102,6 @@ class FrameConfigResponse(Response):
     """Frame configuration response (0x13,0x81).
 
     Answers `FrameConfig`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
-    Probably supported by 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS,
-    3DM-GV7-AR and 3DM-GV7-INS.
 
     - 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01)
     - 3dm-cv7-gnss-ins: Aiding Frames
@@ -169,9 +167,7 @@ class FrameConfigResponse(Response):
 class EchoControlResponse(Response):
     """Echo control response (0x13,0x9F).
 
-    Answers `EchoControl`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably
-    supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS,
-    3DM-GV7-AR and 3DM-GV7-INS.
+    Answers `EchoControl`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Echo Control (0x13,0x1F)
     - 3dm-cv7-gnss-ins: Aiding Command Echo Control
@@ -202,8 +198,7 @@ class FrameConfig(Command[R]):
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `FrameConfigResponse`.
     Changes `filter_data.AidingFrameConfigError`. Probably changes
     `filter_data.AidingFrameConfigErrorUncertainty`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
-    3DM-CV7-GNSS/INS and 3DM-CV7-INS. Probably supported by 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
-    3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+    3DM-CV7-GNSS/INS and 3DM-CV7-INS.
 
     Aiding measurements name the frame by its number. `p_vehicle = R * p_frame + t`, with the
     rotation R and the translation t. For GNSS positions and velocities the rotation does not
@@ -341,9 +336,7 @@ class EchoControl(Command[R]):
     Sets how the device answers aiding measurements.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `EchoControlResponse`.
-    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS,
-    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
-    3DM-GV7-INS.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
 
     The manual does not give the layout of the responses that carry the data back.
 
@@ -411,8 +404,7 @@ class EcefPosition(Command[None]):
     Sends a measured position in Earth-fixed coordinates.
 
     Also called `pos_ecef`. Not acknowledged if `mode` of `EchoControl` is
-    `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS,
-    3DM-CX7-INS and 3DM-GV7-INS.
+    `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS.
 
     Use only one form of position: ECEF or LLH. In mode `response` of `EchoControl`, the device
     sends the data back in a response of unknown layout.
@@ -478,8 +470,7 @@ class LlhPosition(Command[None]):
     Sends a measured position as latitude, longitude and height.
 
     Also called `pos_llh`. Not acknowledged if `mode` of `EchoControl` is
-    `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS,
-    3DM-CX7-INS and 3DM-GV7-INS.
+    `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS.
 
     Use only one form of position: ECEF or LLH. To send a height only, clear the valid flags of
     latitude and longitude. The 3DM-CV7-GNSS/INS also accepts an uncertainty of 0 for both instead.
@@ -576,7 +567,7 @@ class HeightAboveEllipsoid(Command[None]):
     Sends a measured height above the ellipsoid.
 
     Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by
-    3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS.
+    3DM-CV7-GNSS/INS.
 
     In mode `response` of `EchoControl`, the device sends the data back in a response of unknown
     layout.
@@ -633,8 +624,7 @@ class EcefVelocity(Command[None]):
     Sends a measured velocity in Earth-fixed coordinates.
 
     Also called `vel_ecef`. Not acknowledged if `mode` of `EchoControl` is
-    `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS,
-    3DM-CX7-INS and 3DM-GV7-INS.
+    `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS.
 
     Use only one form of velocity: ECEF or NED. Not for a sensor that is fixed to the vehicle; for
     such a sensor, use `BodyFrameVelocity`. In mode `response` of `EchoControl`, the device sends
@@ -701,8 +691,7 @@ class NedVelocity(Command[None]):
     Sends a measured velocity in the local level frame.
 
     Also called `vel_ned`. Not acknowledged if `mode` of `EchoControl` is
-    `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS,
-    3DM-CX7-INS and 3DM-GV7-INS.
+    `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS.
 
     Use only one form of velocity: ECEF or NED. Not for a sensor that is fixed to the vehicle; for
     such a sensor, use `BodyFrameVelocity`. In mode `response` of `EchoControl`, the device sends
@@ -769,8 +758,7 @@ class BodyFrameVelocity(Command[None]):
     Sends a measured velocity of the vehicle in the frame of the sensor.
 
     Also called `vel_body_frame`. Not acknowledged if `mode` of `EchoControl` is
-    `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS,
-    3DM-CX7-INS and 3DM-GV7-INS.
+    `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS.
 
     The device supports up to four sensors of this kind. A wheeled vehicle constraint is a velocity
     of 0 with only y valid, sent at least once per second. With z also valid and 0, motion is
@@ -841,8 +829,6 @@ class TrueHeading(Command[None]):
 
     Also called `heading_true`. Not acknowledged if `mode` of `EchoControl` is
     `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
-    Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
-    3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
 
     In mode `response` of `EchoControl`, the device sends the data back in a response of unknown
     layout.
@@ -902,8 +888,7 @@ class MagneticField(Command[None]):
     Sends a magnetic field measured by an external magnetometer.
 
     Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by
-    3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS,
-    3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+    3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
 
     The magnetometer must be calibrated. In mode `response` of `EchoControl`, the device sends the
     data back in a response of unknown layout.
@@ -969,7 +954,7 @@ class Pressure(Command[None]):
     Sends a static air pressure measured by an external sensor.
 
     Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by
-    3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS.
+    3DM-CV7-GNSS/INS.
 
     In mode `response` of `EchoControl`, the device sends the data back in a response of unknown
     layout.

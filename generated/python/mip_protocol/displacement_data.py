@@ -28,7 +28,7 @@ class DisplacementRaw(Data):
 
     Displacement in counts of the converter.
 
-    Probably supported by DEMOD-DC. Known only from the MicroStrain Communication Library.
+    No device is certain to support it. Known only from the MicroStrain Communication Library.
 
     - mscl: Raw displacement (0x90,0x01)
     """
@@ -55,7 +55,7 @@ class Displacement(Data):
 
     Displacement of the sensor, computed with its calibration.
 
-    Probably supported by DEMOD-DC. Known only from the MicroStrain Communication Library.
+    No device is certain to support it. Known only from the MicroStrain Communication Library.
 
     - mscl: Displacement (0x90,0x02)
     """
@@ -82,8 +82,8 @@ class Timestamp(Data):
 
     Time of the measurement by the clock of the device.
 
-    Also called `displacement_timestamp`. Changed by `displacement.DeviceTime`. Probably supported
-    by DEMOD-DC. Known only from the MicroStrain Communication Library.
+    No device is certain to support it. Also called `displacement_timestamp`. Known only from the
+    MicroStrain Communication Library.
 
     - mscl: Displacement Device Timestamp (0x90,0x04)
     """

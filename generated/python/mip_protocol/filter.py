@@ -302,9 +302,7 @@ class ReferencePoint(codec.OpenEnum):
 class VehicleDynamicsModeResponse(Response):
     """Vehicle dynamics mode response (0x0D,0x80).
 
-    Answers `VehicleDynamicsMode`. Supported by 3DM-GX5-45. Probably supported by 3DM-CV5-45,
-    3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from
-    the MicroStrain MIP SDK.
+    Answers `VehicleDynamicsMode`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Vehicle dynamics mode (0x0D,0x10)
     """
@@ -329,10 +327,7 @@ class VehicleDynamicsModeResponse(Response):
 class SensorToVehicleRotationEulerResponse(Response):
     """Sensor to vehicle frame transformation response (0x0D,0x81).
 
-    Answers `SensorToVehicleRotationEuler`. Supported by 3DM-GX5-15 and 3DM-GX5-45. Probably
-    supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25,
-    3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and
-    3DM-RQ1-45-ST.
+    Answers `SensorToVehicleRotationEuler`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
 
     - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
     """
@@ -363,9 +358,8 @@ class SensorToVehicleRotationEulerResponse(Response):
 class SensorToVehicleOffsetResponse(Response):
     """Sensor to vehicle offset response (0x0D,0x82).
 
-    Answers `SensorToVehicleOffset`. Supported by 3DM-GX5-45. Probably supported by 3DM-CV5-45,
-    3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from
-    the MicroStrain MIP SDK.
+    Answers `SensorToVehicleOffset`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP
+    SDK.
 
     - mip-sdk-4: Sensor to vehicle offset (0x0D,0x12)
     """
@@ -394,9 +388,7 @@ class SensorToVehicleOffsetResponse(Response):
 class AntennaOffsetResponse(Response):
     """GNSS antenna offset response (0x0D,0x83).
 
-    Answers `AntennaOffset`. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GX5-45. Probably
-    supported by 3DM-CV5-45, 3DM-CX5-45, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GV7-INS, 3DM-GX3-45,
-    3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    Answers `AntennaOffset`. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13)
     """
@@ -427,10 +419,7 @@ class AntennaOffsetResponse(Response):
 class EstimationControlResponse(Response):
     """Estimation control flags response (0x0D,0x84).
 
-    Answers `EstimationControl`. Supported by 3DM-GX5-15 and 3DM-GX5-45. Probably supported by
-    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
-    3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and
-    3DM-RQ1-45-ST.
+    Answers `EstimationControl`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
 
     - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
     """
@@ -455,9 +444,7 @@ class EstimationControlResponse(Response):
 class GnssSourceResponse(Response):
     """GNSS aiding source response (0x0D,0x86).
 
-    Answers `GnssSource`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Probably
-    supported by 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-45, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GV7-INS,
-    3DM-GX3-45, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    Answers `GnssSource`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15)
     """
@@ -482,9 +469,7 @@ class GnssSourceResponse(Response):
 class HeadingSourceResponse(Response):
     """Heading update control response (0x0D,0x87).
 
-    Answers `HeadingSource`. Supported by 3DM-GX5-15 and 3DM-GX5-45. Probably supported by
-    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
-    3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    Answers `HeadingSource`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
 
     - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
     """
@@ -510,9 +495,7 @@ class AutoInitializationControlResponse(Response):
     """Automatic initialization response (0x0D,0x88).
 
     Also called `auto_init_control_response`. Answers `AutoInitializationControl`. Supported by
-    3DM-GX5-15 and 3DM-GX5-45. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25,
-    3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25,
-    3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    3DM-GX5-15 and 3DM-GX5-45.
 
     - 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19)
     """
@@ -537,11 +520,7 @@ class AutoInitializationControlResponse(Response):
 class AccelNoiseResponse(Response):
     """Accelerometer noise response (0x0D,0x89).
 
-    Answers `AccelNoise`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45. Probably
-    supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS,
-    3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR,
-    3DM-CX7-INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-45,
-    3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    Answers `AccelNoise`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Accelerometer Noise Standard Deviation (0x0D,0x1A)
     - 3dm-gx5-15: 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A)
@@ -569,11 +548,7 @@ class AccelNoiseResponse(Response):
 class GyroNoiseResponse(Response):
     """Gyroscope noise response (0x0D,0x8A).
 
-    Answers `GyroNoise`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45. Probably
-    supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS,
-    3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR,
-    3DM-CX7-INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-45,
-    3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    Answers `GyroNoise`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Gyroscope Noise Standard Deviation (0x0D,0x1B)
     - 3dm-gx5-15: 4.3.13 Gyroscope Noise Standard Deviation (0x0D, 0x1B)
@@ -601,9 +576,7 @@ class GyroNoiseResponse(Response):
 class AccelBiasModelResponse(Response):
     """Accelerometer bias model response (0x0D,0x8B).
 
-    Answers `AccelBiasModel`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-45. Probably supported by
-    3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-45, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GV7-INS,
-    3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    Answers `AccelBiasModel`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
     """
@@ -637,11 +610,7 @@ class AccelBiasModelResponse(Response):
 class GyroBiasModelResponse(Response):
     """Gyroscope bias model response (0x0D,0x8C).
 
-    Answers `GyroBiasModel`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45. Probably
-    supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS,
-    3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR,
-    3DM-CX7-INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-45,
-    3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    Answers `GyroBiasModel`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D)
     - 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
@@ -676,9 +645,8 @@ class GyroBiasModelResponse(Response):
 class AutoZuptResponse(Response):
     """Automatic zero velocity update response (0x0D,0x8D).
 
-    Answers `AutoZupt`. Supported by 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Probably supported by
-    3DM-CV5-45, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
-    Known only from the MicroStrain MIP SDK.
+    Answers `AutoZupt`. Supported by 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Known only from the
+    MicroStrain MIP SDK.
 
     - mip-sdk-4: Auto Zupt (0x0D,0x1E)
     """
@@ -707,10 +675,7 @@ class AutoAngularZuptResponse(Response):
     """Zero angular rate update response (0x0D,0x8E).
 
     Answers `AutoAngularZupt`. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS, 3DM-GQ7-GNSS/INS,
-    3DM-GX5-15 and 3DM-GX5-45. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25,
-    3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS,
-    3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15,
-    3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    3DM-GX5-15 and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Zero Angular Rate Update Control (0x0D,0x20)
     - 3dm-gx5-15: 4.3.15 Zero Angular Rate Update Control (0x0D, 0x20)
@@ -739,9 +704,7 @@ class AutoAngularZuptResponse(Response):
 class ReferencePositionResponse(Response):
     """Set reference position response (0x0D,0x90).
 
-    Answers `ReferencePosition`. Supported by 3DM-GX5-15. Probably supported by 3DM-CL5-15,
-    3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-15, 3DM-CX5-25, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-25
-    and 3DM-GX5-45.
+    Answers `ReferencePosition`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26)
     """
@@ -782,10 +745,7 @@ class ReferencePositionResponse(Response):
 class GravityNoiseResponse(Response):
     """Gravity noise response (0x0D,0x93).
 
-    Answers `GravityNoise`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45. Probably
-    supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS,
-    3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR,
-    3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS and 3DM-GX5-25.
+    Answers `GravityNoise`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Gravity Noise Standard Deviation (0x0D,0x28)
     - 3dm-gx5-15: 4.3.11 Gravity Noise Standard Deviation (0x0D, 0x28)
@@ -813,9 +773,8 @@ class GravityNoiseResponse(Response):
 class PressureAltitudeNoiseResponse(Response):
     """Pressure altitude noise response (0x0D,0x94).
 
-    Answers `PressureAltitudeNoise`. Supported by 3DM-GX5-45. Probably supported by 3DM-CL5-25,
-    3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45 and 3DM-GX5-25. Known only from the MicroStrain
-    MIP SDK.
+    Answers `PressureAltitudeNoise`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP
+    SDK.
 
     - mip-sdk-4: Pressure altitude noise (0x0D,0x29)
     """
@@ -840,9 +799,7 @@ class PressureAltitudeNoiseResponse(Response):
 class HardIronOffsetNoiseResponse(Response):
     """Hard iron offset noise response (0x0D,0x96).
 
-    Answers `HardIronOffsetNoise`. Supported by 3DM-GX5-45. Probably supported by 3DM-CL5-25,
-    3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45 and 3DM-GX5-25. Known only from the MicroStrain
-    MIP SDK.
+    Answers `HardIronOffsetNoise`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Hard iron offset noise (0x0D,0x2B)
     """
@@ -869,9 +826,7 @@ class HardIronOffsetNoiseResponse(Response):
 class SoftIronMatrixNoiseResponse(Response):
     """Soft iron matrix noise response (0x0D,0x97).
 
-    Answers `SoftIronMatrixNoise`. Supported by 3DM-GX5-45. Probably supported by 3DM-CL5-25,
-    3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45 and 3DM-GX5-25. Known only from the MicroStrain
-    MIP SDK.
+    Answers `SoftIronMatrixNoise`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Soft iron matrix noise (0x0D,0x2C)
     """
@@ -900,11 +855,9 @@ class SoftIronMatrixNoiseResponse(Response):
 class TareOrientationResponse(Response):
     """Tare orientation response (0x0D,0xA1).
 
-    Answers `TareOrientation`. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25,
-    3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
-    3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Uncertain: Which devices send it. The SDK reads the
-    setting back; the manuals of the 3DM-GX5-15 and 3DM-GX5-45 have neither the read function nor
-    the response.
+    No device is certain to support it. Answers `TareOrientation`. Uncertain: Which devices send it.
+    The SDK reads the setting back; the manuals of the 3DM-GX5-15 and 3DM-GX5-45 have neither the
+    read function nor the response.
 
     - 3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21)
     - mip-sdk-4: Tare orientation (0x0D,0x21)
@@ -930,8 +883,7 @@ class TareOrientationResponse(Response):
 class EnableMeasurementsResponse(Response):
     """Enable or disable measurements response (0x0D,0xB0).
 
-    Answers `EnableMeasurements`. Supported by 3DM-GX5-15. Probably supported by 3DM-CL5-15,
-    3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-15, 3DM-CX5-25, 3DM-GX4-25 and 3DM-GX5-25.
+    Answers `EnableMeasurements`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41)
     """
@@ -956,9 +908,7 @@ class EnableMeasurementsResponse(Response):
 class MagNoiseResponse(Response):
     """Magnetometer noise response (0x0D,0xB1).
 
-    Answers `MagNoise`. Supported by 3DM-GX5-45. Probably supported by 3DM-CL5-25, 3DM-CV5-25,
-    3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25,
-    3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the MicroStrain MIP SDK.
+    Answers `MagNoise`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Mag Noise (0x0D,0x42)
     """
@@ -986,10 +936,7 @@ class MagneticDeclinationSourceResponse(Response):
     """Magnetic declination source response (0x0D,0xB2).
 
     Answers `MagneticDeclinationSource`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
-    3DM-GQ7-GNSS/INS and 3DM-GX5-45. Probably supported by 3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45,
-    3DM-CV7-INS, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ4-45,
-    3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and
-    3DM-RQ1-45-ST.
+    3DM-GQ7-GNSS/INS and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43)
     - 3dm-gq7: Magnetic Field Declination Source Control (0x0D,0x43)
@@ -1023,9 +970,6 @@ class AccelMagnitudeErrorAdaptiveMeasurementResponse(Response):
     """Gravity magnitude error adaptive measurement response (0x0D,0xB3).
 
     Answers `AccelMagnitudeErrorAdaptiveMeasurement`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
-    Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15,
-    3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25,
-    3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
     """
@@ -1101,9 +1045,7 @@ class AccelMagnitudeErrorAdaptiveMeasurementResponse(Response):
 class MagMagnitudeErrorAdaptiveMeasurementResponse(Response):
     """Magnetometer magnitude error adaptive measurement response (0x0D,0xB4).
 
-    Answers `MagMagnitudeErrorAdaptiveMeasurement`. Supported by 3DM-GX5-45. Probably supported by
-    3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15,
-    3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the
+    Answers `MagMagnitudeErrorAdaptiveMeasurement`. Supported by 3DM-GX5-45. Known only from the
     MicroStrain MIP SDK.
 
     - mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45)
@@ -1192,9 +1134,8 @@ class MagMagnitudeErrorAdaptiveMeasurementResponse(Response):
 class MagDipAngleErrorAdaptiveMeasurementResponse(Response):
     """Magnetometer dip angle error adaptive measurement response (0x0D,0xB5).
 
-    Answers `MagDipAngleErrorAdaptiveMeasurement`. Supported by 3DM-GX5-45. Probably supported by
-    3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX4-25, 3DM-GX4-45,
-    3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the MicroStrain MIP SDK.
+    Answers `MagDipAngleErrorAdaptiveMeasurement`. Supported by 3DM-GX5-45. Known only from the
+    MicroStrain MIP SDK.
 
     - mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46)
     """
@@ -1262,8 +1203,7 @@ class MagDipAngleErrorAdaptiveMeasurementResponse(Response):
 class AltitudeAidingResponse(Response):
     """Altitude aiding response (0x0D,0xB7).
 
-    Answers `AltitudeAiding`. Supported by 3DM-GX5-45. Probably supported by 3DM-CL5-25, 3DM-CV5-25,
-    3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45 and 3DM-GX5-25. Known only from the MicroStrain MIP SDK.
+    Answers `AltitudeAiding`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Altitude aiding (0x0D,0x47)
     """
@@ -1288,9 +1228,7 @@ class AltitudeAidingResponse(Response):
 class PitchRollAidingResponse(Response):
     """Pitch and roll aiding response (0x0D,0xBB).
 
-    Answers `PitchRollAiding`. Supported by 3DM-GX5-15 and 3DM-GX5-45. Probably supported by
-    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45
-    and 3DM-GX5-25.
+    Answers `PitchRollAiding`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
 
     - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
     """
@@ -1438,8 +1376,6 @@ class AidingMeasurementEnableResponse(Response):
     """Aiding measurement control response (0x0D,0xD0).
 
     Answers `AidingMeasurementEnable`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
-    Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
-    3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
 
     - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
     """
@@ -1508,8 +1444,7 @@ class InitializationConfigResponse(Response):
     """Navigation filter initialization response (0x0D,0xD2).
 
     Also called `initialization_configuration_response`. Answers `InitializationConfig`. Supported
-    by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CX7-INS and
-    3DM-GV7-INS.
+    by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52)
     """
@@ -1610,9 +1545,7 @@ class InitializationConfigResponse(Response):
 class AdaptiveFilterOptionsResponse(Response):
     """Adaptive filter control response (0x0D,0xD3).
 
-    Answers `AdaptiveFilterOptions`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
-    3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR,
-    3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS and 3DM-GX5-45.
+    Answers `AdaptiveFilterOptions`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
     """
@@ -1640,8 +1573,7 @@ class AdaptiveFilterOptionsResponse(Response):
 class MultiAntennaOffsetResponse(Response):
     """GNSS multi-antenna offset response (0x0D,0xD4).
 
-    Answers `MultiAntennaOffset`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
-    3DM-GQ7-GNSS/INS.
+    Answers `MultiAntennaOffset`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54)
     """
@@ -1674,8 +1606,7 @@ class RelativePositionConfigResponse(Response):
     """Relative position configuration response (0x0D,0xD5).
 
     Also called `rel_pos_configuration_response`. Answers `RelativePositionConfig`. Supported by
-    3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS and
-    3DM-GV7-INS.
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
     """
@@ -1723,8 +1654,7 @@ class ReferencePointLeverArmResponse(Response):
     """Reference point lever arm response (0x0D,0xD6).
 
     Also called `ref_point_lever_arm_response`. Answers `ReferencePointLeverArm`. Supported by
-    3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS and
-    3DM-GV7-INS.
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56)
     """
@@ -1761,7 +1691,7 @@ class ReferencePointLeverArmResponse(Response):
 class SpeedLeverArmResponse(Response):
     """Speed measurement lever arm response (0x0D,0xE1).
 
-    Answers `SpeedLeverArm`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-GQ7-GNSS/INS.
+    Answers `SpeedLeverArm`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61)
     """
@@ -1818,8 +1748,7 @@ class VerticalGyroConstraintControlResponse(Response):
 class WheeledVehicleConstraintControlResponse(Response):
     """Wheeled vehicle constraint response (0x0D,0xE3).
 
-    Answers `WheeledVehicleConstraintControl`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
-    3DM-GQ7-GNSS/INS.
+    Answers `WheeledVehicleConstraintControl`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Wheeled Vehicle Constraint Control (0x0D,0x63)
     """
@@ -1876,16 +1805,8 @@ class Reset(Command[None]):
 
     Returns the filter to its initialization state.
 
-    Changes filter_data (0x82). Flagged by `types.Gx5BuiltInTest.SOLUTION_FAULT` of
-    `types.Gx5BuiltInTest`, `types.Cv7BuiltInTest.FILTER_SOLUTION_FAULT` of `types.Cv7BuiltInTest`,
-    `filter_data.Gx5StatusFlags.RUN_MATRIX_SINGULARITY` of `filter_data.Gx5StatusFlags`,
-    `filter_data.Gx5StatusFlags.RUN_NAN_IN_SOLUTION_WARNING` of `filter_data.Gx5StatusFlags` and
-    `filter_data.Cv7StatusFlags.SOLUTION_ERROR` of `filter_data.Cv7StatusFlags`. Supported by
-    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
-    Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS,
-    3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ4-45,
-    3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25,
-    3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45.
+    Changes filter_data (0x82). Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15,
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     If automatic initialization is off, the attitude or heading must be set before the filter runs
     again. 3DM-CV7: send it after a large jump of the system time, for example when the PPS is first
@@ -1910,10 +1831,7 @@ class SetInitialAttitude(Command[None]):
     Sets the initial attitude of the filter, the orientation of the sensor frame in the NED frame.
 
     Changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and
-    `filter_data.EulerAngles`. Supported by 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably
-    supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25,
-    3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and
-    3DM-GX5-45.
+    `filter_data.EulerAngles`. Supported by 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     Accepted only in the initialization state.
 
@@ -1956,10 +1874,7 @@ class SetInitialHeading(Command[None]):
 
     Changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and
     `filter_data.EulerAngles`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15,
-    3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-15, 3DM-CL5-25,
-    3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
-    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR,
-    3DM-GV7-INS, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45 and 3DM-GX5-25.
+    3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     3DM-GX5: accepted only in the initialization state. 3DM-CV7: resets the estimated heading; if
     magnetometer aiding is on, the given heading is ignored.
@@ -1992,8 +1907,8 @@ class SetInitialAttitudeFromImu(Command[None]):
 
     Initializes the attitude of the filter with that of the complementary filter.
 
-    Also called `set_initial_heading_from_mag`. Changes `filter_data.AttitudeQuaternion`,
-    `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Probably supported by 3DM-GX3-45. Known
+    No device is certain to support it. Also called `set_initial_heading_from_mag`. Changes
+    `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Known
     only from the MIP SDK of 2014, MicroStrain Communication Library and MicroStrain MIP SDK.
     Uncertain: The name. The SDK calls it set initial heading from mag, and has no layout; the SDK
     of 2014 has this layout, in its example for the 3DM-GX3-45. Uncertain: Which devices have it.
@@ -2027,8 +1942,7 @@ class Run(Command[None]):
 
     Starts a filter that is configured to wait for this command.
 
-    Changes `filter_data.Status`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably
-    supported by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS.
+    Changes `filter_data.Status`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     The filter waits in its initialization state if `wait_for_run_command` of `InitializationConfig`
     is set.
@@ -2052,8 +1966,7 @@ class VehicleDynamicsMode(Command[R]):
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `VehicleDynamicsModeResponse`. Probably changes filter_data (0x82). Supported by 3DM-GX5-45.
-    Probably supported by 3DM-CV5-45, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-45, 3DM-RQ1-45-LT
-    and 3DM-RQ1-45-ST. Refused by 3DM-GX3-25. Known only from the MicroStrain MIP SDK.
+    Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Vehicle dynamics mode (0x0D,0x10)
     """
@@ -2130,10 +2043,8 @@ class SensorToVehicleRotationEuler(Command[R]):
     `sensor.ScaledMag`, `sensor.DeltaTheta`, `sensor.DeltaVelocity`,
     `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
     `filter_data.LinearAccel`, `filter_data.CompAngularRate`, `filter_data.GravityVector` and
-    `filter_data.CompAccel`. Supported by 3DM-GX5-15 and 3DM-GX5-45. Probably supported by
-    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
-    3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
-    Uncertain: The formula. The text of the manual lacks it; it is the inverse of that of
+    `filter_data.CompAccel`. Supported by 3DM-GX5-15 and 3DM-GX5-45. Uncertain: The formula. The
+    text of the manual lacks it; it is the inverse of that of
     `mip_3dm.SensorToVehicleTransformEuler`, which the 3DM-CV7 manual states.
 
     The 3DM-CV7 uses the inverse instead: `mip_3dm.SensorToVehicleTransformEuler`. `v_sensor =
@@ -2226,9 +2137,8 @@ class SensorToVehicleOffset(Command[R]):
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `SensorToVehicleOffsetResponse`. Changes `filter_data.LlhPosition`. Supported by 3DM-GX5-45.
-    Probably supported by 3DM-CV5-45, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-45, 3DM-RQ1-45-LT
-    and 3DM-RQ1-45-ST. Known only from the MicroStrain MIP SDK. Uncertain: The direction, from the
-    sensor to the origin of the vehicle frame, is inferred from the name.
+    Known only from the MicroStrain MIP SDK. Uncertain: The direction, from the sensor to the origin
+    of the vehicle frame, is inferred from the name.
 
     The shift is constant. It does not follow the attitude, as a lever arm would.
 
@@ -2307,10 +2217,7 @@ class AntennaOffset(Command[R]):
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AntennaOffsetResponse`.
     Probably changes `filter_data.LlhPosition`, `filter_data.EcefPosition`,
     `filter_data.NedVelocity`, `filter_data.EcefVelocity` and `filter_data.AntennaOffsetCorrection`.
-    Flagged by `filter_data.Gx5StatusFlags.RUN_ANTENNA_OFFSET_CORRECTION_EST_HIGH_WARNING` of
-    `filter_data.Gx5StatusFlags`. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GX5-45.
-    Probably supported by 3DM-CV5-45, 3DM-CX5-45, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GV7-INS, 3DM-GX3-45,
-    3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Refused by 3DM-GX3-25.
+    Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GX5-45.
 
     7-series devices expect the vehicle frame, 5-series devices the sensor frame. On the 3DM-CV7 it
     applies to GNSS data received as NMEA; data from the aiding commands uses `aiding.FrameConfig`.
@@ -2394,10 +2301,7 @@ class EstimationControl(Command[R]):
     Probably changes `filter_data.GyroBiasUncertainty`, `filter_data.AccelBiasUncertainty`,
     `filter_data.GyroScaleFactorUncertainty`, `filter_data.AccelScaleFactorUncertainty`,
     `filter_data.AntennaOffsetCorrectionUncertainty`, `filter_data.MagOffsetUncertainty` and
-    `filter_data.MagMatrixUncertainty`. Supported by 3DM-GX5-15 and 3DM-GX5-45. Probably supported
-    by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25,
-    3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25,
-    3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    `filter_data.MagMatrixUncertainty`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
 
     - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
     """
@@ -2481,8 +2385,7 @@ class GnssSource(Command[R]):
     Probably changes `filter_data.LlhPosition`, `filter_data.EcefPosition`,
     `filter_data.NedVelocity`, `filter_data.EcefVelocity` and
     `filter_data.GnssPositionAidingStatus`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and
-    3DM-GX5-45. Probably supported by 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-45, 3DM-CX7-INS, 3DM-GQ4-45,
-    3DM-GV7-INS, 3DM-GX3-45, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    3DM-GX5-45.
 
     A change while the filter is running may return it to initialization until the new source
     provides data.
@@ -2552,8 +2455,7 @@ class ExternalGnssUpdate(Command[None]):
 
     Sends one measurement of position and velocity by a GNSS receiver of the user to the filter.
 
-    Supported by 3DM-GX5-45. Probably supported by 3DM-CV5-45, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX4-45,
-    3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the MicroStrain MIP SDK.
+    Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
     Refused unless `GnssSource` selects the external source. The highest rate depends on the device.
 
@@ -2650,10 +2552,7 @@ class ExternalHeadingUpdate(Command[None]):
 
     Sends one measurement of the heading of the sensor frame in the NED frame to the filter.
 
-    Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45. Probably supported by 3DM-CL5-15,
-    3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
-    3DM-CX7-INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GV7-INS, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25,
-    3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
 
     Refused unless external heading updates are enabled, by `HeadingSource` on the 3DM-GX5 and by
     `AidingMeasurementEnable` on the 3DM-CV7. The 3DM-GX5-15 accepts at most 20 updates per second.
@@ -2703,9 +2602,6 @@ class HeadingSource(Command[R]):
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `HeadingSourceResponse`.
     Changes `filter_data.HeadingUpdateState`. Probably changes `filter_data.AttitudeQuaternion`,
     `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
-    Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15,
-    3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25,
-    3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
     """
@@ -2788,9 +2684,6 @@ class AutoInitializationControl(Command[R]):
 
     Also called `auto_init_control`. Functions: `write`, `read`, `save`, `load` and `default`.
     Answered by `AutoInitializationControlResponse`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
-    Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15,
-    3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25,
-    3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Refused by 3DM-CV7-AR.
 
     It needs a valid heading source.
 
@@ -2864,10 +2757,6 @@ class AccelNoise(Command[R]):
     Probably changes `filter_data.LlhPositionUncertainty`, `filter_data.EcefPositionUncertainty`,
     `filter_data.NedVelocityUncertainty`, `filter_data.EcefVelocityUncertainty` and
     `filter_data.AccelBiasUncertainty`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
-    Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS,
-    3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR,
-    3DM-CX7-INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-45,
-    3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     The factory values suit most laboratory conditions.
 
@@ -2945,11 +2834,7 @@ class GyroNoise(Command[R]):
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GyroNoiseResponse`.
     Probably changes `filter_data.EulerAnglesUncertainty`,
     `filter_data.QuaternionAttitudeUncertainty` and `filter_data.GyroBiasUncertainty`. Supported by
-    3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45. Probably supported by 3DM-CL5-15, 3DM-CL5-25,
-    3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15,
-    3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS,
-    3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
-    3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
 
     The factory values suit most laboratory conditions.
 
@@ -3026,9 +2911,7 @@ class AccelBiasModel(Command[R]):
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AccelBiasModelResponse`.
     Probably changes `filter_data.AccelBias` and `filter_data.AccelBiasUncertainty`. Supported by
-    3DM-CV7-GNSS/INS and 3DM-GX5-45. Probably supported by 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-45,
-    3DM-CX7-INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GV7-INS, 3DM-GX4-45, 3DM-RQ1-45-LT and
-    3DM-RQ1-45-ST.
+    3DM-CV7-GNSS/INS and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
     """
@@ -3116,11 +2999,7 @@ class GyroBiasModel(Command[R]):
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GyroBiasModelResponse`.
     Probably changes `filter_data.GyroBias` and `filter_data.GyroBiasUncertainty`. Supported by
-    3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45. Probably supported by 3DM-CL5-15, 3DM-CL5-25,
-    3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15,
-    3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS,
-    3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
-    3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D)
     - 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
@@ -3210,9 +3089,7 @@ class AutoZupt(Command[R]):
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AutoZuptResponse`.
     Probably changes `filter_data.NedVelocity`, `filter_data.EcefVelocity`,
     `filter_data.NedVelocityUncertainty` and `filter_data.EcefVelocityUncertainty`. Supported by
-    3DM-GQ7-GNSS/INS and 3DM-GX5-45. Probably supported by 3DM-CV5-45, 3DM-CX5-45, 3DM-GQ4-45,
-    3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the MicroStrain MIP
-    SDK.
+    3DM-GQ7-GNSS/INS and 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
     The update applies while the magnitude of the GNSS velocity vector is at or below the threshold.
 
@@ -3283,10 +3160,7 @@ class ExternalHeadingUpdateWithTime(Command[None]):
 
     Sends one measurement of the heading of the sensor frame with its GPS time to the filter.
 
-    Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45. Probably supported by 3DM-CL5-15,
-    3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
-    3DM-CX7-INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GV7-INS, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25,
-    3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
 
     Better than `ExternalHeadingUpdate` if the heading changes quickly; the time must be accurate.
     Refused unless external heading updates are enabled, by `HeadingSource` on the 3DM-GX5 and by
@@ -3353,10 +3227,6 @@ class AutoAngularZupt(Command[R]):
     Probably changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`,
     `filter_data.EulerAngles`, `filter_data.GyroBias` and `filter_data.GyroBiasUncertainty`.
     Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
-    Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS,
-    3DM-CV7-AR, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
-    3DM-GQ4-45, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
-    3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     The update applies while the magnitude of the angular rate vector is at or below the threshold.
 
@@ -3437,10 +3307,8 @@ class TareOrientation(Command[R]):
     `sensor.DeltaVelocity`, `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`,
     `filter_data.EulerAngles`, `filter_data.LinearAccel`, `filter_data.CompAngularRate`,
     `filter_data.GravityVector` and `filter_data.CompAccel`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
-    Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15,
-    3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25,
-    3DM-RQ1-45-LT and 3DM-RQ1-45-ST. On the 3DM-GX5-15: `write`, `save`, `load` and `default` only.
-    On the 3DM-GX5-45: `write`, `save`, `load` and `default` only.
+    On the 3DM-GX5-15: `write`, `save`, `load` and `default` only. On the 3DM-GX5-45: `write`,
+    `save`, `load` and `default` only.
 
     Refused while the filter has no valid attitude.
 
@@ -3509,8 +3377,7 @@ class CommandedZupt(Command[None]):
 
     Probably changes `filter_data.NedVelocity`, `filter_data.EcefVelocity`,
     `filter_data.NedVelocityUncertainty` and `filter_data.EcefVelocityUncertainty`. Supported by
-    3DM-GX5-45. Probably supported by 3DM-CV5-45, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX4-45, 3DM-RQ1-45-LT
-    and 3DM-RQ1-45-ST. Known only from the MicroStrain MIP SDK.
+    3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
     The highest rate depends on the device.
 
@@ -3533,9 +3400,7 @@ class CommandedAngularZupt(Command[None]):
 
     Probably changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`,
     `filter_data.EulerAngles`, `filter_data.GyroBias` and `filter_data.GyroBiasUncertainty`.
-    Supported by 3DM-GX5-15 and 3DM-GX5-45. Probably supported by 3DM-CL5-15, 3DM-CL5-25,
-    3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX4-15,
-    3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    Supported by 3DM-GX5-15 and 3DM-GX5-45.
 
     At most 10 per second.
 
@@ -3559,9 +3424,7 @@ class ReferencePosition(Command[R]):
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `ReferencePositionResponse`. Changes `filter_data.Wgs84GravityMagnitude` and
-    `filter_data.MagneticModel`. Supported by 3DM-GX5-15. Probably supported by 3DM-CL5-15,
-    3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-15, 3DM-CX5-25, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-25
-    and 3DM-GX5-45.
+    `filter_data.MagneticModel`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26)
     """
@@ -3667,8 +3530,7 @@ class MagCaptureAutoCalibration(Command[None]):
     Moves the result of the automatic magnetometer calibration into the fixed calibration.
 
     Also called `mag_capture_auto_cal`. Functions: `write` and `save`. Changes `sensor.ScaledMag`,
-    `filter_data.MagOffset` and `filter_data.MagMatrix`. Supported by 3DM-GX5-45. Probably supported
-    by 3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45 and 3DM-GX5-25. Known only from
+    `filter_data.MagOffset` and `filter_data.MagMatrix`. Supported by 3DM-GX5-45. Known only from
     the MicroStrain MIP SDK.
 
     A write combines the automatic calibration with `mip_3dm.MagHardIronOffset` and
@@ -3714,9 +3576,7 @@ class GravityNoise(Command[R]):
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GravityNoiseResponse`.
     Probably changes `filter_data.EulerAnglesUncertainty` and
     `filter_data.QuaternionAttitudeUncertainty`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and
-    3DM-GX5-45. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
-    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS,
-    3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS and 3DM-GX5-25.
+    3DM-GX5-45.
 
     The factory values suit most laboratory conditions.
 
@@ -3793,8 +3653,7 @@ class PressureAltitudeNoise(Command[R]):
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `PressureAltitudeNoiseResponse`. Probably changes `filter_data.LlhPosition` and
-    `filter_data.LlhPositionUncertainty`. Supported by 3DM-GX5-45. Probably supported by 3DM-CL5-25,
-    3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45 and 3DM-GX5-25. Known only from the MicroStrain
+    `filter_data.LlhPositionUncertainty`. Supported by 3DM-GX5-45. Known only from the MicroStrain
     MIP SDK.
 
     With a small value, the altitude follows the pressure faster, but weather and draughts appear as
@@ -3870,9 +3729,8 @@ class HardIronOffsetNoise(Command[R]):
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `HardIronOffsetNoiseResponse`. Probably changes `filter_data.MagOffset` and
-    `filter_data.MagOffsetUncertainty`. Supported by 3DM-GX5-45. Probably supported by 3DM-CL5-25,
-    3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45 and 3DM-GX5-25. Known only from the MicroStrain
-    MIP SDK.
+    `filter_data.MagOffsetUncertainty`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP
+    SDK.
 
     - mip-sdk-4: Hard iron offset noise (0x0D,0x2B)
     """
@@ -3948,9 +3806,8 @@ class SoftIronMatrixNoise(Command[R]):
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `SoftIronMatrixNoiseResponse`. Probably changes `filter_data.MagMatrix` and
-    `filter_data.MagMatrixUncertainty`. Supported by 3DM-GX5-45. Probably supported by 3DM-CL5-25,
-    3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45 and 3DM-GX5-25. Known only from the MicroStrain
-    MIP SDK.
+    `filter_data.MagMatrixUncertainty`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP
+    SDK.
 
     - mip-sdk-4: Soft iron matrix noise (0x0D,0x2C)
     """
@@ -4027,9 +3884,7 @@ class EnableMeasurements(Command[R]):
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `EnableMeasurementsResponse`. Probably changes `filter_data.AttitudeQuaternion`,
     `filter_data.AttitudeDcm`, `filter_data.EulerAngles`, `filter_data.EulerAnglesUncertainty` and
-    `filter_data.QuaternionAttitudeUncertainty`. Supported by 3DM-GX5-15. Probably supported by
-    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-15, 3DM-CX5-25, 3DM-GX4-25 and
-    3DM-GX5-25.
+    `filter_data.QuaternionAttitudeUncertainty`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41)
     """
@@ -4102,10 +3957,9 @@ class MagNoise(Command[R]):
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `MagNoiseResponse`.
     Probably changes `filter_data.EulerAnglesUncertainty` and
-    `filter_data.QuaternionAttitudeUncertainty`. Supported by 3DM-GX5-45. Probably supported by
-    3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX4-25, 3DM-GX4-45,
-    3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the MicroStrain MIP SDK. Uncertain:
-    The SDK calls it process noise, although the noise is that of a measurement.
+    `filter_data.QuaternionAttitudeUncertainty`. Supported by 3DM-GX5-45. Known only from the
+    MicroStrain MIP SDK. Uncertain: The SDK calls it process noise, although the noise is that of a
+    measurement.
 
     - mip-sdk-4: Mag Noise (0x0D,0x42)
     """
@@ -4178,10 +4032,7 @@ class MagneticDeclinationSource(Command[R]):
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `MagneticDeclinationSourceResponse`. Probably changes `filter_data.AttitudeQuaternion`,
     `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
-    3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Probably supported by 3DM-CL5-25, 3DM-CV5-25,
-    3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
-    3DM-GQ4-45, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25,
-    3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Refused by 3DM-GX3-25.
+    3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45.
 
     Without a good declination source, keep automatic magnetometer calibration off.
 
@@ -4277,9 +4128,7 @@ class AccelMagnitudeErrorAdaptiveMeasurement(Command[R]):
     `AccelMagnitudeErrorAdaptiveMeasurementResponse`. Probably changes
     `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
     `filter_data.EulerAnglesUncertainty` and `filter_data.QuaternionAttitudeUncertainty`. Supported
-    by 3DM-GX5-15 and 3DM-GX5-45. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15,
-    3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15,
-    3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Refused by 3DM-CV7-AR.
+    by 3DM-GX5-15 and 3DM-GX5-45.
 
     Also called accelerometer magnitude error adaptive measurement. All parameters after the
     selector keep their values if they are left out. Filter and limits take effect only with
@@ -4439,9 +4288,7 @@ class MagMagnitudeErrorAdaptiveMeasurement(Command[R]):
     `MagMagnitudeErrorAdaptiveMeasurementResponse`. Probably changes
     `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
     `filter_data.EulerAnglesUncertainty` and `filter_data.QuaternionAttitudeUncertainty`. Supported
-    by 3DM-GX5-45. Probably supported by 3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45,
-    3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and
-    3DM-RQ1-45-ST. Known only from the MicroStrain MIP SDK. Uncertain: Whether the parameters after
+    by 3DM-GX5-45. Known only from the MicroStrain MIP SDK. Uncertain: Whether the parameters after
     the selector may be left out on write, as those of `AccelMagnitudeErrorAdaptiveMeasurement` may.
 
     The limits and the low-pass filter take effect only with `fixed`; with `auto` the device
@@ -4614,9 +4461,7 @@ class MagDipAngleErrorAdaptiveMeasurement(Command[R]):
     `MagDipAngleErrorAdaptiveMeasurementResponse`. Probably changes
     `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
     `filter_data.EulerAnglesUncertainty` and `filter_data.QuaternionAttitudeUncertainty`. Supported
-    by 3DM-GX5-45. Probably supported by 3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45,
-    3DM-GQ4-45, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from
-    the MicroStrain MIP SDK.
+    by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
     It has no effect while `AccelMagnitudeErrorAdaptiveMeasurement` or
     `MagMagnitudeErrorAdaptiveMeasurement` is set to `auto`. High limits suit high dynamics but do
@@ -4756,8 +4601,7 @@ class AltitudeAiding(Command[R]):
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AltitudeAidingResponse`.
     Probably changes `filter_data.LlhPosition` and `filter_data.LlhPositionUncertainty`. Supported
-    by 3DM-GX5-45. Probably supported by 3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45
-    and 3DM-GX5-25. Known only from the MicroStrain MIP SDK.
+    by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
     GNSS remains the main source of altitude; the aid improves it and bridges outages. Weather and
     location shift the pressure altitude, sometimes by more than 40 m.
@@ -4831,9 +4675,7 @@ class PitchRollAiding(Command[R]):
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `PitchRollAidingResponse`.
     Probably changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`,
     `filter_data.EulerAngles`, `filter_data.EulerAnglesUncertainty` and
-    `filter_data.QuaternionAttitudeUncertainty`. Supported by 3DM-GX5-15 and 3DM-GX5-45. Probably
-    supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25,
-    3DM-CX5-45 and 3DM-GX5-25. Refused by 3DM-CV7-AR.
+    `filter_data.QuaternionAttitudeUncertainty`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
 
     - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
     """
@@ -5253,9 +5095,7 @@ class AidingMeasurementEnable(Command[R]):
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `AidingMeasurementEnableResponse`. Changes `filter_data.AidingMeasurementSummary`. Probably
-    changes filter_data (0x82). Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably
-    supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS,
-    3DM-GV7-AR and 3DM-GV7-INS.
+    changes filter_data (0x82). Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
     """
@@ -5458,7 +5298,6 @@ class InitializationConfig(Command[R]):
     `filter_data.LlhPosition`, `filter_data.EcefPosition`, `filter_data.NedVelocity`,
     `filter_data.EcefVelocity`, `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and
     `filter_data.EulerAngles`. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GQ7-GNSS/INS.
-    Probably supported by 3DM-CX7-INS and 3DM-GV7-INS.
 
     Single precision resolves the latitude and longitude of the initial position to about a metre
     only. Kinematic alignment sets the heading once the speed reaches 2 m/s. External alignment
@@ -5640,9 +5479,7 @@ class AdaptiveFilterOptions(Command[R]):
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `AdaptiveFilterOptionsResponse`. Probably changes filter_data (0x82). Supported by
-    3DM-CV7-GNSS/INS. Probably supported by 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS,
-    3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR,
-    3DM-GV7-INS and 3DM-GX5-45.
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
     """
@@ -5731,9 +5568,8 @@ class MultiAntennaOffset(Command[R]):
     `MultiAntennaOffsetResponse`. Probably changes `filter_data.LlhPosition`,
     `filter_data.EcefPosition`, `filter_data.NedVelocity`, `filter_data.EcefVelocity`,
     `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
-    `filter_data.MultiAntennaOffsetCorrection` and `filter_data.GnssDualAntennaStatus`. Flagged by
-    `filter_data.Cv7StatusFlags.ANTENNA_LEVER_ARM_WARNING` of `filter_data.Cv7StatusFlags`.
-    Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-GQ7-GNSS/INS. Refused by 3DM-GX3-25.
+    `filter_data.MultiAntennaOffsetCorrection` and `filter_data.GnssDualAntennaStatus`. Supported by
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54)
     """
@@ -5823,8 +5659,7 @@ class RelativePositionConfig(Command[R]):
 
     Also called `rel_pos_configuration`. Functions: `write`, `read`, `save`, `load` and `default`.
     Answered by `RelativePositionConfigResponse`. Changes `filter_data.NedRelativePosition`.
-    Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS
-    and 3DM-GV7-INS.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
     """
@@ -5927,8 +5762,7 @@ class ReferencePointLeverArm(Command[R]):
     Also called `ref_point_lever_arm`. Functions: `write`, `read`, `save`, `load` and `default`.
     Answered by `ReferencePointLeverArmResponse`. Changes `filter_data.LlhPosition`,
     `filter_data.EcefPosition`, `filter_data.NedVelocity`, `filter_data.EcefVelocity` and
-    `filter_data.NedRelativePosition`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
-    3DM-CV7-INS, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS and 3DM-GV7-INS.
+    `filter_data.NedRelativePosition`. Supported by 3DM-CV7-GNSS/INS.
 
     The shift of positions depends on the attitude, that of velocities on the angular rate as well.
 
@@ -6072,8 +5906,7 @@ class SpeedLeverArm(Command[R]):
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `SpeedLeverArmResponse`.
     Probably changes `filter_data.NedVelocity`, `filter_data.EcefVelocity` and
-    `filter_data.OdometerScaleFactorError`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
-    3DM-GQ7-GNSS/INS.
+    `filter_data.OdometerScaleFactorError`. Supported by 3DM-CV7-GNSS/INS.
 
     It corrects for the part of the speed at that point that is due to the rotation of the vehicle.
 
@@ -6239,8 +6072,7 @@ class WheeledVehicleConstraintControl(Command[R]):
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `WheeledVehicleConstraintControlResponse`. Probably changes `filter_data.NedVelocity`,
     `filter_data.EcefVelocity`, `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and
-    `filter_data.EulerAngles`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
-    3DM-GQ7-GNSS/INS.
+    `filter_data.EulerAngles`. Supported by 3DM-CV7-GNSS/INS.
 
     It improves the heading of cars and similar vehicles, especially with intermittent GNSS. Do not
     use it for vehicles that move sideways, such as aircraft.

@@ -367,17 +367,7 @@ class LlhPosition(Data):
 
     Estimated position.
 
-    Also called `position_llh`. Changed by `filter.SensorToVehicleOffset` and
-    `filter.ReferencePointLeverArm`. Probably changed by `filter.AntennaOffset`,
-    `filter.GnssSource`, `filter.PressureAltitudeNoise`, `filter.AltitudeAiding`,
-    `filter.InitializationConfig` and `filter.MultiAntennaOffset`. Flagged by
-    `Gx5StatusFlags.RUN_GPS_UNAVAILABLE` of `Gx5StatusFlags`,
-    `Gx5StatusFlags.RUN_POSITION_COVARIANCE_WARNING` of `Gx5StatusFlags`,
-    `Gx5StatusFlags.INIT_NO_POSITION_VELOCITY` of `Gx5StatusFlags` and
-    `Cv7StatusFlags.POSITION_WARNING` of `Cv7StatusFlags`. Supported by 3DM-CV7-GNSS/INS and
-    3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-45, 3DM-CX7-INS,
-    3DM-GQ4-45, 3DM-GV7-INS, 3DM-GX3-45, 3DM-GX4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
-    Refused by 3DM-GX3-25 and 3DM-GX5-25.
+    Also called `position_llh`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: LLH Position (0x82,0x01)
     """
@@ -426,17 +416,7 @@ class NedVelocity(Data):
 
     Estimated velocity.
 
-    Also called `velocity_ned`. Changed by `filter.ReferencePointLeverArm`. Probably changed by
-    `filter.AntennaOffset`, `filter.GnssSource`, `filter.AutoZupt`, `filter.CommandedZupt`,
-    `filter.KinematicConstraint`, `filter.InitializationConfig`, `filter.MultiAntennaOffset`,
-    `filter.SpeedLeverArm` and `filter.WheeledVehicleConstraintControl`. Flagged by
-    `Gx5StatusFlags.RUN_GPS_UNAVAILABLE` of `Gx5StatusFlags`,
-    `Gx5StatusFlags.RUN_VELOCITY_COVARIANCE_WARNING` of `Gx5StatusFlags`,
-    `Gx5StatusFlags.INIT_NO_POSITION_VELOCITY` of `Gx5StatusFlags` and
-    `Cv7StatusFlags.VELOCITY_WARNING` of `Cv7StatusFlags`. Supported by 3DM-CV7-GNSS/INS and
-    3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-45, 3DM-CX7-INS,
-    3DM-GQ4-45, 3DM-GV7-INS, 3DM-GX3-45, 3DM-GX4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
-    Refused by 3DM-GX3-25 and 3DM-GX5-25.
+    Also called `velocity_ned`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Velocity NED (0x82,0x02)
     """
@@ -483,25 +463,7 @@ class AttitudeQuaternion(Data):
 
     Estimated orientation of the vehicle frame in the NED frame as a quaternion.
 
-    Changed by `mip_3dm.SensorToVehicleTransformEuler`,
-    `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm`,
-    `filter.SetInitialAttitude`, `filter.SetInitialHeading`, `filter.SetInitialAttitudeFromImu`,
-    `filter.SensorToVehicleRotationEuler`, `filter.TareOrientation`,
-    `filter.SensorToVehicleRotationDcm` and `filter.SensorToVehicleRotationQuaternion`. Probably
-    changed by `filter.HeadingSource`, `filter.AutoAngularZupt`, `filter.CommandedAngularZupt`,
-    `filter.EnableMeasurements`, `filter.MagneticDeclinationSource`,
-    `filter.AccelMagnitudeErrorAdaptiveMeasurement`, `filter.MagMagnitudeErrorAdaptiveMeasurement`,
-    `filter.MagDipAngleErrorAdaptiveMeasurement`, `filter.PitchRollAiding`,
-    `filter.MagneticInclinationSource`, `filter.MagneticMagnitudeSource`,
-    `filter.KinematicConstraint`, `filter.InitializationConfig`, `filter.MultiAntennaOffset`,
-    `filter.VerticalGyroConstraintControl` and `filter.WheeledVehicleConstraintControl`. Flagged by
-    `Gx5StatusFlags.INIT_NO_ATTITUDE` of `Gx5StatusFlags`, `Cv7StatusFlags.ROLL_PITCH_WARNING` of
-    `Cv7StatusFlags` and `Cv7StatusFlags.HEADING_WARNING` of `Cv7StatusFlags`. Supported by
-    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15. Probably supported
-    by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15,
-    3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR,
-    3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45. Refused by
-    3DM-GX3-25.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
 
     `v_vehicle = q^-1 * v_ned * q`. The 3DM-GX5-15 manual documents the inverse rotation.
 
@@ -538,24 +500,7 @@ class AttitudeDcm(Data):
 
     Estimated orientation of the vehicle frame in the NED frame as a rotation matrix.
 
-    Changed by `mip_3dm.SensorToVehicleTransformEuler`,
-    `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm`,
-    `filter.SetInitialAttitude`, `filter.SetInitialHeading`, `filter.SetInitialAttitudeFromImu`,
-    `filter.SensorToVehicleRotationEuler`, `filter.TareOrientation`,
-    `filter.SensorToVehicleRotationDcm` and `filter.SensorToVehicleRotationQuaternion`. Probably
-    changed by `filter.HeadingSource`, `filter.AutoAngularZupt`, `filter.CommandedAngularZupt`,
-    `filter.EnableMeasurements`, `filter.MagneticDeclinationSource`,
-    `filter.AccelMagnitudeErrorAdaptiveMeasurement`, `filter.MagMagnitudeErrorAdaptiveMeasurement`,
-    `filter.MagDipAngleErrorAdaptiveMeasurement`, `filter.PitchRollAiding`,
-    `filter.MagneticInclinationSource`, `filter.MagneticMagnitudeSource`,
-    `filter.KinematicConstraint`, `filter.InitializationConfig`, `filter.MultiAntennaOffset`,
-    `filter.VerticalGyroConstraintControl` and `filter.WheeledVehicleConstraintControl`. Flagged by
-    `Gx5StatusFlags.INIT_NO_ATTITUDE` of `Gx5StatusFlags`, `Cv7StatusFlags.ROLL_PITCH_WARNING` of
-    `Cv7StatusFlags` and `Cv7StatusFlags.HEADING_WARNING` of `Cv7StatusFlags`. Supported by
-    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45. Probably supported by
-    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25,
-    3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR,
-    3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45 and 3DM-GX5-25.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
 
     The matrix transforms vectors from the NED frame to the vehicle frame: `v_vehicle = dcm *
     v_ned`.
@@ -594,27 +539,8 @@ class EulerAngles(Data):
 
     Estimated orientation of the vehicle frame in the NED frame as Euler angles.
 
-    Changed by `mip_3dm.SensorToVehicleTransformEuler`,
-    `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm`,
-    `filter.SetInitialAttitude`, `filter.SetInitialHeading`, `filter.SetInitialAttitudeFromImu`,
-    `filter.SensorToVehicleRotationEuler`, `filter.TareOrientation`,
-    `filter.SensorToVehicleRotationDcm` and `filter.SensorToVehicleRotationQuaternion`. Probably
-    changed by `filter.HeadingSource`, `filter.AutoAngularZupt`, `filter.CommandedAngularZupt`,
-    `filter.EnableMeasurements`, `filter.MagneticDeclinationSource`,
-    `filter.AccelMagnitudeErrorAdaptiveMeasurement`, `filter.MagMagnitudeErrorAdaptiveMeasurement`,
-    `filter.MagDipAngleErrorAdaptiveMeasurement`, `filter.PitchRollAiding`,
-    `filter.MagneticInclinationSource`, `filter.MagneticMagnitudeSource`,
-    `filter.KinematicConstraint`, `filter.InitializationConfig`, `filter.MultiAntennaOffset`,
-    `filter.VerticalGyroConstraintControl` and `filter.WheeledVehicleConstraintControl`. Flagged by
-    `Gx5StatusFlags.RUN_ATTITUDE_COVARIANCE_WARNING` of `Gx5StatusFlags`,
-    `Gx5StatusFlags.INIT_NO_ATTITUDE` of `Gx5StatusFlags`, `Cv7StatusFlags.ROLL_PITCH_WARNING` of
-    `Cv7StatusFlags` and `Cv7StatusFlags.HEADING_WARNING` of `Cv7StatusFlags`. Supported by
-    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
-    Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS,
-    3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ4-45,
-    3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
-    3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Uncertain: The ranges of the angles. Uncertain:
-    which no source states.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and
+    3DM-GX5-45. Uncertain: The ranges of the angles. Uncertain: which no source states.
 
     The rotations apply in the order yaw, pitch, roll (3-2-1).
 
@@ -667,14 +593,7 @@ class GyroBias(Data):
 
     Estimated bias of the gyroscope.
 
-    Changed by `filter.EstimationControl`. Probably changed by `mip_3dm.GyroBias`,
-    `mip_3dm.CaptureGyroBias`, `filter.GyroBiasModel`, `filter.AutoAngularZupt` and
-    `filter.CommandedAngularZupt`. Flagged by `Gx5StatusFlags.RUN_GYRO_BIAS_EST_HIGH_WARNING` of
-    `Gx5StatusFlags` and `Cv7StatusFlags.IMU_BIAS_WARNING` of `Cv7StatusFlags`. Supported by
-    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GX5-15. Probably supported by 3DM-CL5-15,
-    3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
-    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS,
-    3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Gyro Bias (0x82,0x06)
     - 3dm-gx5-15: 5.2.9 Gyro Bias (0x82, 0x06)
@@ -709,11 +628,7 @@ class AccelBias(Data):
 
     Estimated bias of the accelerometer.
 
-    Changed by `filter.EstimationControl`. Probably changed by `mip_3dm.AccelBias` and
-    `filter.AccelBiasModel`. Flagged by `Gx5StatusFlags.RUN_ACCEL_BIAS_EST_HIGH_WARNING` of
-    `Gx5StatusFlags` and `Cv7StatusFlags.IMU_BIAS_WARNING` of `Cv7StatusFlags`. Supported by
-    3DM-CV7-GNSS/INS. Probably supported by 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-45, 3DM-CX7-INS,
-    3DM-GQ7-GNSS/INS, 3DM-GV7-INS and 3DM-GX5-45. Refused by 3DM-GX4-25.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Accel Bias (0x82,0x07)
     """
@@ -747,11 +662,7 @@ class LlhPositionUncertainty(Data):
 
     Standard deviation of the estimated position, in the NED frame.
 
-    Also called `position_llh_uncertainty`. Probably changed by `filter.AccelNoise`,
-    `filter.PressureAltitudeNoise` and `filter.AltitudeAiding`. Flagged by
-    `Gx5StatusFlags.RUN_POSITION_COVARIANCE_WARNING` of `Gx5StatusFlags`. Supported by
-    3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV5-45, 3DM-CV7-INS,
-    3DM-CX5-45, 3DM-CX7-INS, 3DM-GV7-INS and 3DM-GX5-45. Refused by 3DM-GX3-25 and 3DM-GX5-25.
+    Also called `position_llh_uncertainty`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: LLH Position Uncertainty (0x82,0x08)
     """
@@ -798,11 +709,7 @@ class NedVelocityUncertainty(Data):
 
     Standard deviation of the estimated velocity.
 
-    Also called `velocity_ned_uncertainty`. Probably changed by `filter.AccelNoise`,
-    `filter.AutoZupt` and `filter.CommandedZupt`. Flagged by
-    `Gx5StatusFlags.RUN_VELOCITY_COVARIANCE_WARNING` of `Gx5StatusFlags`. Supported by
-    3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV5-45, 3DM-CV7-INS,
-    3DM-CX5-45, 3DM-CX7-INS, 3DM-GV7-INS and 3DM-GX5-45. Refused by 3DM-GX3-25.
+    Also called `velocity_ned_uncertainty`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: NED Velocity Uncertainty (0x82,0x09)
     """
@@ -849,15 +756,7 @@ class EulerAnglesUncertainty(Data):
 
     Standard deviation of the estimated Euler angles.
 
-    Probably changed by `filter.GyroNoise`, `filter.GravityNoise`, `filter.EnableMeasurements`,
-    `filter.MagNoise`, `filter.AccelMagnitudeErrorAdaptiveMeasurement`,
-    `filter.MagMagnitudeErrorAdaptiveMeasurement`, `filter.MagDipAngleErrorAdaptiveMeasurement` and
-    `filter.PitchRollAiding`. Flagged by `Gx5StatusFlags.RUN_ATTITUDE_COVARIANCE_WARNING` of
-    `Gx5StatusFlags`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15. Probably
-    supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS,
-    3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR,
-    3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
-    3DM-GX5-25 and 3DM-GX5-45. Refused by 3DM-GX3-25.
+    Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
 
     3DM-GX5: derived from the quaternion, less accurate at steep pitch, and not valid beyond 70
     degrees of pitch up or down.
@@ -908,12 +807,7 @@ class GyroBiasUncertainty(Data):
 
     Standard deviation of the estimated gyroscope bias.
 
-    Probably changed by `filter.EstimationControl`, `filter.GyroNoise`, `filter.GyroBiasModel`,
-    `filter.AutoAngularZupt` and `filter.CommandedAngularZupt`. Supported by 3DM-CV7-GNSS/INS and
-    3DM-GX5-15. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
-    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS,
-    3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15,
-    3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Gyro Bias Uncertainty (0x82,0x0B)
     - 3dm-gx5-15: 5.2.10 Gyro Bias Uncertainty (0x82, 0x0B)
@@ -950,9 +844,7 @@ class AccelBiasUncertainty(Data):
 
     Standard deviation of the estimated accelerometer bias.
 
-    Probably changed by `filter.EstimationControl`, `filter.AccelNoise` and `filter.AccelBiasModel`.
-    Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-45,
-    3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-INS and 3DM-GX5-45.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Accel Bias Uncertainty (0x82,0x0C)
     """
@@ -988,14 +880,7 @@ class LinearAccel(Data):
 
     Rate of change of the velocity, with the effect of gravity removed.
 
-    Changed by `mip_3dm.SensorToVehicleTransformEuler`,
-    `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm`,
-    `mip_3dm.LowPassFilter`, `filter.SensorToVehicleRotationEuler`, `filter.TareOrientation`,
-    `filter.SensorToVehicleRotationDcm` and `filter.SensorToVehicleRotationQuaternion`. Supported by
-    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15. Probably supported
-    by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15,
-    3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR,
-    3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Linear Accel (0x82,0x0D)
     - 3dm-gx5-15: 5.2.12 Linear Acceleration (0x82, 0x0D)
@@ -1030,15 +915,8 @@ class CompAngularRate(Data):
 
     Angular rate without the estimated bias.
 
-    Changed by `mip_3dm.SensorToVehicleTransformEuler`,
-    `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm`,
-    `mip_3dm.LowPassFilter`, `filter.SensorToVehicleRotationEuler`, `filter.TareOrientation`,
-    `filter.SensorToVehicleRotationDcm` and `filter.SensorToVehicleRotationQuaternion`. Supported by
-    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
-    Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS,
-    3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS,
-    3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45 and 3DM-GX5-25. Refused by
-    3DM-GX3-25.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and
+    3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Comp Angular Rate (0x82,0x0E)
     - 3dm-gx5-15: 5.2.8 Compensated Angular Rate (0x82, 0x0E)
@@ -1074,9 +952,7 @@ class Wgs84GravityMagnitude(Data):
 
     Magnitude of gravity at the position of the device according to the WGS84 model.
 
-    Also called `wgs84_gravity_mag`. Changed by `filter.ReferencePosition`. Supported by 3DM-GX5-15.
-    Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15,
-    3DM-CX5-25, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45.
+    Also called `wgs84_gravity_mag`. Supported by 3DM-GX5-15.
 
     The model is valid up to an altitude of 20 km.
 
@@ -1110,12 +986,7 @@ class Status(Data):
 
     State, dynamics mode, condition and warnings of the filter.
 
-    Changed by `filter.Run`. Probably changed by `mip_3dm.GyroBias`, `mip_3dm.CaptureGyroBias` and
-    `filter.InitializationConfig`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
-    3DM-GQ7-GNSS/INS and 3DM-GX5-15. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15,
-    3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS,
-    3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25,
-    3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45. Refused by 3DM-GX3-25.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
 
     The meaning of all three values depends on the device. 3DM-CV7: 4, 1, 1 is normal operation
     (full navigation, default mode, stable). 5-series: bits 12 and 13 of the flags have other
@@ -1190,10 +1061,7 @@ class Timestamp(Data):
 
     GPS time of the filter data.
 
-    Changed by `base.GpsTimeUpdate`. Flagged by `Cv7StatusFlags.GNSS_CLOCK_WARNING` of
-    `Cv7StatusFlags`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. Probably supported by
-    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
-    3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     Without PPS the internal clock drives the time, and the time jumps when the PPS returns. Without
     synchronization to a receiver or an external clock it is the internal system time. 3DM-CV7: the
@@ -1234,14 +1102,7 @@ class QuaternionAttitudeUncertainty(Data):
 
     Standard deviation of the elements of the estimated attitude quaternion.
 
-    Probably changed by `filter.GyroNoise`, `filter.GravityNoise`, `filter.EnableMeasurements`,
-    `filter.MagNoise`, `filter.AccelMagnitudeErrorAdaptiveMeasurement`,
-    `filter.MagMagnitudeErrorAdaptiveMeasurement`, `filter.MagDipAngleErrorAdaptiveMeasurement` and
-    `filter.PitchRollAiding`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. Probably supported by
-    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR,
-    3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
-    3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
-    3DM-GX5-25 and 3DM-GX5-45.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Quaternion Attitude Uncertainty (0x82,0x12)
     - 3dm-gx5-15: 5.2.4 Attitude Uncertainty, Quaternion Elements (0x82, 0x12)
@@ -1276,14 +1137,7 @@ class GravityVector(Data):
 
     Estimated gravity.
 
-    Changed by `mip_3dm.SensorToVehicleTransformEuler`,
-    `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm`,
-    `filter.SensorToVehicleRotationEuler`, `filter.TareOrientation`,
-    `filter.SensorToVehicleRotationDcm` and `filter.SensorToVehicleRotationQuaternion`. Supported by
-    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GX5-15. Probably supported by 3DM-CL5-15,
-    3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
-    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS,
-    3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Gravity Vector (0x82,0x13)
     - 3dm-gx5-15: 5.2.14 Gravity Vector (0x82, 0x13)
@@ -1319,9 +1173,7 @@ class HeadingUpdateState(Data):
 
     The last heading that updated the filter and where it came from.
 
-    Changed by `filter.HeadingSource`. Supported by 3DM-GX5-15 and 3DM-GX5-45. Probably supported by
-    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
-    3DM-GX4-25, 3DM-GX4-45 and 3DM-GX5-25.
+    Supported by 3DM-GX5-15 and 3DM-GX5-45.
 
     The valid bit means that the source gave data within the last 2 seconds.
 
@@ -1377,9 +1229,7 @@ class MagneticModel(Data):
 
     Magnetic field at the position of the device according to the World Magnetic Model.
 
-    Changed by `filter.ReferencePosition`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
-    3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-INS,
-    3DM-GQ7-GNSS/INS, 3DM-GV7-INS, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45.
+    Supported by 3DM-CV7-GNSS/INS.
 
     It is valid only with a valid GNSS position.
 
@@ -1462,9 +1312,7 @@ class GyroScaleFactor(Data):
 
     Estimated scale factor of the gyroscope.
 
-    Changed by `filter.EstimationControl`. Flagged by
-    `Gx5StatusFlags.RUN_GYRO_SCALE_FACTOR_EST_HIGH_WARNING` of `Gx5StatusFlags`. Not listed in any
-    device profile. Known only from the MicroStrain MIP SDK.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Gyro Scale Factor (0x82,0x16)
     """
@@ -1500,9 +1348,7 @@ class AccelScaleFactor(Data):
 
     Estimated scale factor of the accelerometer.
 
-    Changed by `filter.EstimationControl`. Flagged by
-    `Gx5StatusFlags.RUN_ACCEL_SCALE_FACTOR_EST_HIGH_WARNING` of `Gx5StatusFlags`. Not listed in any
-    device profile. Known only from the MicroStrain MIP SDK.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Accel Scale Factor (0x82,0x17)
     """
@@ -1538,8 +1384,7 @@ class GyroScaleFactorUncertainty(Data):
 
     Standard deviation of the estimated scale factor of the gyroscope.
 
-    Probably changed by `filter.EstimationControl`. Not listed in any device profile. Known only
-    from the MicroStrain MIP SDK.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Gyro Scale Factor Uncertainty (0x82,0x18)
     """
@@ -1578,8 +1423,7 @@ class AccelScaleFactorUncertainty(Data):
 
     Standard deviation of the estimated scale factor of the accelerometer.
 
-    Probably changed by `filter.EstimationControl`. Not listed in any device profile. Known only
-    from the MicroStrain MIP SDK.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Accel Scale Factor Uncertainty (0x82,0x19)
     """
@@ -1618,8 +1462,7 @@ class MagBias(Data):
 
     Estimated bias of the magnetometer.
 
-    Flagged by `Gx5StatusFlags.RUN_MAG_BIAS_EST_HIGH_WARNING` of `Gx5StatusFlags`. Not listed in any
-    device profile. Known only from the MicroStrain MIP SDK.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Mag Bias (0x82,0x1A)
     """
@@ -1689,14 +1532,7 @@ class CompAccel(Data):
 
     Acceleration without the estimated bias; it includes gravity.
 
-    Changed by `mip_3dm.LowPassFilter`, `filter.SensorToVehicleRotationEuler` and
-    `filter.TareOrientation`. Probably changed by `mip_3dm.SensorToVehicleTransformEuler`,
-    `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm`,
-    `filter.SensorToVehicleRotationDcm` and `filter.SensorToVehicleRotationQuaternion`. Supported by
-    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15. Probably supported
-    by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15,
-    3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR,
-    3DM-GV7-INS, 3DM-GX5-25 and 3DM-GX5-45.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Compensated Acceleration (0x82,0x1C)
     - 3dm-gx5-15: 5.2.11 Compensated Acceleration (0x82, 0x1C)
@@ -1732,8 +1568,7 @@ class StandardAtmosphere(Data):
 
     US Standard Atmosphere of 1976 at the altitude of the device.
 
-    Probably supported by 3DM-CV5-45, 3DM-CX5-45 and 3DM-GX5-45. Known only from the MicroStrain MIP
-    SDK.
+    No device is certain to support it. Known only from the MicroStrain MIP SDK.
 
     It is valid only with a valid GNSS position.
 
@@ -1814,10 +1649,7 @@ class PressureAltitude(Data):
 
     Altitude from the measured pressure, by the US Standard Atmosphere of 1976.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. Probably supported by 3DM-CL5-15, 3DM-CL5-25,
-    3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15,
-    3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS,
-    3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX5-25 and 3DM-GX5-45.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     It needs a valid pressure. The model ends at a pressure of 0.0037 mbar, an altitude of 84852 m.
 
@@ -1886,11 +1718,8 @@ class MagOffset(Data):
 
     Estimated hard iron offset of the magnetometer.
 
-    Also called `magnetometer_offset`. Changed by `filter.EstimationControl` and
-    `filter.MagCaptureAutoCalibration`. Probably changed by `filter.HardIronOffsetNoise`. Flagged by
-    `Gx5StatusFlags.RUN_MAG_HARD_IRON_EST_HIGH_WARNING` of `Gx5StatusFlags`. Probably supported by
-    3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX5-25 and 3DM-GX5-45. Known
-    only from the MicroStrain MIP SDK.
+    No device is certain to support it. Also called `magnetometer_offset`. Known only from the
+    MicroStrain MIP SDK.
 
     The filter adds it to the stored offset of `mip_3dm.MagHardIronOffset`.
 
@@ -1926,11 +1755,8 @@ class MagMatrix(Data):
 
     Estimated soft iron matrix of the magnetometer.
 
-    Also called `magnetometer_matrix`. Changed by `filter.EstimationControl` and
-    `filter.MagCaptureAutoCalibration`. Probably changed by `filter.SoftIronMatrixNoise`. Flagged by
-    `Gx5StatusFlags.RUN_MAG_SOFT_IRON_EST_HIGH_WARNING` of `Gx5StatusFlags`. Probably supported by
-    3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX5-25 and 3DM-GX5-45. Known
-    only from the MicroStrain MIP SDK.
+    No device is certain to support it. Also called `magnetometer_matrix`. Known only from the
+    MicroStrain MIP SDK.
 
     The filter multiplies the stored matrix of `mip_3dm.MagSoftIronMatrix` by it, from the right.
 
@@ -1966,9 +1792,8 @@ class MagOffsetUncertainty(Data):
 
     Standard deviation of the estimated hard iron offset.
 
-    Also called `magnetometer_offset_uncertainty`. Probably changed by `filter.EstimationControl`
-    and `filter.HardIronOffsetNoise`. Probably supported by 3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45,
-    3DM-CX5-25, 3DM-CX5-45, 3DM-GX5-25 and 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+    No device is certain to support it. Also called `magnetometer_offset_uncertainty`. Known only
+    from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Magnetometer offset uncertainty (0x82,0x28)
     """
@@ -2004,9 +1829,8 @@ class MagMatrixUncertainty(Data):
 
     Standard deviation of the estimated soft iron matrix.
 
-    Also called `magnetometer_matrix_uncertainty`. Probably changed by `filter.EstimationControl`
-    and `filter.SoftIronMatrixNoise`. Probably supported by 3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45,
-    3DM-CX5-25, 3DM-CX5-45, 3DM-GX5-25 and 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+    No device is certain to support it. Also called `magnetometer_matrix_uncertainty`. Known only
+    from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Magnetometer matrix uncertainty (0x82,0x29)
     """
@@ -2116,9 +1940,7 @@ class AntennaOffsetCorrection(Data):
 
     Estimated error of the offset of the GNSS antenna.
 
-    Changed by `filter.EstimationControl`. Probably changed by `filter.AntennaOffset`. Flagged by
-    `Gx5StatusFlags.RUN_ANTENNA_OFFSET_CORRECTION_EST_HIGH_WARNING` of `Gx5StatusFlags`. Not listed
-    in any device profile. Known only from the MicroStrain MIP SDK.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     The filter adds it to the stored offset of `filter.AntennaOffset`.
 
@@ -2154,8 +1976,7 @@ class AntennaOffsetCorrectionUncertainty(Data):
 
     Standard deviation of the estimated error of the offset of the GNSS antenna.
 
-    Probably changed by `filter.EstimationControl`. Not listed in any device profile. Known only
-    from the MicroStrain MIP SDK.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Antenna offset correction uncertainty (0x82,0x31)
     """
@@ -2191,8 +2012,7 @@ class ClockCorrection(Data):
 
     Estimated clock error of one GNSS receiver.
 
-    Flagged by `Cv7StatusFlags.GNSS_CLOCK_WARNING` of `Cv7StatusFlags`. Not listed in any device
-    profile. Known only from the MicroStrain MIP SDK.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Clock correction (0x82,0x32)
     """
@@ -2286,9 +2106,7 @@ class MultiAntennaOffsetCorrection(Data):
 
     Estimated error of the offset of one GNSS antenna.
 
-    Changed by `filter.GnssAntennaCalibrationControl`. Probably changed by
-    `filter.MultiAntennaOffset`. Flagged by `Cv7StatusFlags.ANTENNA_LEVER_ARM_WARNING` of
-    `Cv7StatusFlags`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Refused by 3DM-CV7-AHRS.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     The filter adds it to the stored offset.
 
@@ -2333,8 +2151,7 @@ class MultiAntennaOffsetCorrectionUncertainty(Data):
 
     Standard deviation of the estimated error of the offset of one GNSS antenna.
 
-    Probably changed by `filter.GnssAntennaCalibrationControl`. Supported by 3DM-CV7-GNSS/INS.
-    Probably supported by 3DM-GQ7-GNSS/INS.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Multi Antenna Offset Correction Uncertainty (0x82,0x35)
     """
@@ -2380,9 +2197,7 @@ class EcefPositionUncertainty(Data):
 
     Standard deviation of the estimated position.
 
-    Also called `ecef_pos_uncertainty`. Probably changed by `filter.AccelNoise`. Supported by
-    3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-INS and
-    3DM-GV7-INS. Refused by 3DM-GX3-25.
+    Also called `ecef_pos_uncertainty`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: ECEF Position Uncertainty (0x82,0x36)
     """
@@ -2418,9 +2233,7 @@ class EcefVelocityUncertainty(Data):
 
     Standard deviation of the estimated velocity.
 
-    Also called `ecef_vel_uncertainty`. Probably changed by `filter.AccelNoise`, `filter.AutoZupt`
-    and `filter.CommandedZupt`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably
-    supported by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS. Refused by 3DM-GX3-25.
+    Also called `ecef_vel_uncertainty`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: ECEF Velocity Uncertainty (0x82,0x37)
     """
@@ -2456,11 +2269,7 @@ class EcefPosition(Data):
 
     Estimated position.
 
-    Also called `ecef_pos`. Changed by `filter.ReferencePointLeverArm`. Probably changed by
-    `filter.AntennaOffset`, `filter.GnssSource`, `filter.InitializationConfig` and
-    `filter.MultiAntennaOffset`. Flagged by `Cv7StatusFlags.POSITION_WARNING` of `Cv7StatusFlags`.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-INS,
-    3DM-CX7-INS and 3DM-GV7-INS. Refused by 3DM-GX3-25.
+    Also called `ecef_pos`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: ECEF Position (0x82,0x40)
     """
@@ -2494,13 +2303,7 @@ class EcefVelocity(Data):
 
     Estimated velocity.
 
-    Also called `ecef_vel`. Changed by `filter.ReferencePointLeverArm`. Probably changed by
-    `filter.AntennaOffset`, `filter.GnssSource`, `filter.AutoZupt`, `filter.CommandedZupt`,
-    `filter.KinematicConstraint`, `filter.InitializationConfig`, `filter.MultiAntennaOffset`,
-    `filter.SpeedLeverArm` and `filter.WheeledVehicleConstraintControl`. Flagged by
-    `Cv7StatusFlags.VELOCITY_WARNING` of `Cv7StatusFlags`. Supported by 3DM-CV7-GNSS/INS and
-    3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS. Refused by
-    3DM-GX3-25.
+    Also called `ecef_vel`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: ECEF Velocity (0x82,0x41)
     """
@@ -2534,10 +2337,7 @@ class NedRelativePosition(Data):
 
     Estimated position relative to the point that `filter.RelativePositionConfig` sets.
 
-    Also called `rel_pos_ned`. Changed by `filter.RelativePositionConfig` and
-    `filter.ReferencePointLeverArm`. Flagged by `Cv7StatusFlags.POSITION_WARNING` of
-    `Cv7StatusFlags`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by
-    3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS.
+    Also called `rel_pos_ned`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: NED Relative Position (0x82,0x42)
     """
@@ -2573,9 +2373,7 @@ class GnssPositionAidingStatus(Data):
 
     Use of the position measurements of one GNSS receiver by the filter.
 
-    Also called `gnss_pos_aid_status`. Probably changed by `filter.GnssSource`. Supported by
-    3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-INS and
-    3DM-GV7-INS. Refused by 3DM-CV7-AHRS, 3DM-GX3-25 and 3DM-GX5-25.
+    Also called `gnss_pos_aid_status`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     Single precision resolves the time of week to 0.0625 s at the end of the week.
 
@@ -2708,8 +2506,7 @@ class AidingMeasurementSummary(Data):
 
     Use of one kind of aiding measurement in the last measurement interval.
 
-    Changed by `filter.AidingMeasurementEnable`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
-    Probably supported by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     Single precision resolves the time of week to 0.0625 s at the end of the week.
 
@@ -2758,8 +2555,7 @@ class OdometerScaleFactorError(Data):
 
     Estimated relative error of the odometer scale factor.
 
-    Probably changed by `filter.SpeedLeverArm`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
-    3DM-GQ7-GNSS/INS.
+    Supported by 3DM-CV7-GNSS/INS.
 
     Estimated scale factor = configured scale factor * (1 + error).
 
@@ -2791,7 +2587,7 @@ class OdometerScaleFactorErrorUncertainty(Data):
 
     Uncertainty of the estimated error of the odometer scale factor.
 
-    Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-GQ7-GNSS/INS.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Odometer Scale Factor Error Uncertainty (0x82,0x48)
     """
@@ -2823,8 +2619,7 @@ class GnssDualAntennaStatus(Data):
 
     Heading that two GNSS antennas give.
 
-    Probably changed by `filter.MultiAntennaOffset`. Supported by 3DM-CV7-GNSS/INS and
-    3DM-GQ7-GNSS/INS. Refused by 3DM-CV7-AHRS and 3DM-GX5-25.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     Single precision resolves the time of week to 0.0625 s at the end of the week.
 
@@ -2896,8 +2691,7 @@ class AidingFrameConfigError(Data):
 
     Estimated error of a frame that `aiding.FrameConfig` defines; it is corrected for.
 
-    Changed by `aiding.FrameConfig`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and
-    3DM-CV7-INS. Probably supported by 3DM-CX7-INS and 3DM-GV7-INS.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
 
     - 3dm-cv7-gnss-ins: Aiding Frame Configuration Error (0x82,0x50)
     """
@@ -2941,8 +2735,7 @@ class AidingFrameConfigErrorUncertainty(Data):
 
     Uncertainty of the estimated error of a frame that `aiding.FrameConfig` defines.
 
-    Probably changed by `aiding.FrameConfig`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
-    3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Aiding Frame Configuration Error Uncertainty (0x82,0x51)
     """

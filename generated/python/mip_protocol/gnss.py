@@ -163,7 +163,7 @@ class SpartnConnection(codec.OpenEnum):
 class ReceiverInfoResponse(Response):
     """Receiver info response (0x0E,0x81).
 
-    Answers `ReceiverInfo`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-GQ7-GNSS/INS.
+    Answers `ReceiverInfo`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Receiver Info (0x0E,0x01)
     """
@@ -194,7 +194,7 @@ class SignalConfigResponse(Response):
     """Signal configuration response (0x0E,0x82).
 
     Also called `signal_configuration_response`. Answers `SignalConfig`. Supported by
-    3DM-CV7-GNSS/INS. Probably supported by 3DM-GQ7-GNSS/INS.
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Signal Configuration (0x0E,0x02)
     - 3dm-cv7-gnss-ins: GNSS
@@ -276,8 +276,8 @@ class RtkConfigResponse(Response):
 class RtkDongleConfigResponse(Response):
     """RTK dongle configuration response (0x0E,0x90).
 
-    Also called `rtk_dongle_configuration_response`. Answers `RtkDongleConfig`. Probably supported
-    by 3DM-GQ7-GNSS/INS. Known only from the MicroStrain MIP SDK.
+    No device is certain to support it. Also called `rtk_dongle_configuration_response`. Answers
+    `RtkDongleConfig`. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: RTK dongle configuration (0x0E,0x10)
     """
@@ -393,8 +393,7 @@ class ReceiverInfo(Command[ReceiverInfoResponse]):
 
     Gets the GNSS receivers of the device.
 
-    Answered by `ReceiverInfoResponse`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
-    3DM-GQ7-GNSS/INS.
+    Answered by `ReceiverInfoResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Receiver Info (0x0E,0x01)
     """
@@ -416,9 +415,8 @@ class SignalConfig(Command[R]):
 
     Also called `signal_configuration`. Functions: `write`, `read`, `save`, `load` and `default`.
     Answered by `SignalConfigResponse`. Probably changes `gnss_data.FixInfo`,
-    `gnss_data.SatelliteStatus` and `gnss_data.Raw`. Supported by 3DM-CV7-GNSS/INS. Probably
-    supported by 3DM-GQ7-GNSS/INS. Refused by 3DM-GX3-25. On the 3DM-GQ7-GNSS/INS: firmware >
-    1.0.10.
+    `gnss_data.SatelliteStatus` and `gnss_data.Raw`. Supported by 3DM-CV7-GNSS/INS. On the
+    3DM-GQ7-GNSS/INS: firmware > 1.0.10.
 
     A device accepts certain combinations only. The 3DM-CV7-GNSS/INS needs GPS or Galileo, and
     rejects GPS L1 with BeiDou L1 alone. For GPS and BeiDou it accepts none, L1, or L1 and L5; for
@@ -660,10 +658,9 @@ class RtkDongleConfig(Command[R]):
 
     Switches the communication with a connected RTK dongle on or off.
 
-    Also called `rtk_dongle_configuration`. Functions: `write`, `read`, `save`, `load` and
-    `default`. Answered by `RtkDongleConfigResponse`. Probably changes
-    `gnss_data.RtkCorrectionsStatus`. Probably supported by 3DM-GQ7-GNSS/INS. Refused by 3DM-GX3-25.
-    Known only from the MicroStrain MIP SDK.
+    No device is certain to support it. Also called `rtk_dongle_configuration`. Functions: `write`,
+    `read`, `save`, `load` and `default`. Answered by `RtkDongleConfigResponse`. Probably changes
+    `gnss_data.RtkCorrectionsStatus`. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: RTK dongle configuration (0x0E,0x10)
     """

@@ -703,11 +703,8 @@ class LlhPosition(Shared, Data):
     GNSS position as latitude, longitude and height.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Also called `pos_llh`. Probably changed by
-    `mip_3dm.GpsDynamicsMode` and `gnss.RtkConfig`. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and
-    3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-INS,
-    3DM-GQ4-45, 3DM-GV7-INS, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-45, 3DM-GX5-35, 3DM-GX5-45,
-    3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Refused by 3DM-CV7-AHRS, 3DM-GX3-25 and 3DM-GX5-25.
+    (0x94) and gnss_external_2 (0x95). Also called `pos_llh`. Supported by 3DM-CV7-GNSS/INS,
+    3DM-CV7-INS and 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS LLH Position (0x91,0x03)
     - 3dm-cv7-gnss-ins: GNSS LLH Position (0x92,0x03)
@@ -800,8 +797,7 @@ class EcefPosition(Shared, Data):
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
     (0x94) and gnss_external_2 (0x95). Also called `pos_ecef`. Supported by 3DM-CV7-GNSS/INS,
-    3DM-CV7-INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45,
-    3DM-GX5-35 and 3DM-GX5-45.
+    3DM-CV7-INS and 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS ECEF Position (0x91,0x04)
     - 3dm-cv7-gnss-ins: GNSS ECEF Position (0x92,0x04)
@@ -850,11 +846,8 @@ class NedVelocity(Shared, Data):
     GNSS velocity in the local level frame.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Also called `vel_ned`. Probably changed by
-    `mip_3dm.GpsDynamicsMode`. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GQ7-GNSS/INS.
-    Probably supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GV7-INS,
-    3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
-    Refused by 3DM-GX3-25.
+    (0x94) and gnss_external_2 (0x95). Also called `vel_ned`. Supported by 3DM-CV7-GNSS/INS,
+    3DM-CV7-INS and 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: NED Velocity (0x91,0x05)
     - 3dm-cv7-gnss-ins: NED Velocity (0x92,0x05)
@@ -949,8 +942,7 @@ class EcefVelocity(Shared, Data):
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
     (0x94) and gnss_external_2 (0x95). Also called `vel_ecef`. Supported by 3DM-CV7-GNSS/INS,
-    3DM-CV7-INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-35. Probably supported by 3DM-CV5-45, 3DM-CX5-35,
-    3DM-CX5-45 and 3DM-GX5-45.
+    3DM-CV7-INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-35.
 
     - 3dm-gx5-35: 5.2.4 ECEF Velocity (0x81, 0x06)
     - 3dm-cv7-gnss-ins: GNSS ECEF Velocity (0x91,0x06)
@@ -1000,8 +992,7 @@ class Dop(Shared, Data):
     Dilution of precision of the satellite geometry.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS and 3DM-CV7-INS. Probably
-    supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-35 and 3DM-GX5-45.
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
 
     - 3dm-cv7-gnss-ins: DOP (0x91,0x07)
     - 3dm-cv7-gnss-ins: DOP (0x92,0x07)
@@ -1082,9 +1073,7 @@ class UtcTime(Shared, Data):
     Coordinated universal time as the receiver knows it.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS and 3DM-CV7-INS. Probably
-    supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-INS,
-    3DM-GX5-35 and 3DM-GX5-45.
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
 
     - 3dm-cv7-gnss-ins: UTC Time (0x91,0x08)
     - 3dm-cv7-gnss-ins: UTC Time (0x92,0x08)
@@ -1163,10 +1152,7 @@ class GpsTime(Shared, Data):
     GPS time as the receiver knows it.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Flagged by `types.Gq7ContinuousBuiltInTest.GPS_TIME_FAULT` of
-    `types.Gq7ContinuousBuiltInTest`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
-    3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX3-35, 3DM-GX3-45,
-    3DM-GX4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GPS Time (0x91,0x09)
     - 3dm-cv7-gnss-ins: GPS Time (0x92,0x09)
@@ -1201,9 +1187,9 @@ class ClockInfo(Shared, Data):
 
     Bias and drift of the receiver clock.
 
-    Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Probably supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45,
-    3DM-GX5-35 and 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+    No device is certain to support it. Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92),
+    gnss_corrections (0x93), gnss_external (0x94) and gnss_external_2 (0x95). Known only from the
+    MicroStrain MIP SDK.
 
     Clock info 2 replaces it, with more detail.
 
@@ -1250,23 +1236,8 @@ class FixInfo(Shared, Data):
     Type of the position fix and what it is based on.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Probably changed by `mip_3dm.ConstellationSettings`,
-    `gnss.SignalConfig` and `gnss.RtkConfig`. Flagged by
-    `types.Cv7ContinuousBuiltInTest.GNSS_RECEIVER_1_STALL` of `types.Cv7ContinuousBuiltInTest`,
-    `types.Cv7ContinuousBuiltInTest.GNSS_RECEIVER_2_STALL` of `types.Cv7ContinuousBuiltInTest`,
-    `types.Cv7ContinuousBuiltInTest.RECEIVER_1_FAULT` of `types.Cv7ContinuousBuiltInTest`,
-    `types.Cv7ContinuousBuiltInTest.RECEIVER_1_NO_SOLUTION` of `types.Cv7ContinuousBuiltInTest`,
-    `types.Cv7ContinuousBuiltInTest.RECEIVER_2_FAULT` of `types.Cv7ContinuousBuiltInTest`,
-    `types.Cv7ContinuousBuiltInTest.RECEIVER_2_NO_SOLUTION` of `types.Cv7ContinuousBuiltInTest`,
-    `types.Gq7ContinuousBuiltInTest.RECEIVER_1_POWER_FAULT` of `types.Gq7ContinuousBuiltInTest`,
-    `types.Gq7ContinuousBuiltInTest.RECEIVER_1_FAULT` of `types.Gq7ContinuousBuiltInTest`,
-    `types.Gq7ContinuousBuiltInTest.RECEIVER_1_SOLUTION_FAULT` of `types.Gq7ContinuousBuiltInTest`,
-    `types.Gq7ContinuousBuiltInTest.RECEIVER_2_POWER_FAULT` of `types.Gq7ContinuousBuiltInTest`,
-    `types.Gq7ContinuousBuiltInTest.RECEIVER_2_FAULT` of `types.Gq7ContinuousBuiltInTest` and
-    `types.Gq7ContinuousBuiltInTest.RECEIVER_2_SOLUTION_FAULT` of `types.Gq7ContinuousBuiltInTest`.
-    Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GQ7-GNSS/INS. Probably supported by
-    3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-INS, 3DM-GV7-INS, 3DM-GX5-35 and 3DM-GX5-45. Refused
-    by 3DM-CV7-AHRS, 3DM-GX3-25 and 3DM-GX5-25.
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and
+    3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Fix Info (0x91,0x0B)
     - 3dm-cv7-gnss-ins: Fix Info (0x92,0x0B)
@@ -1321,10 +1292,8 @@ class SvInfo(Shared, Data):
     One satellite that is tracked.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Probably changed by `mip_3dm.ConstellationSettings`.
-    Supported by 3DM-GX5-45. Probably supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45 and
-    3DM-GX5-35. Known only from the MicroStrain MIP SDK. Uncertain: Whether a packet holds one of
-    these fields or several.
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-GX5-45. Known only from the MicroStrain MIP
+    SDK. Uncertain: Whether a packet holds one of these fields or several.
 
     Each satellite is sent as one field, in packets separate from other GNSS data.
 
@@ -1412,13 +1381,8 @@ class HardwareStatus(Shared, Data):
     State of the receiver and of its antenna.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Also called `hw_status`. Flagged by
-    `types.Gq7ContinuousBuiltInTest.ANTENNA_1_SHORTED` of `types.Gq7ContinuousBuiltInTest`,
-    `types.Gq7ContinuousBuiltInTest.ANTENNA_1_OPEN` of `types.Gq7ContinuousBuiltInTest`,
-    `types.Gq7ContinuousBuiltInTest.ANTENNA_2_SHORTED` of `types.Gq7ContinuousBuiltInTest` and
-    `types.Gq7ContinuousBuiltInTest.ANTENNA_2_OPEN` of `types.Gq7ContinuousBuiltInTest`. Supported
-    by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Probably supported by 3DM-CV5-45,
-    3DM-CX5-35, 3DM-CX5-45 and 3DM-GX5-35.
+    (0x94) and gnss_external_2 (0x95). Also called `hw_status`. Supported by 3DM-CV7-GNSS/INS,
+    3DM-GQ7-GNSS/INS and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: GNSS Hardware Status (0x91,0x0D)
     - 3dm-cv7-gnss-ins: GNSS Hardware Status (0x92,0x0D)
@@ -1472,9 +1436,9 @@ class DgpsInfo(Shared, Data):
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
     (0x94) and gnss_external_2 (0x95). Distinguished from `DgpsInfoSatellite` by the size of its
-    data. Supported by 3DM-GX5-35 and 3DM-GX5-45. Probably supported by 3DM-CV5-45, 3DM-CX5-35 and
-    3DM-CX5-45. Uncertain: Whether any device sends `DgpsInfoSatellite`, the layout of the SDK,
-    instead. Only this one agrees with the valid flags, which are the same in all sources.
+    data. Supported by 3DM-GX5-35 and 3DM-GX5-45. Uncertain: Whether any device sends
+    `DgpsInfoSatellite`, the layout of the SDK, instead. Only this one agrees with the valid flags,
+    which are the same in all sources.
 
     The sources contradict each other. This layout is in a manual of the 3DM-GX5-35, in MSCL and in
     the SDK of 2014.
@@ -1624,9 +1588,8 @@ class DgpsChannel(Shared, Data):
     Differential correction for one satellite.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-GX5-45. Probably supported by 3DM-CV5-45,
-    3DM-CX5-35, 3DM-CX5-45 and 3DM-GX5-35. Known only from the MIP SDK of 2014, MicroStrain
-    Communication Library and MicroStrain MIP SDK.
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-GX5-45. Known only from the MIP SDK of 2014,
+    MicroStrain Communication Library and MicroStrain MIP SDK.
 
     Each active satellite is sent as one field, all in one packet.
 
@@ -1694,8 +1657,7 @@ class ClockInfo2(Shared, Data):
     Bias and drift of the receiver clock.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS and 3DM-CV7-INS. Probably
-    supported by 3DM-GQ7-GNSS/INS.
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
 
     It supersedes clock info.
 
@@ -1766,8 +1728,7 @@ class GpsLeapSeconds(Shared, Data):
     Difference between GPS time and UTC.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS and 3DM-CV7-INS. Probably
-    supported by 3DM-GQ7-GNSS/INS.
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
 
     - 3dm-cv7-gnss-ins: GPS Leap Seconds (0x91,0x11)
     - 3dm-cv7-gnss-ins: GPS Leap Seconds (0x92,0x11)
@@ -1800,8 +1761,7 @@ class SbasInfo(Shared, Data):
     Status of the satellite based augmentation.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Probably changed by `mip_3dm.GnssSbasSettings`. Supported by
-    3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Refused by 3DM-CV7-AHRS and 3DM-GX5-25.
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: SBAS Info (0x91,0x12)
     - 3dm-cv7-gnss-ins: SBAS Info (0x92,0x12)
@@ -1883,8 +1843,8 @@ class SbasCorrection(Shared, Data):
     SBAS correction for one satellite.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Probably changed by `mip_3dm.GnssSbasSettings`. Not listed in
-    any device profile. Known only from the MicroStrain MIP SDK.
+    (0x94) and gnss_external_2 (0x95). Not listed in any device profile. Known only from the
+    MicroStrain MIP SDK.
 
     An epoch is sent as one field for each satellite; `index` and `count` number the fields. For
     `udrei` 0 to 13, the variances in m^2 are 0.0520, 0.0924, 0.1444, 0.2830, 0.4678, 0.8315,
@@ -1994,8 +1954,8 @@ class RfErrorDetection(Shared, Data):
     Jamming and spoofing that the receiver detects in one band.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-INS and 3DM-GQ7-GNSS/INS. Refused by
-    3DM-CV7-AHRS and 3DM-GX5-25. Known only from the MicroStrain MIP SDK.
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-INS and 3DM-GQ7-GNSS/INS. Known only
+    from the MicroStrain MIP SDK.
 
     Version 4.0.0 of the SDK reserves the two bytes of `frequency`. Firmware of that time sends 0
     there and leaves its flag clear.
@@ -2124,9 +2084,7 @@ class SatelliteStatus(Shared, Data):
     Direction to one satellite, and its health.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Probably changed by `mip_3dm.ConstellationSettings` and
-    `gnss.SignalConfig`. Supported by 3DM-CV7-GNSS/INS and 3DM-CV7-INS. Probably supported by
-    3DM-CX7-INS, 3DM-GQ7-GNSS/INS and 3DM-GV7-INS.
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
 
     An epoch is sent as one field for each satellite; `index` and `count` number the fields.
 
@@ -2241,8 +2199,7 @@ class Raw(Shared, Data):
     Raw observation of one signal of one satellite.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Probably changed by `gnss.SignalConfig`. Supported by
-    3DM-CV7-GNSS/INS. Probably supported by 3DM-GQ7-GNSS/INS.
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS.
 
     An epoch is sent as one field for each signal; `index` and `count` number the fields. The
     greatest lock time depends on the receiver.
@@ -2525,10 +2482,7 @@ class RtkCorrectionsStatus(Shared, Data):
     Received corrections and their age.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Probably changed by `gnss.RtkDongleConfig` and
-    `gnss.SpartnConfig`. Flagged by `types.Gq7ContinuousBuiltInTest.RTCM_COMM_FAULT` of
-    `types.Gq7ContinuousBuiltInTest`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Refused by
-    3DM-GX5-25.
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     - mip-sdk-4: Rtk Corrections Status (0x81,0x31)
     - 3dm-cv7-gnss-ins: RTK Corrections Status (0x93,0x31)
@@ -2645,8 +2599,7 @@ class GpsEphemeris(Shared, Data):
     Broadcast orbit and clock of one GPS satellite.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS. Probably supported by
-    3DM-GQ7-GNSS/INS.
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS.
 
     `iodc` changes with the clock data; according to the manual, it rolls over at 4.
 
@@ -2961,7 +2914,6 @@ class GlonassEphemeris(Shared, Data):
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
     (0x94) and gnss_external_2 (0x95). Also called `glo_ephemeris`. Supported by 3DM-CV7-GNSS/INS.
-    Probably supported by 3DM-GQ7-GNSS/INS.
 
     The interface control document of GLONASS explains p and ft. A period of four years has 1461
     days; no source states how nt, a u8, counts them.
@@ -3213,8 +3165,7 @@ class GalileoEphemeris(Shared, Data):
     Broadcast orbit and clock of one Galileo satellite.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS. Probably supported by
-    3DM-GQ7-GNSS/INS.
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS.
 
     The layout is that of the GPS ephemeris. No source states what the two inter-signal corrections
     mean here. `iodc` changes with the clock data; according to the manual, it rolls over at 4.
@@ -3529,8 +3480,7 @@ class BeidouEphemeris(Shared, Data):
     Broadcast orbit and clock of one BeiDou satellite.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS. Probably supported by
-    3DM-GQ7-GNSS/INS.
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS.
 
     The layout is that of the GPS ephemeris. No source states what the two inter-signal corrections
     mean here. `iodc` changes with the clock data; according to the manual, it rolls over at 4.

@@ -481,10 +481,7 @@ class ImuMessageFormatResponse(Response):
     """IMU Message Format response (0x0C,0x80).
 
     Answers `ImuMessageFormat`. Supported by 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
-    3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15,
-    3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35,
-    3DM-CX5-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
-    3DM-GX4-IMU, 3DM-GX5-10, 3DM-GX5-25 and 3DM-RQ1-IMU.
+    3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.2.5 IMU Message Format (0x0C, 0x08)
     """
@@ -514,8 +511,7 @@ class GnssMessageFormatResponse(Response):
     """GNSS Message Format response (0x0C,0x81).
 
     Answers `GnssMessageFormat`. Supported by 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and
-    3DM-RQ1-45-ST. Probably supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX3-35, 3DM-GX3-45
-    and 3DM-GX4-45.
+    3DM-RQ1-45-ST.
 
     - mip-sdk-4: GNSS Message Format (0x0C,0x09)
     - 3dm-gx5-35: 4.2.6 GNSS Message Format (0x0C, 0x09)
@@ -547,9 +543,7 @@ class FilterMessageFormatResponse(Response):
     """Estimation Filter Message Format response (0x0C,0x82).
 
     Answers `FilterMessageFormat`. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT
-    and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25,
-    3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45
-    and 3DM-GX5-25.
+    and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A)
     """
@@ -579,10 +573,7 @@ class GetImuBaseRateResponse(Response):
     """Get IMU Data Base Rate response (0x0C,0x83).
 
     Also called `imu_get_base_rate_response`. Answers `GetImuBaseRate`. Supported by 3DM-CX5-10,
-    3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by
-    3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15,
-    3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15,
-    3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35 and 3DM-RQ1-IMU.
+    3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
     """
@@ -608,9 +599,8 @@ class GetGnssBaseRateResponse(Response):
     """Get GNSS Data Base Rate response (0x0C,0x84).
 
     Also called `gnss_get_base_rate_response`. Answers `GetGnssBaseRate`. Supported by 3DM-GQ4-45,
-    3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CV5-45,
-    3DM-CX5-35, 3DM-CX5-45, 3DM-GX3-35, 3DM-GX3-45 and 3DM-GX4-45. Known only from the MicroStrain
-    MIP SDK.
+    3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the MicroStrain MIP
+    SDK.
 
     - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
     """
@@ -637,11 +627,7 @@ class DataStreamControlResponse(Response):
 
     Also called `datastream_control_response`. Answers `DataStreamControl`. Supported by
     3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
-    3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25,
-    3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35,
-    3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-DH3, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS,
-    3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25,
-    3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45 and 3DM-MV5-AR.
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
     - 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11)
@@ -679,8 +665,8 @@ class DataStreamControlResponse(Response):
 class ImuSignalConditioningResponse(Response):
     """IMU signal conditioning response (0x0C,0x86).
 
-    Answers `ImuSignalConditioning`. Probably supported by 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35 and
-    3DM-GX3-45. Known only from the MIP SDK of 2014 and MicroStrain Communication Library.
+    No device is certain to support it. Answers `ImuSignalConditioning`. Known only from the MIP SDK
+    of 2014 and MicroStrain Communication Library.
 
     - mip-sdk-2014: IMU signal conditioning (0x0C,0x35)
     - mscl: IMU signal conditioning (0x0C,0x35)
@@ -768,10 +754,7 @@ class UartBaudRateResponse(Response):
     """UART Baud Rate response (0x0C,0x87).
 
     Also called `uart_baudrate_response`. Answers `UartBaudRate`. Supported by 3DM-CV7-GNSS/INS,
-    3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by
-    3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-10,
-    3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10,
-    3DM-GX5-25 and 3DM-GX5-35.
+    3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.2.13 UART Baud Rate (0x0C, 0x40)
     - 3dm-cv7-gnss-ins: UART Baudrate (0x0C,0x40)
@@ -797,7 +780,7 @@ class UartBaudRateResponse(Response):
 class DataStreamFormatResponse(Response):
     """Data stream format response (0x0C,0x88).
 
-    Answers `DataStreamFormat`. Probably supported by 3DM-GX3-35. Known only from the MIP SDK of
+    No device is certain to support it. Answers `DataStreamFormat`. Known only from the MIP SDK of
     2014 and MicroStrain Communication Library.
 
     - mip-sdk-2014: Data stream format (0x0C,0x60)
@@ -827,8 +810,8 @@ class DataStreamFormatResponse(Response):
 class DevicePowerStateResponse(Response):
     """Device power state response (0x0C,0x89).
 
-    Answers `DevicePowerState`. Probably supported by 3DM-GX3-15, 3DM-GX3-25 and 3DM-GX3-35. Known
-    only from the MIP SDK of 2014 and MicroStrain Communication Library.
+    No device is certain to support it. Answers `DevicePowerState`. Known only from the MIP SDK of
+    2014 and MicroStrain Communication Library.
 
     - mip-sdk-2014: Device power state (0x0C,0x61)
     - mscl: Device power state (0x0C,0x61)
@@ -858,9 +841,7 @@ class GetFilterBaseRateResponse(Response):
     """Get Estimation Filter Data Base Rate response (0x0C,0x8A).
 
     Also called `filter_get_base_rate_response`. Answers `GetFilterBaseRate`. Supported by
-    3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by
-    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
-    3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45 and 3DM-GX5-25.
+    3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
     """
@@ -887,11 +868,7 @@ class ImuLowPassFilterResponse(Response):
 
     Also called `imu_lowpass_filter_response`. Answers `ImuLowPassFilter`. Supported by
     3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15,
-    3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25,
-    3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
-    3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR,
-    3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35 and
-    3DM-GX5-45.
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.2.14 Advanced Low-Pass Filter Settings (0x0C, 0x50)
     - 3dm-cv7-gnss-ins: Advanced Low-Pass Filter Settings (0x0C,0x50)
@@ -939,8 +916,7 @@ class ImuLowPassFilterResponse(Response):
 class NmeaMessageFormatResponse(Response):
     """NMEA Message Format response (0x0C,0x8C).
 
-    Answers `NmeaMessageFormat`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS,
-    3DM-CX7-INS, 3DM-GQ7-GNSS/INS and 3DM-GV7-INS.
+    Answers `NmeaMessageFormat`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: NMEA Message Format (0x0C,0x0C)
     """
@@ -970,8 +946,7 @@ class GetBaseRateResponse(Response):
     """Get Data Base Rate response (0x0C,0x8E).
 
     Answers `GetBaseRate`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and
-    3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
-    3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+    3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
     """
@@ -999,9 +974,7 @@ class GetBaseRateResponse(Response):
 class MessageFormatResponse(Response):
     """Message Format response (0x0C,0x8F).
 
-    Answers `MessageFormat`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS,
-    3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS,
-    3DM-GV7-AR and 3DM-GV7-INS.
+    Answers `MessageFormat`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Message Format (0x0C,0x0F)
     """
@@ -1036,9 +1009,9 @@ class DeviceStatusBasicRq1ImuResponse(Response):
 
     Timer only, in microseconds.
 
-    Answers `DeviceStatus`. Sent if `status_selector` is `DeviceStatusSelector.BASIC`. Probably
-    supported by 3DM-RQ1-IMU. Uncertain: The SDK of 2014 names the values and the unit of the timer;
-    the descriptions follow from the names.
+    No device is certain to support it. Answers `DeviceStatus`. Sent if `status_selector` is
+    `DeviceStatusSelector.BASIC`. Uncertain: The SDK of 2014 names the values and the unit of the
+    timer; the descriptions follow from the names.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -1085,9 +1058,7 @@ class DeviceStatusBasicResponse(Response):
     Answers `DeviceStatus`. Distinguished from `DeviceStatusBasicWithoutStateResponse` and
     `DeviceStatusBasicGx3Response` by the size of its data. Sent if `status_selector` is
     `DeviceStatusSelector.BASIC`. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45,
-    3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15,
-    3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX3-15, 3DM-GX3-25,
-    3DM-GX4-45 and 3DM-GX5-25.
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -1142,10 +1113,9 @@ class DeviceStatusBasicWithoutStateResponse(Response):
 
     Timer only.
 
-    Answers `DeviceStatus`. Distinguished from `DeviceStatusBasicResponse` and
-    `DeviceStatusBasicGx3Response` by the size of its data. Sent if `status_selector` is
-    `DeviceStatusSelector.BASIC`. Probably supported by 3DM-CL5-10, 3DM-CV5-10, 3DM-CX5-10,
-    3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-IMU and 3DM-GX5-10. Uncertain: MSCL has it for the 3DM-GX4-15,
+    No device is certain to support it. Answers `DeviceStatus`. Distinguished from
+    `DeviceStatusBasicResponse` and `DeviceStatusBasicGx3Response` by the size of its data. Sent if
+    `status_selector` is `DeviceStatusSelector.BASIC`. Uncertain: MSCL has it for the 3DM-GX4-15,
     3DM-GX4-25, 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10, the SDK of 2014 for the 3DM-GX4-15, the
     3DM-GX4-25 and the inertial sensor of the 3DM-GX4-45; that the 3DM-CL5-10 has it is inferred.
     Uncertain: The manual of the 3DM-GX5-45 gives it too, but for the model number of another
@@ -1200,9 +1170,7 @@ class DeviceStatusDiagnosticResponse(Response):
     `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse`,
     `DeviceStatusDiagnosticGx4ImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse` and
     `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `status_selector` is
-    `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-GX5-15. Probably supported by 3DM-CL5-15,
-    3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-15, 3DM-CX5-25, 3DM-GX3-15, 3DM-GX3-25 and
-    3DM-GX5-25.
+    `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -1350,11 +1318,10 @@ class DeviceStatusDiagnosticGnssResponse(Response):
     `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse`,
     `DeviceStatusDiagnosticGx4ImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse` and
     `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `status_selector` is
-    `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-GX5-35 and 3DM-GX5-45. Probably supported by
-    3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45 and 3DM-GX4-45. Uncertain: MSCL has it for the 3DM-GX4-45 and
-    the -35 and -45 of GX5 and CX5; its length is from a manual. Uncertain: MSCL only names the
-    values; the descriptions follow from the names, and the times are assumed to be in ms like the
-    system timer.
+    `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-GX5-35 and 3DM-GX5-45. Uncertain: MSCL has
+    it for the 3DM-GX4-45 and the -35 and -45 of GX5 and CX5; its length is from a manual.
+    Uncertain: MSCL only names the values; the descriptions follow from the names, and the times are
+    assumed to be in ms like the system timer.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -2007,15 +1974,15 @@ class DeviceStatusDiagnosticGx4Response(Response):
 
     Timer, and counters of pulses, streams, port and USB.
 
-    Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
-    `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`,
-    `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticImuResponse`,
-    `DeviceStatusDiagnosticGx4ImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse` and
-    `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `status_selector` is
-    `DeviceStatusSelector.DIAGNOSTIC`. Probably supported by 3DM-GX4-15 and 3DM-GX4-25. Uncertain:
-    No known manual documents it for these devices; the offsets 49 to 69 in the manual of the
-    3DM-GX5-45 agree. Uncertain: MSCL only names the values; the descriptions follow from the names,
-    and the times are assumed to be in ms like the system timer.
+    No device is certain to support it. Answers `DeviceStatus`. Distinguished from
+    `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGnssResponse`,
+    `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`,
+    `DeviceStatusDiagnosticImuResponse`, `DeviceStatusDiagnosticGx4ImuResponse`,
+    `DeviceStatusDiagnosticRq1ImuResponse` and `DeviceStatusDiagnosticGx3Response` by the size of
+    its data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: No known
+    manual documents it for these devices; the offsets 49 to 69 in the manual of the 3DM-GX5-45
+    agree. Uncertain: MSCL only names the values; the descriptions follow from the names, and the
+    times are assumed to be in ms like the system timer.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -2193,16 +2160,15 @@ class DeviceStatusDiagnosticImuResponse(Response):
 
     Timer, available sensors, temperature, and the counters of pulses, stream and port.
 
-    Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
-    `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`,
-    `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticGx4Response`,
-    `DeviceStatusDiagnosticGx4ImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse` and
-    `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `status_selector` is
-    `DeviceStatusSelector.DIAGNOSTIC`. Probably supported by 3DM-CL5-10, 3DM-CV5-10, 3DM-CX5-10 and
-    3DM-GX5-10. Uncertain: MSCL has it for the 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10; no known
-    manual documents it. Uncertain: MSCL only names the values; the descriptions follow from the
-    names, and the times are assumed to be in ms like the system timer. Uncertain: The units of the
-    ranges are not known.
+    No device is certain to support it. Answers `DeviceStatus`. Distinguished from
+    `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGnssResponse`,
+    `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`,
+    `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticGx4ImuResponse`,
+    `DeviceStatusDiagnosticRq1ImuResponse` and `DeviceStatusDiagnosticGx3Response` by the size of
+    its data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: MSCL has it
+    for the 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10; no known manual documents it. Uncertain: MSCL
+    only names the values; the descriptions follow from the names, and the times are assumed to be
+    in ms like the system timer. Uncertain: The units of the ranges are not known.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -2381,14 +2347,14 @@ class DeviceStatusDiagnosticGx4ImuResponse(Response):
     Timer, available sensors and their ranges, temperature, and the counters of pulses, stream and
     port.
 
-    Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
-    `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`,
-    `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticGx4Response`,
-    `DeviceStatusDiagnosticImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse` and
-    `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `status_selector` is
-    `DeviceStatusSelector.DIAGNOSTIC`. Probably supported by 3DM-GX4-IMU. Uncertain: The SDK of 2014
-    names the values and the units of temperature and times; the descriptions follow from the names.
-    Uncertain: The units of the ranges are not known.
+    No device is certain to support it. Answers `DeviceStatus`. Distinguished from
+    `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGnssResponse`,
+    `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`,
+    `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse`,
+    `DeviceStatusDiagnosticRq1ImuResponse` and `DeviceStatusDiagnosticGx3Response` by the size of
+    its data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: The SDK of
+    2014 names the values and the units of temperature and times; the descriptions follow from the
+    names. Uncertain: The units of the ranges are not known.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -2566,13 +2532,14 @@ class DeviceStatusDiagnosticRq1ImuResponse(Response):
 
     Timer, temperature and supply, and the counters of pulses, stream and port.
 
-    Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
-    `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`,
-    `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticGx4Response`,
-    `DeviceStatusDiagnosticImuResponse`, `DeviceStatusDiagnosticGx4ImuResponse` and
-    `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `status_selector` is
-    `DeviceStatusSelector.DIAGNOSTIC`. Probably supported by 3DM-RQ1-IMU. Uncertain: The SDK of 2014
-    names the values and the units of temperature and times; the descriptions follow from the names.
+    No device is certain to support it. Answers `DeviceStatus`. Distinguished from
+    `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGnssResponse`,
+    `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`,
+    `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse`,
+    `DeviceStatusDiagnosticGx4ImuResponse` and `DeviceStatusDiagnosticGx3Response` by the size of
+    its data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: The SDK of
+    2014 names the values and the units of temperature and times; the descriptions follow from the
+    names.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -2736,10 +2703,10 @@ class DeviceStatusBasicGx3Response(Response):
 
     State of the port.
 
-    Answers `DeviceStatus`. Distinguished from `DeviceStatusBasicResponse` and
-    `DeviceStatusBasicWithoutStateResponse` by the size of its data. Sent if `status_selector` is
-    `DeviceStatusSelector.BASIC`. Probably supported by 3DM-GX3-35 and 3DM-GX3-45. Uncertain: Only
-    the SDK of 2014 has it, which names the values; the descriptions follow from the names.
+    No device is certain to support it. Answers `DeviceStatus`. Distinguished from
+    `DeviceStatusBasicResponse` and `DeviceStatusBasicWithoutStateResponse` by the size of its data.
+    Sent if `status_selector` is `DeviceStatusSelector.BASIC`. Uncertain: Only the SDK of 2014 has
+    it, which names the values; the descriptions follow from the names.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -2819,13 +2786,13 @@ class DeviceStatusDiagnosticGx3Response(Response):
 
     State of the port with the counters of port, USB, receiver and IMU.
 
-    Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
-    `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`,
-    `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticGx4Response`,
-    `DeviceStatusDiagnosticImuResponse`, `DeviceStatusDiagnosticGx4ImuResponse` and
-    `DeviceStatusDiagnosticRq1ImuResponse` by the size of its data. Sent if `status_selector` is
-    `DeviceStatusSelector.DIAGNOSTIC`. Probably supported by 3DM-GX3-35 and 3DM-GX3-45. Uncertain:
-    Only the SDK of 2014 has it, which names the values; the descriptions follow from the names.
+    No device is certain to support it. Answers `DeviceStatus`. Distinguished from
+    `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGnssResponse`,
+    `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`,
+    `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse`,
+    `DeviceStatusDiagnosticGx4ImuResponse` and `DeviceStatusDiagnosticRq1ImuResponse` by the size of
+    its data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: Only the
+    SDK of 2014 has it, which names the values; the descriptions follow from the names.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -3078,8 +3045,8 @@ class DeviceStatusDiagnosticGx3Response(Response):
 class GpsDynamicsModeResponse(Response):
     """GPS dynamics mode response (0x0C,0x92).
 
-    Answers `GpsDynamicsMode`. Probably supported by 3DM-GX3-35. Known only from the MIP SDK of 2014
-    and MicroStrain Communication Library.
+    No device is certain to support it. Answers `GpsDynamicsMode`. Known only from the MIP SDK of
+    2014 and MicroStrain Communication Library.
 
     - mip-sdk-2014: GPS dynamics mode (0x0C,0x34)
     - mscl: GPS dynamics mode (0x0C,0x34)
@@ -3105,8 +3072,7 @@ class GpsDynamicsModeResponse(Response):
 class ImuTimestampResponse(Response):
     """IMU timestamp response (0x0C,0x93).
 
-    Answers `ImuTimestamp`. Probably supported by 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35 and 3DM-GX3-45.
-    Known only from the MIP SDK of 2014.
+    No device is certain to support it. Answers `ImuTimestamp`. Known only from the MIP SDK of 2014.
 
     - mip-sdk-2014: IMU timestamp (0x0C,0x36)
     """
@@ -3135,11 +3101,7 @@ class ComplementaryFilterResponse(Response):
     """Complementary Filter Configuration response (0x0C,0x97).
 
     Answers `ComplementaryFilter`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15 and
-    3DM-GX5-35. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15,
-    3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15,
-    3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
-    3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10,
-    3DM-GX5-25 and 3DM-GX5-45.
+    3DM-GX5-35.
 
     - 3dm-gx5-15: 4.2.15 Complementary Filter Settings (0x0C, 0x51)
     - 3dm-cv7-gnss-ins: Complementary Filter Configuration (0x0C,0x51)
@@ -3196,11 +3158,7 @@ class AccelBiasResponse(Response):
     """Accelerometer Bias Configuration response (0x0C,0x9A).
 
     Answers `AccelBias`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
-    3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25,
-    3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS,
-    3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR,
-    3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25,
-    3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45 and 3DM-RQ1-IMU.
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
     - 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
@@ -3234,11 +3192,7 @@ class GyroBiasResponse(Response):
 
     Also called `capture_gyro_bias_response`. Answers `GyroBias` and `CaptureGyroBias`. Supported by
     3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15,
-    3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15,
-    3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15,
-    3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS,
-    3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-10,
-    3DM-GX5-25, 3DM-GX5-45 and 3DM-RQ1-IMU.
+    3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
     - 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
@@ -3269,10 +3223,7 @@ class MagHardIronOffsetResponse(Response):
     """Magnetometer Hard Iron Offset response (0x0C,0x9C).
 
     Answers `MagHardIronOffset`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
-    3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-25,
-    3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS,
-    3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-25,
-    3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-25 and 3DM-GX5-35.
+    3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A)
     - 3dm-gx5-45: (0x0C, 0x3A)
@@ -3303,10 +3254,7 @@ class MagSoftIronMatrixResponse(Response):
     """Magnetometer Soft Iron Matrix response (0x0C,0x9D).
 
     Answers `MagSoftIronMatrix`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
-    3DM-GQ4-45, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-25,
-    3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS,
-    3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-25,
-    3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-25 and 3DM-GX5-45.
+    3DM-GQ4-45, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B)
     - 3dm-gx5-35: (0x0C, 0x3B)
@@ -3337,10 +3285,7 @@ class ConingScullingEnableResponse(Response):
     """Coning and Sculling Enable response (0x0C,0x9E).
 
     Answers `ConingScullingEnable`. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and
-    3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15,
-    3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15,
-    3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45 and
-    3DM-RQ1-IMU.
+    3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
     """
@@ -3367,8 +3312,7 @@ class ConstellationSettingsResponse(Response):
 
     Tracking channels of the receiver and the setting of each constellation.
 
-    Answers `ConstellationSettings`. Supported by 3DM-GQ4-45 and 3DM-GX5-35. Probably supported by
-    3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45 and 3DM-GX5-45.
+    Answers `ConstellationSettings`. Supported by 3DM-GQ4-45 and 3DM-GX5-35.
 
     - mip-sdk-4: Constellation Settings (0x0C,0x21)
     - 3dm-gx5-35: 4.2.8 GNSS Constellation Settings (0x0C, 0x21)
@@ -3412,8 +3356,7 @@ class ConstellationSettingsResponse(Response):
 class GnssSbasSettingsResponse(Response):
     """GNSS SBAS Settings response (0x0C,0xA1).
 
-    Answers `GnssSbasSettings`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45 and 3DM-GX5-35. Probably
-    supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45, 3DM-GQ7-GNSS/INS and 3DM-GX5-45.
+    Answers `GnssSbasSettings`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45 and 3DM-GX5-35.
 
     - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
     """
@@ -3453,8 +3396,7 @@ class GnssSbasSettingsResponse(Response):
 class GnssAssistedFixResponse(Response):
     """GNSS Assisted Fix response (0x0C,0xA2).
 
-    Answers `GnssAssistedFix`. Supported by 3DM-GX5-35. Probably supported by 3DM-CV5-45,
-    3DM-CX5-35, 3DM-CX5-45 and 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+    Answers `GnssAssistedFix`. Supported by 3DM-GX5-35. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: GNSS Assisted Fix (0x0C,0x23)
     """
@@ -3482,8 +3424,7 @@ class GnssAssistedFixResponse(Response):
 class GnssTimeAssistanceResponse(Response):
     """GNSS Time Assistance response (0x0C,0xA3).
 
-    Answers `GnssTimeAssistance`. Supported by 3DM-GX5-35. Probably supported by 3DM-CV5-45,
-    3DM-CX5-35, 3DM-CX5-45 and 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+    Answers `GnssTimeAssistance`. Supported by 3DM-GX5-35. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: GNSS Time Assistance (0x0C,0x24)
     """
@@ -3515,8 +3456,6 @@ class PpsSourceControlResponse(Response):
     """PPS Source Control response (0x0C,0xA8).
 
     Also called `pps_source_response`. Answers `PpsSourceControl`. Supported by 3DM-CV7-GNSS/INS.
-    Probably supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR,
-    3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
 
     - 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28)
     """
@@ -3542,9 +3481,7 @@ class SensorToVehicleTransformEulerResponse(Response):
     """Sensor-to-Vehicle Frame Transformation Euler response (0x0C,0xB1).
 
     Also called `sensor_2_vehicle_transform_euler_response`. Answers
-    `SensorToVehicleTransformEuler`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably
-    supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
-    3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+    `SensorToVehicleTransformEuler`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31)
     """
@@ -3576,9 +3513,7 @@ class SensorToVehicleTransformQuaternionResponse(Response):
     """Sensor-to-Vehicle Frame Transformation Quaternion response (0x0C,0xB2).
 
     Also called `sensor_2_vehicle_transform_quaternion_response`. Answers
-    `SensorToVehicleTransformQuaternion`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
-    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
-    3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+    `SensorToVehicleTransformQuaternion`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32)
     """
@@ -3608,9 +3543,7 @@ class SensorToVehicleTransformDcmResponse(Response):
     """Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix response (0x0C,0xB3).
 
     Also called `sensor_2_vehicle_transform_dcm_response`. Answers `SensorToVehicleTransformDcm`.
-    Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS,
-    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
-    3DM-GV7-INS.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33)
     """
@@ -3639,9 +3572,7 @@ class SensorToVehicleTransformDcmResponse(Response):
 class GetEventSupportResponse(Response):
     """Get Supported Events response (0x0C,0xB4).
 
-    Answers `GetEventSupport`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS,
-    3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS,
-    3DM-GV7-AR and 3DM-GV7-INS.
+    Answers `GetEventSupport`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
     """
@@ -3685,9 +3616,7 @@ class GetEventSupportResponse(Response):
 class EventControlResponse(Response):
     """Event Control response (0x0C,0xB5).
 
-    Answers `EventControl`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS,
-    3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS,
-    3DM-GV7-AR and 3DM-GV7-INS.
+    Answers `EventControl`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Event Control (0x0C,0x2B)
     """
@@ -3715,9 +3644,7 @@ class EventControlResponse(Response):
 class GetEventTriggerStatusResponse(Response):
     """Get Event Trigger Status response (0x0C,0xB6).
 
-    Answers `GetEventTriggerStatus`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
-    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
-    3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+    Answers `GetEventTriggerStatus`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C)
     """
@@ -3746,9 +3673,7 @@ class GetEventTriggerStatusResponse(Response):
 class GetEventActionStatusResponse(Response):
     """Get Event Action Status response (0x0C,0xB7).
 
-    Answers `GetEventActionStatus`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
-    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
-    3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+    Answers `GetEventActionStatus`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D)
     """
@@ -3778,8 +3703,7 @@ class EventTriggerConfigResponse(Response):
     """Event Trigger Configuration response (0x0C,0xB8).
 
     Also called `event_trigger_response`. Answers `EventTriggerConfig`. Supported by 3DM-CV7-AHRS,
-    3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR,
-    3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+    3DM-CV7-AR and 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
     """
@@ -3842,8 +3766,7 @@ class EventActionConfigResponse(Response):
     """Event Action Configuration response (0x0C,0xB9).
 
     Also called `event_action_response`. Answers `EventActionConfig`. Supported by 3DM-CV7-AHRS,
-    3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR,
-    3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+    3DM-CV7-AR and 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
     - 3dm-cv7-gnss-ins: Event Cycle
@@ -3904,9 +3827,7 @@ class EventActionConfigResponse(Response):
 class GpioConfigResponse(Response):
     """GPIO Configuration response (0x0C,0xC1).
 
-    Answers `GpioConfig`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably
-    supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS,
-    3DM-GV7-AR and 3DM-GV7-INS.
+    Answers `GpioConfig`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
     """
@@ -3955,9 +3876,7 @@ class GpioConfigResponse(Response):
 class GpioStateResponse(Response):
     """GPIO State response (0x0C,0xC2).
 
-    Answers `GpioState`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by
-    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS,
-    3DM-GV7-AR and 3DM-GV7-INS.
+    Answers `GpioState`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GPIO State (0x0C,0x42)
     """
@@ -3986,7 +3905,6 @@ class OdometerConfigResponse(Response):
     """Odometer Configuration response (0x0C,0xC3).
 
     Also called `odometer_response`. Answers `OdometerConfig`. Supported by 3DM-CV7-GNSS/INS.
-    Probably supported by 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
     """
@@ -4019,9 +3937,7 @@ class OdometerConfigResponse(Response):
 class SensorRangeResponse(Response):
     """Sensor Range response (0x0C,0xD2).
 
-    Answers `SensorRange`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS,
-    3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS,
-    3DM-GV7-AR and 3DM-GV7-INS.
+    Answers `SensorRange`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52)
     """
@@ -4050,8 +3966,7 @@ class GetCalibratedSensorRangesResponse(Response):
     """Get Calibrated Sensor Ranges response (0x0C,0xD3).
 
     Also called `calibrated_sensor_ranges_response`. Answers `GetCalibratedSensorRanges`. Supported
-    by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS,
-    3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+    by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53)
     """
@@ -4091,8 +4006,7 @@ class LowPassFilterResponse(Response):
     """Low-Pass Anti-Aliasing Filter response (0x0C,0xD4).
 
     Also called `lowpass_filter_response`. Answers `LowPassFilter`. Supported by 3DM-CV7-AHRS,
-    3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-INS,
-    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+    3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54)
     """
@@ -4145,11 +4059,7 @@ class PollImuData(Command[None]):
     Requests one sensor data packet (0x80) with the listed fields, in the listed order.
 
     Also called `poll_imu_message`. Not acknowledged if `suppress_ack` is true. Supported by
-    3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably
-    supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
-    3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45,
-    3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45 and
-    3DM-RQ1-IMU.
+    3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     An empty list polls what `ImuMessageFormat` stores; if nothing is stored, the device rejects the
     command. Descriptors that the device does not know are ignored. The data is sent in a separate
@@ -4193,9 +4103,8 @@ class PollGnssData(Command[None]):
     Requests one GNSS data packet with the listed fields, in the listed order.
 
     Also called `poll_gnss_message`. Not acknowledged if `suppress_ack` is true. Supported by
-    3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CV5-45,
-    3DM-CX5-35, 3DM-CX5-45, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-45 and 3DM-GX5-35. Known only from the
-    MicroStrain MIP SDK.
+    3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the MicroStrain MIP
+    SDK.
 
     An empty list polls the format stored by `GnssMessageFormat`; if none is stored, the device
     rejects the command. Descriptors that the device does not know are omitted. The data is sent in
@@ -4242,9 +4151,7 @@ class PollFilterData(Command[None]):
     Requests one filter data packet (0x82) with the listed fields, in the listed order.
 
     Also called `poll_filter_message`. Not acknowledged if `suppress_ack` is true. Supported by
-    3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by
-    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
-    3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45 and 3DM-GX5-25.
+    3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     An empty list polls what `FilterMessageFormat` stores; if nothing is stored, the device rejects
     the command. Descriptors that the device does not know are ignored. The data is sent in a
@@ -4288,8 +4195,7 @@ class PollNmeaData(Command[None]):
     Requests the listed NMEA sentences once.
 
     Also called `nmea_poll_data`. Not acknowledged if `suppress_ack` is true. Supported by
-    3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-INS and
-    3DM-GV7-INS.
+    3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     An empty list polls the stored NMEA format; if none is stored, the device rejects the command.
     The sentences follow the reply as ordinary NMEA text, on the port of the command, even if NMEA
@@ -4333,10 +4239,7 @@ class GetImuBaseRate(Command[GetImuBaseRateResponse]):
     Gets the rate that is divided by the decimations of `ImuMessageFormat`.
 
     Also called `imu_get_base_rate`. Answered by `GetImuBaseRateResponse`. Supported by 3DM-CX5-10,
-    3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by
-    3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15,
-    3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15,
-    3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35 and 3DM-RQ1-IMU.
+    3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
     """
@@ -4357,8 +4260,7 @@ class GetGnssBaseRate(Command[GetGnssBaseRateResponse]):
     Gets the rate that is divided by the decimations of `GnssMessageFormat`.
 
     Also called `gnss_get_base_rate`. Answered by `GetGnssBaseRateResponse`. Supported by
-    3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by
-    3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX3-35, 3DM-GX3-45 and 3DM-GX4-45. Known only from the
+    3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the
     MicroStrain MIP SDK.
 
     - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
@@ -4381,10 +4283,7 @@ class ImuMessageFormat(Command[R]):
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `ImuMessageFormatResponse`. Supported by 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
-    3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15,
-    3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35,
-    3DM-CX5-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
-    3DM-GX4-IMU, 3DM-GX5-10, 3DM-GX5-25 and 3DM-RQ1-IMU.
+    3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     The decimation is the base rate, as `GetImuBaseRate` reports it, divided by the desired rate.
     The list replaces the previous one. If any descriptor is unknown, the device rejects the command
@@ -4464,8 +4363,7 @@ class GnssMessageFormat(Command[R]):
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `GnssMessageFormatResponse`. Supported by 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and
-    3DM-RQ1-45-ST. Probably supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX3-35, 3DM-GX3-45
-    and 3DM-GX4-45.
+    3DM-RQ1-45-ST.
 
     The decimation is the base rate, as `GetGnssBaseRate` reports it, divided by the desired rate.
 
@@ -4544,9 +4442,7 @@ class FilterMessageFormat(Command[R]):
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `FilterMessageFormatResponse`. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT
-    and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25,
-    3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45
-    and 3DM-GX5-25.
+    and 3DM-RQ1-45-ST.
 
     The decimation is the base rate, as `GetFilterBaseRate` reports it, divided by the desired rate.
     The list replaces the previous one. If any descriptor is unknown, the device rejects the command
@@ -4627,9 +4523,7 @@ class GetFilterBaseRate(Command[GetFilterBaseRateResponse]):
     Gets the rate that is divided by the decimations of `FilterMessageFormat`.
 
     Also called `filter_get_base_rate`. Answered by `GetFilterBaseRateResponse`. Supported by
-    3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by
-    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
-    3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45 and 3DM-GX5-25.
+    3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
     """
@@ -4650,8 +4544,7 @@ class NmeaMessageFormat(Command[R]):
     Sets the NMEA sentences that the device streams.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `NmeaMessageFormatResponse`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS,
-    3DM-CX7-INS, 3DM-GQ7-GNSS/INS and 3DM-GV7-INS. Refused by 3DM-GX3-25.
+    `NmeaMessageFormatResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     A sentence may be listed several times with different talkers or sources. A sentence is sent
     only while the device is not idle and the data of the source is valid. The 3DM-CV7-GNSS/INS
@@ -4730,9 +4623,7 @@ class PollData(Command[None]):
 
     Requests one data packet of the descriptor set with the listed fields, in the listed order.
 
-    Not acknowledged if `suppress_ack` is true. Supported by 3DM-CV7-GNSS/INS. Probably supported by
-    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
-    3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+    Not acknowledged if `suppress_ack` is true. Supported by 3DM-CV7-GNSS/INS.
 
     An empty list polls what `MessageFormat` stores; if nothing is stored, the device rejects the
     command. Descriptors that the device does not know are ignored. The data is sent in a separate
@@ -4781,8 +4672,7 @@ class GetBaseRate(Command[GetBaseRateResponse]):
     Gets the rate that is divided by the decimations of a descriptor set.
 
     Answered by `GetBaseRateResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and
-    3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
-    3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+    3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
     """
@@ -4811,9 +4701,7 @@ class MessageFormat(Command[R]):
     Sets the fields of the data packets of a descriptor set, their order and their decimations.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `MessageFormatResponse`.
-    Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS,
-    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
-    3DM-GV7-INS.
+    Supported by 3DM-CV7-GNSS/INS.
 
     The decimation is the base rate, as `GetBaseRate` reports it, divided by the desired rate. List
     shared descriptors (0xD0 and up) under the set whose packets will contain them, before the
@@ -4902,9 +4790,7 @@ class FactoryStreaming(Command[None]):
 
     Sets all message formats to those that technical support needs in a recording.
 
-    Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS,
-    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
-    3DM-GV7-INS.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Factory Streaming (0x0C,0x10)
     """
@@ -4937,11 +4823,7 @@ class DataStreamControl(Command[R]):
     Also called `datastream_control`. Functions: `write`, `read`, `save`, `load` and `default`.
     Answered by `DataStreamControlResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
     3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and
-    3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15,
-    3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45,
-    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-DH3, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR,
-    3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
-    3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45 and 3DM-MV5-AR.
+    3DM-RQ1-45-ST.
 
     Devices of the generations 3 to 5 identify the stream by a number (`LegacyDataStream`), other
     devices by its descriptor set. A stream that you enable begins with current data, not with data
@@ -5074,9 +4956,9 @@ class ConstellationSettings(Command[R]):
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `ConstellationSettingsResponse`. Probably changes `gnss_data.FixInfo`, `gnss_data.SvInfo` and
-    `gnss_data.SatelliteStatus`. Supported by 3DM-GQ4-45 and 3DM-GX5-35. Probably supported by
-    3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45 and 3DM-GX5-45. Uncertain: The factory default. The SDK names
-    only GPS and GLONASS as enabled, but gives channels for SBAS and QZSS too.
+    `gnss_data.SatelliteStatus`. Supported by 3DM-GQ4-45 and 3DM-GX5-35. Uncertain: The factory
+    default. The SDK names only GPS and GLONASS as enabled, but gives channels for SBAS and QZSS
+    too.
 
     The device rejects entries that reserve more than 32 channels in total. The maximum of an entry
     must not be less than the number of channels it reserves. GLONASS and BeiDou cannot be used
@@ -5173,9 +5055,7 @@ class GnssSbasSettings(Command[R]):
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `GnssSbasSettingsResponse`. Probably changes `gnss_data.SbasInfo` and
-    `gnss_data.SbasCorrection`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45 and 3DM-GX5-35. Probably
-    supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45, 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Refused by
-    3DM-GX3-25.
+    `gnss_data.SbasCorrection`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45 and 3DM-GX5-35.
 
     - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
     """
@@ -5277,8 +5157,7 @@ class GnssAssistedFix(Command[R]):
     power-up.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GnssAssistedFixResponse`.
-    Supported by 3DM-GX5-35. Probably supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45 and
-    3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+    Supported by 3DM-GX5-35. Known only from the MicroStrain MIP SDK.
 
     The last fix is kept in the flash memory and the FRAM of the receiver. With the time of
     `GnssTimeAssistance` right after power-up, the first fix takes 1 s at best. A change from
@@ -5369,8 +5248,7 @@ class GnssTimeAssistance(Command[R]):
     Sends the current GPS time to the GNSS receiver.
 
     Functions: `write` and `read`. Answered by `GnssTimeAssistanceResponse`. Supported by
-    3DM-GX5-35. Probably supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45 and 3DM-GX5-45. Known only
-    from the MicroStrain MIP SDK.
+    3DM-GX5-35. Known only from the MicroStrain MIP SDK.
 
     It is needed right after power-up if `GnssAssistedFix` was on at power-off.
 
@@ -5446,10 +5324,8 @@ class PpsSourceControl(Command[R]):
 
     Also called `pps_source`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `PpsSourceControlResponse`. Changes `system_data.TimeSyncStatus`. Probably changes
-    `shared.GpsTimestamp`, `shared.ExternalTimestamp` and `sensor.GpsTimestamp`. Flagged by
-    `filter_data.Cv7StatusFlags.TIME_SYNC_WARNING` of `filter_data.Cv7StatusFlags`. Supported by
-    3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS,
-    3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+    `shared.GpsTimestamp`, `shared.ExternalTimestamp` and `sensor.GpsTimestamp`. Supported by
+    3DM-CV7-GNSS/INS.
 
     The pins are configured separately, by `GpioConfig`. The filter needs a valid pulse; `disabled`
     and `generated` are rarely useful.
@@ -5524,9 +5400,7 @@ class GetEventSupport(Command[GetEventSupportResponse]):
 
     Gets the types of event triggers or actions that the device has, and how many of each.
 
-    Answered by `GetEventSupportResponse`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
-    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
-    3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+    Answered by `GetEventSupportResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
     """
@@ -5555,9 +5429,7 @@ class EventControl(Command[R]):
     Enables, disables or tests an event trigger.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `EventControlResponse`.
-    Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS,
-    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
-    3DM-GV7-INS.
+    Supported by 3DM-CV7-GNSS/INS.
 
     Triggers are disabled by default and after configuration. A trigger of type none cannot be
     enabled.
@@ -5638,9 +5510,7 @@ class GetEventTriggerStatus(Command[GetEventTriggerStatusResponse]):
 
     Gets the type and the state of event triggers.
 
-    Answered by `GetEventTriggerStatusResponse`. Supported by 3DM-CV7-GNSS/INS. Probably supported
-    by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
-    3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+    Answered by `GetEventTriggerStatusResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C)
     """
@@ -5673,9 +5543,7 @@ class GetEventActionStatus(Command[GetEventActionStatusResponse]):
 
     Gets the type and the trigger of event actions.
 
-    Answered by `GetEventActionStatusResponse`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
-    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
-    3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+    Answered by `GetEventActionStatusResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D)
     """
@@ -5710,8 +5578,6 @@ class EventTriggerConfig(Command[R]):
 
     Also called `event_trigger`. Functions: `write`, `read`, `save`, `load` and `default`. Answered
     by `EventTriggerConfigResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
-    Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
-    3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
 
     The trigger is disabled afterwards; `EventControl` enables it. A GPIO trigger needs its pin
     configured by `GpioConfig`.
@@ -5829,8 +5695,6 @@ class EventActionConfig(Command[R]):
 
     Also called `event_action`. Functions: `write`, `read`, `save`, `load` and `default`. Answered
     by `EventActionConfigResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
-    Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
-    3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
 
     A packet holds one descriptor set; for several sets use several actions with the same trigger. A
     GPIO action needs its pin configured as an output with the gpio feature. In each event cycle,
@@ -5953,11 +5817,7 @@ class DeviceSettings(Command[None]):
 
     Functions: `save`, `load` and `default`. The device may take 2 s to answer. Supported by
     3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and
-    3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15,
-    3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15,
-    3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
-    3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10,
-    3DM-GX5-25 and 3DM-RTK.
+    3DM-RQ1-45-ST.
 
     A save may disturb the data output for a short time. A save may take up to 1 s. Use a reply
     time-out of at least 2 s.
@@ -6011,11 +5871,8 @@ class SensorToVehicleTransformEuler(Command[R]):
     `sensor.CompOrientationMatrix`, `sensor.CompQuaternion`, `sensor.CompEulerAngles`,
     `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
     `filter_data.LinearAccel`, `filter_data.CompAngularRate` and `filter_data.GravityVector`.
-    Probably changes `filter_data.CompAccel` and `sensor.CompOrientationUpdateMatrix`. Flagged by
-    `filter_data.Cv7StatusFlags.MOUNTING_TRANSFORM_WARNING` of `filter_data.Cv7StatusFlags`.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-AHRS,
-    3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
-    3DM-GV7-INS.
+    Probably changes `filter_data.CompAccel` and `sensor.CompOrientationUpdateMatrix`. Supported by
+    3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     `SensorToVehicleTransformQuaternion` and `SensorToVehicleTransformDcm` set the same
     transformation; the value read back may be another form of it. Starting in line with the vehicle
@@ -6120,9 +5977,7 @@ class SensorToVehicleTransformQuaternion(Command[R]):
     `sensor.CompEulerAngles`, `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`,
     `filter_data.EulerAngles`, `filter_data.LinearAccel`, `filter_data.CompAngularRate` and
     `filter_data.GravityVector`. Probably changes `filter_data.CompAccel` and
-    `sensor.CompOrientationUpdateMatrix`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
-    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
-    3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+    `sensor.CompOrientationUpdateMatrix`. Supported by 3DM-CV7-GNSS/INS.
 
     `SensorToVehicleTransformEuler` and `SensorToVehicleTransformDcm` set the same transformation;
     the value read back may be another form of it. `p_vehicle = q^-1 * p_sensor * q`, where the
@@ -6214,11 +6069,8 @@ class SensorToVehicleTransformDcm(Command[R]):
     `sensor.CompOrientationMatrix`, `sensor.CompQuaternion`, `sensor.CompEulerAngles`,
     `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
     `filter_data.LinearAccel`, `filter_data.CompAngularRate` and `filter_data.GravityVector`.
-    Probably changes `filter_data.CompAccel` and `sensor.CompOrientationUpdateMatrix`. Flagged by
-    `filter_data.Cv7StatusFlags.MOUNTING_TRANSFORM_WARNING` of `filter_data.Cv7StatusFlags`.
-    Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS,
-    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
-    3DM-GV7-INS.
+    Probably changes `filter_data.CompAccel` and `sensor.CompOrientationUpdateMatrix`. Supported by
+    3DM-CV7-GNSS/INS.
 
     `SensorToVehicleTransformEuler` and `SensorToVehicleTransformQuaternion` set the same
     transformation; the value read back may be another form of it. `v_vehicle = dcm * v_sensor`.
@@ -6299,10 +6151,11 @@ class GpsDynamicsMode(Command[R]):
 
     Sets the dynamics that the GNSS receiver assumes of the vehicle.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GpsDynamicsModeResponse`.
-    Probably changes `gnss_data.LlhPosition` and `gnss_data.NedVelocity`. Probably supported by
-    3DM-GX3-35. Known only from the MIP SDK of 2014 and MicroStrain Communication Library.
-    Uncertain: Which devices have it. The SDK of 2014 has it in its example for the 3DM-GX3-35 only.
+    No device is certain to support it. Functions: `write`, `read`, `save`, `load` and `default`.
+    Answered by `GpsDynamicsModeResponse`. Probably changes `gnss_data.LlhPosition` and
+    `gnss_data.NedVelocity`. Known only from the MIP SDK of 2014 and MicroStrain Communication
+    Library. Uncertain: Which devices have it. The SDK of 2014 has it in its example for the
+    3DM-GX3-35 only.
 
     - mip-sdk-2014: GPS dynamics mode (0x0C,0x34)
     - mscl: GPS dynamics mode (0x0C,0x34)
@@ -6367,16 +6220,15 @@ class ImuSignalConditioning(Command[R]):
 
     Configures the filters and the orientation algorithm of 3-series devices.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `ImuSignalConditioningResponse`. Changes `sensor.ScaledAccel`, `sensor.ScaledGyro`,
+    No device is certain to support it. Functions: `write`, `read`, `save`, `load` and `default`.
+    Answered by `ImuSignalConditioningResponse`. Changes `sensor.ScaledAccel`, `sensor.ScaledGyro`,
     `sensor.DeltaTheta`, `sensor.DeltaVelocity`, `sensor.CompOrientationMatrix`,
-    `sensor.CompQuaternion` and `sensor.CompEulerAngles`. Probably changes `sensor.ScaledMag`.
-    Probably supported by 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35 and 3DM-GX3-45. Known only from the MIP
-    SDK of 2014 and MicroStrain Communication Library. Uncertain: The ranges, the defaults, and some
-    of the flags. They are those of the single-byte protocol of the 3DM-GX3, which has the same
-    record. Uncertain: Which devices have it. The SDK of 2014 has it in its example for the
-    3DM-GX3-35 only. Uncertain: Whether every device sends `reserved` in the response. MSCL reads it
-    without.
+    `sensor.CompQuaternion` and `sensor.CompEulerAngles`. Probably changes `sensor.ScaledMag`. Known
+    only from the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: The ranges, the
+    defaults, and some of the flags. They are those of the single-byte protocol of the 3DM-GX3,
+    which has the same record. Uncertain: Which devices have it. The SDK of 2014 has it in its
+    example for the 3DM-GX3-35 only. Uncertain: Whether every device sends `reserved` in the
+    response. MSCL reads it without.
 
     The filters are moving averages; the first zero of their response is at 1000 Hz divided by the
     width.
@@ -6537,10 +6389,10 @@ class ImuTimestamp(Command[R]):
 
     Sets or reads a counter of the time of the sensor data.
 
-    Functions: `write` and `read`. Answered by `ImuTimestampResponse`. Probably supported by
-    3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35 and 3DM-GX3-45. Known only from the MIP SDK of 2014.
-    Uncertain: Which devices have it. The SDK of 2014 has it in its example for the 3DM-GX3-35 only.
-    Uncertain: Whether a read needs `time` and ignores it, or leaves it out, as is assumed.
+    No device is certain to support it. Functions: `write` and `read`. Answered by
+    `ImuTimestampResponse`. Known only from the MIP SDK of 2014. Uncertain: Which devices have it.
+    The SDK of 2014 has it in its example for the 3DM-GX3-35 only. Uncertain: Whether a read needs
+    `time` and ignores it, or leaves it out, as is assumed.
 
     - mip-sdk-2014: IMU timestamp (0x0C,0x36)
     """
@@ -6608,12 +6460,8 @@ class AccelBias(Command[R]):
     For advanced use. Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Answered by
     `AccelBiasResponse`. Changes `sensor.ScaledAccel`. Probably changes `sensor.DeltaVelocity` and
     `filter_data.AccelBias`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
-    3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25,
-    3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS,
-    3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR,
-    3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25,
-    3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45 and 3DM-RQ1-IMU. On the
-    3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and `default` only.
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST. On the 3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and
+    `default` only.
 
     - 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
     - 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
@@ -6700,14 +6548,10 @@ class GyroBias(Command[R]):
     For advanced use. Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Answered by
     `GyroBiasResponse`. Changes `sensor.ScaledGyro`. Probably changes `sensor.DeltaTheta`,
     `filter_data.GyroBias` and `filter_data.Status`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
-    3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by
-    3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS,
-    3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR,
-    3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25,
-    3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45 and 3DM-RQ1-IMU. On the
-    3DM-CV7-AHRS: `write`, `read`, `save`, `load` and `default` only. On the 3DM-CV7-AR: `write`,
-    `read`, `save`, `load` and `default` only. On the 3DM-CV7-GNSS/INS: `write`, `read`, `save`,
-    `load` and `default` only.
+    3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. On the 3DM-CV7-AHRS:
+    `write`, `read`, `save`, `load` and `default` only. On the 3DM-CV7-AR: `write`, `read`, `save`,
+    `load` and `default` only. On the 3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and
+    `default` only.
 
     - 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
     - 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
@@ -6788,14 +6632,9 @@ class CaptureGyroBias(Command[GyroBiasResponse]):
     Averages the angular rate of the device at rest and uses the result as the gyroscope bias.
 
     Answered by `GyroBiasResponse`. Changes `sensor.ScaledGyro`. Probably changes
-    `sensor.DeltaTheta`, `filter_data.GyroBias` and `filter_data.Status`. Flagged by
-    `filter_data.Cv7StatusFlags.IMU_BIAS_WARNING` of `filter_data.Cv7StatusFlags`. The device may
-    take 31 s to answer. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
-    3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by
-    3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS,
-    3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR,
-    3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
-    3DM-GX4-IMU, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45 and 3DM-RQ1-IMU.
+    `sensor.DeltaTheta`, `filter_data.GyroBias` and `filter_data.Status`. The device may take 31 s
+    to answer. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
+    3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     The device must be at rest, with as little vibration as possible, for the whole time. The reply
     arrives after the averaging time. The bias is not saved; to save it, send `GyroBias` with save.
@@ -6831,12 +6670,10 @@ class MagHardIronOffset(Command[R]):
 
     Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Answered by
     `MagHardIronOffsetResponse`. Changes `sensor.ScaledMag`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
-    3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by
-    3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45,
-    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS,
-    3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-25 and 3DM-GX5-35. On the 3DM-CV7-AHRS: `write`,
-    `read`, `save`, `load` and `default` only. On the 3DM-CV7-AR: `write`, `read`, `save`, `load`
-    and `default` only. On the 3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and `default` only.
+    3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. On the 3DM-CV7-AHRS:
+    `write`, `read`, `save`, `load` and `default` only. On the 3DM-CV7-AR: `write`, `read`, `save`,
+    `load` and `default` only. On the 3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and
+    `default` only.
 
     The values come from a calibration of the device as it is installed. On some devices,
     `filter.MagCaptureAutoCalibration` captures them from the calibration that the filter makes
@@ -6928,12 +6765,10 @@ class MagSoftIronMatrix(Command[R]):
 
     Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Answered by
     `MagSoftIronMatrixResponse`. Changes `sensor.ScaledMag`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
-    3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by
-    3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45,
-    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS,
-    3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-25 and 3DM-GX5-45. On the 3DM-CV7-AHRS: `write`,
-    `read`, `save`, `load` and `default` only. On the 3DM-CV7-AR: `write`, `read`, `save`, `load`
-    and `default` only. On the 3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and `default` only.
+    3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. On the 3DM-CV7-AHRS:
+    `write`, `read`, `save`, `load` and `default` only. On the 3DM-CV7-AR: `write`, `read`, `save`,
+    `load` and `default` only. On the 3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and
+    `default` only.
 
     The values come from a calibration of the device as it is installed. On some devices,
     `filter.MagCaptureAutoCalibration` captures them from the calibration that the filter makes
@@ -7023,10 +6858,7 @@ class ConingScullingEnable(Command[R]):
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `ConingScullingEnableResponse`. Probably changes `sensor.DeltaTheta` and `sensor.DeltaVelocity`.
-    Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by
-    3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-10,
-    3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU,
-    3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45 and 3DM-RQ1-IMU.
+    Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
     """
@@ -7094,9 +6926,7 @@ class UartBaudRate(Command[R]):
 
     Also called `uart_baudrate`. Functions: `write`, `read`, `save`, `load` and `default`. Answered
     by `UartBaudRateResponse`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45,
-    3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25,
-    3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35,
-    3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25 and 3DM-GX5-35.
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     The 3DM-GX5-15 replies at the old rate and accepts commands at the new rate 250 ms later. The
     3DM-CV7 applies the rate when the port is empty, after at most 250 ms; until then, commands and
@@ -7171,9 +7001,7 @@ class GpioConfig(Command[R]):
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GpioConfigResponse`.
     Probably changes `system_data.GpioState` and `system_data.GpioAnalogValue`. Supported by
-    3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS,
-    3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS. Refused by
-    3DM-GX5-25.
+    3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
 
     Not every pin has every feature. For an output with another feature than gpio, set up what
     drives it first, then the pin; meanwhile, its level would be undefined. For an input, configure
@@ -7282,9 +7110,7 @@ class GpioState(Command[R]):
     Sets or reads the state of a GPIO pin.
 
     Functions: `write` and `read`. Answered by `GpioStateResponse`. Changes `system_data.GpioState`.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-AHRS,
-    3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
-    3DM-GV7-INS.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     A read returns the level of the pin itself. A write has an effect only on a pin that is
     configured as an output. An event action of mode `active_high` or `active_low` on the pin
@@ -7344,8 +7170,7 @@ class OdometerConfig(Command[R]):
     Configures the input from a wheel encoder.
 
     Also called `odometer`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `OdometerConfigResponse`. Changes `sensor.Odometer`. Supported by 3DM-CV7-GNSS/INS. Probably
-    supported by 3DM-GQ7-GNSS/INS. Refused by 3DM-GX3-25.
+    `OdometerConfigResponse`. Changes `sensor.Odometer`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
     """
@@ -7437,14 +7262,11 @@ class ImuLowPassFilter(Command[R]):
     and `default`. Answered by `ImuLowPassFilterResponse`. Changes `sensor.ScaledAccel`,
     `sensor.ScaledGyro`, `sensor.ScaledMag` and `sensor.ScaledPressure`. Supported by 3DM-CV7-AHRS,
     3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-RQ1-45-LT and
-    3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15,
-    3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45,
-    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15,
-    3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35 and 3DM-GX5-45. Deprecated on the
-    3DM-CV7-AHRS: use `LowPassFilter` instead. Deprecated on the 3DM-CV7-AR: use `LowPassFilter`
-    instead. Deprecated on the 3DM-CV7-GNSS/INS: use `LowPassFilter` instead. Deprecated on the
-    3DM-GQ7-GNSS/INS: use `LowPassFilter` instead. On the 3DM-CV7-AHRS: firmware <= 1.0.07. On the
-    3DM-CV7-AR: firmware <= 1.0.07. On the 3DM-GQ7-GNSS/INS: firmware <= 1.0.10.
+    3DM-RQ1-45-ST. Deprecated on the 3DM-CV7-AHRS: use `LowPassFilter` instead. Deprecated on the
+    3DM-CV7-AR: use `LowPassFilter` instead. Deprecated on the 3DM-CV7-GNSS/INS: use `LowPassFilter`
+    instead. Deprecated on the 3DM-GQ7-GNSS/INS: use `LowPassFilter` instead. On the 3DM-CV7-AHRS:
+    firmware <= 1.0.07. On the 3DM-CV7-AR: firmware <= 1.0.07. On the 3DM-GQ7-GNSS/INS: firmware <=
+    1.0.10.
 
     The filter has one pole. By default it is on and its cutoff is half the rate of the message
     format.
@@ -7570,11 +7392,7 @@ class ComplementaryFilter(Command[R]):
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `ComplementaryFilterResponse`. Changes `sensor.CompOrientationMatrix`, `sensor.CompQuaternion`
     and `sensor.CompEulerAngles`. Probably changes `sensor.NorthVector` and `sensor.UpVector`.
-    Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35. Probably supported by
-    3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
-    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35,
-    3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR,
-    3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25 and 3DM-GX5-45.
+    Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35.
 
     Pitch and roll follow the accelerometers, on the assumption that the mean acceleration is zero.
     The heading follows the magnetometer, if the device has one. The device rejects time constants
@@ -7706,9 +7524,7 @@ class SensorRange(Command[R]):
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `SensorRangeResponse`.
     Probably changes `sensor.ScaledAccel`, `sensor.ScaledGyro` and `sensor.OverrangeStatus`.
-    Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS,
-    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
-    3DM-GV7-INS.
+    Supported by 3DM-CV7-GNSS/INS.
 
     `GetCalibratedSensorRanges` lists the settings. The device may reject other settings, or measure
     incorrectly with them.
@@ -7792,9 +7608,7 @@ class GetCalibratedSensorRanges(Command[GetCalibratedSensorRangesResponse]):
     Gets the ranges that a sensor supports.
 
     Also called `calibrated_sensor_ranges`. Answered by `GetCalibratedSensorRangesResponse`.
-    Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS,
-    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
-    3DM-GV7-INS.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53)
     """
@@ -7826,10 +7640,8 @@ class LowPassFilter(Command[R]):
     by `LowPassFilterResponse`. Changes `sensor.ScaledAccel`, `sensor.ScaledGyro`,
     `sensor.ScaledMag`, `sensor.ScaledPressure`, `filter_data.CompAccel`,
     `filter_data.CompAngularRate` and `filter_data.LinearAccel`. Supported by 3DM-CV7-AHRS,
-    3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-INS,
-    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS. On the
-    3DM-CV7-AHRS: firmware > 1.0.07. On the 3DM-CV7-AR: firmware > 1.0.07. On the 3DM-GQ7-GNSS/INS:
-    firmware > 1.0.10.
+    3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. On the 3DM-CV7-AHRS: firmware > 1.0.07. On
+    the 3DM-CV7-AR: firmware > 1.0.07. On the 3DM-GQ7-GNSS/INS: firmware > 1.0.10.
 
     Except for read, a field descriptor of 0 means all fields of the set; if both are 0, all sets
     are meant.
@@ -7966,12 +7778,11 @@ class DataStreamFormat(Command[R]):
 
     Selects MIP data or the raw data of a sensor for a stream.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `DataStreamFormatResponse`. Probably supported by 3DM-GX3-35. Known only from the MIP SDK of
-    2014 and MicroStrain Communication Library. Uncertain: Which devices have it. A comment in the
-    SDK of 2014 restricts it to the 3DM-GX3-35. Uncertain: Whether functions other than write
-    require `format`. The SDK of 2014 sends both parameters with every function, and a 0 in place of
-    `format`.
+    No device is certain to support it. Functions: `write`, `read`, `save`, `load` and `default`.
+    Answered by `DataStreamFormatResponse`. Known only from the MIP SDK of 2014 and MicroStrain
+    Communication Library. Uncertain: Which devices have it. A comment in the SDK of 2014 restricts
+    it to the 3DM-GX3-35. Uncertain: Whether functions other than write require `format`. The SDK of
+    2014 sends both parameters with every function, and a 0 in place of `format`.
 
     In the wrapped format, packets of the sensor arrive in fields of the data sets: `sensor.aspp`
     and `sensor.gxsb` for the IMU, `gnss_data.nmea` and `gnss_data.ubx` for the receiver.
@@ -8061,13 +7872,13 @@ class DevicePowerState(Command[R]):
 
     Sets the power state of an internal sensor.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `DevicePowerStateResponse`. The device may take 5 s to answer. Probably supported by 3DM-GX3-15,
-    3DM-GX3-25 and 3DM-GX3-35. Known only from the MIP SDK of 2014 and MicroStrain Communication
-    Library. Uncertain: Which devices have it. A comment in the SDK of 2014 names the 3DM-GX3-25 and
-    the 3DM-GX3-35. Uncertain: The time-out. The SDK of 2014 uses a longer one than usual; 5 s is
-    assumed. Uncertain: Whether `state` may be left out with functions other than write. The SDK of
-    2014 sends `device` with every function, and a 0 in place of `state`.
+    No device is certain to support it. Functions: `write`, `read`, `save`, `load` and `default`.
+    Answered by `DevicePowerStateResponse`. The device may take 5 s to answer. Known only from the
+    MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: Which devices have it. A
+    comment in the SDK of 2014 names the 3DM-GX3-25 and the 3DM-GX3-35. Uncertain: The time-out. The
+    SDK of 2014 uses a longer one than usual; 5 s is assumed. Uncertain: Whether `state` may be left
+    out with functions other than write. The SDK of 2014 sends `device` with every function, and a 0
+    in place of `state`.
 
     - mip-sdk-2014: Device power state (0x0C,0x61)
     - mscl: Device power state (0x0C,0x61)
@@ -8151,7 +7962,7 @@ class GpsAdvancedSettings(Command[None]):
 
     Saves, loads or resets the settings of the GNSS receiver that were made in direct mode.
 
-    For advanced use. Functions: `save`, `load` and `default`. Probably supported by 3DM-GX3-35.
+    No device is certain to support it. For advanced use. Functions: `save`, `load` and `default`.
     Known only from the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: Which
     devices have it. A comment in the SDK of 2014 names the 3DM-GX3-35.
 
@@ -8223,10 +8034,7 @@ class DeviceStatus(
     `DeviceStatusDiagnosticImuResponse`, `DeviceStatusDiagnosticGx4ImuResponse`,
     `DeviceStatusDiagnosticRq1ImuResponse`, `DeviceStatusBasicGx3Response` or
     `DeviceStatusDiagnosticGx3Response`. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
-    3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15,
-    3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
-    3DM-CX5-35, 3DM-CX5-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25,
-    3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-10, 3DM-GX5-25 and 3DM-RQ1-IMU.
+    3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     The device expects its own model number, which `base.GetDeviceInfo` returns. Families of devices
     answer in different layouts. The selector and the length distinguish them.

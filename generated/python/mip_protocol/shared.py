@@ -48,9 +48,7 @@ class EventSource(Shared, Data):
 
     The event trigger that caused the packet.
 
-    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS,
-    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
-    3DM-GV7-INS.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
 
     Put it first in the format of event messages, to distinguish their packets from scheduled ones.
 
@@ -140,9 +138,7 @@ class GpsTimestamp(Shared, Data):
 
     External time of the data as GPS time of week and week number.
 
-    Changed by `base.GpsTimeUpdate`. Probably changed by `mip_3dm.PpsSourceControl`. Supported by
-    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by
-    3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     In event messages it is the time of the trigger. It becomes valid after the PPS is locked and
     `base.GpsTimeUpdate` has set the time of week and the week number. With an internal GNSS
@@ -191,9 +187,7 @@ class DeltaTime(Shared, Data):
 
     External time since this field was last sent in the same set and event instance.
 
-    Supported by 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-INS,
-    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
-    3DM-GV7-INS.
+    Supported by 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
 
     It is the same as `ExternalTimeDelta`, in other units. Sending either restarts the counter that
     both share, so use only one of them.
@@ -223,9 +217,7 @@ class ReferenceTimestamp(Shared, Data):
 
     Time of the data by the internal reference clock.
 
-    Supported by 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-INS,
-    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
-    3DM-GV7-INS.
+    Supported by 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
 
     The clock starts at power-on, only moves forward and never jumps; the value is always valid. In
     event messages it is the time of the trigger.
@@ -255,9 +247,7 @@ class ReferenceTimeDelta(Shared, Data):
 
     Reference time since this field was last sent in the same set and event instance.
 
-    Supported by 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-INS,
-    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
-    3DM-GV7-INS.
+    Supported by 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
 
     The value is always valid.
 
@@ -286,9 +276,7 @@ class ExternalTimestamp(Shared, Data):
 
     Time of the data in the external clock domain.
 
-    Changed by `base.GpsTimeUpdate`. Probably changed by `mip_3dm.PpsSourceControl`. Supported by
-    3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-INS, 3DM-CX7-AHRS,
-    3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+    Supported by 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
 
     It is `GpsTimestamp` in nanoseconds. In event messages it is the time of the trigger. It becomes
     valid when the external clock is synchronized through the PPS. Its epoch is that of the time
@@ -328,9 +316,7 @@ class ExternalTimeDelta(Shared, Data):
 
     External time since this field was last sent in the same set and event instance.
 
-    Supported by 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-INS,
-    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
-    3DM-GV7-INS.
+    Supported by 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
 
     It is the same as `DeltaTime`, in other units. Sending either restarts the counter that both
     share, so use only one of them.

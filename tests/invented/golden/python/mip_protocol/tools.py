@@ -419,8 +419,8 @@ class PinResponse(Response):
 class HelloResponse(Response):
     """Hello response (0x01,0x8C).
 
-    Also called `keep_alive_response` and `welcome`. Answers `Hello`. Probably supported by Model C.
-    Known only from the Kit of names. Uncertain: When it comes.
+    No device is certain to support it. Also called `keep_alive_response` and `welcome`. Answers
+    `Hello`. Known only from the Kit of names. Uncertain: When it comes.
 
     - sheet: Hello
     """
@@ -729,7 +729,7 @@ class Ping(Command[None]):
 
     Tests the line.
 
-    Supported by Model A, Model B, Model C and Old 1. Probably supported by Old 2.
+    Supported by Model A, Model B, Model C and Old 1.
 
     - guide: Ping
     - leaflet: Ping
@@ -1061,9 +1061,8 @@ class CaptureBias(Command[BiasVector]):
 
     Measures the bias.
 
-    Answered by `BiasVector`. Probably changes `measurements.Accel`. Flagged by
-    `ModelAFaults.SENSOR` of `ModelAFaults`. Supported by Model A and Model C. Deprecated on the
-    Model C: use `Bias` instead. On the Model C: firmware >= 1.0, < 1.1.
+    Answered by `BiasVector`. Probably changes `measurements.Accel`. Supported by Model A and Model
+    C. Deprecated on the Model C: use `Bias` instead. On the Model C: firmware >= 1.0, < 1.1.
 
     - guide: Capture bias
     """
@@ -1136,8 +1135,7 @@ class Choice(Command[R]):
 
     A tagged union with an empty variant, nested unions, arrays and strings in it.
 
-    Functions: `write` and `read`. Answered by `ChoiceResponse`. Supported by Model A. Refused by
-    Model C.
+    Functions: `write` and `read`. Answered by `ChoiceResponse`. Supported by Model A.
 
     - guide: Choice
     """
@@ -1368,8 +1366,8 @@ class Hello(Command[HelloResponse]):
 
     The device asks and a host answers.
 
-    Also called `keep_alive`. Answered by `HelloResponse`. Sent by the device; the host answers.
-    Probably supported by Model C. Known only from the Kit of names.
+    No device is certain to support it. Also called `keep_alive`. Answered by `HelloResponse`. Sent
+    by the device; the host answers. Known only from the Kit of names.
 
     - sheet: Hello
     """
