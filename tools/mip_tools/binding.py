@@ -150,7 +150,7 @@ _USED = {
     "protocol": "VERSION AckCode Acknowledge FunctionSelector",
     "reflection": "info items",
     "registry": "MODULES all_types types",
-    "text": "meant shortest",
+    "text": "meant named shortest",
     "timestamps": "MOST REACH SECOND from_date headers moments moments_of utc",
 }
 #: Modules that they use as such.
@@ -193,7 +193,7 @@ if TYPE_CHECKING:
     from mip_protocol.protocol import VERSION, AckCode, Acknowledge, FunctionSelector
     from mip_protocol.reflection import info, items
     from mip_protocol.registry import MODULES, all_types, types
-    from mip_protocol.text import meant, shortest
+    from mip_protocol.text import meant, named, shortest
     from mip_protocol.timestamps import MOST, REACH, SECOND, from_date, headers, moments, moments_of, utc
 else:
 
