@@ -154,12 +154,12 @@ _USED = {
     "timestamps": "MOST REACH SECOND from_date headers moments moments_of utc",
 }
 #: Modules that they use as such.
-_MODULES = ("lookup", "reflection", "registry", "timestamps")
+_MODULES = ("lookup", "reflection", "registry", "timestamps", "wire")
 _HOMES = {name: home for home, names in _USED.items() for name in names.split()}
 
 # For type checkers, any generated package is like this one.
 if TYPE_CHECKING:
-    from mip_protocol import lookup, reflection, registry, timestamps
+    from mip_protocol import lookup, reflection, registry, timestamps, wire
     from mip_protocol._clocks import CLOCKS, LEAP_SECONDS
     from mip_protocol._index import FAMILIES, FIELDS, SETS
     from mip_protocol._session import session
