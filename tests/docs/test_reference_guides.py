@@ -173,7 +173,7 @@ def test_rates_and_bandwidth(manual: Manual) -> None:
 def test_fields_name_their_guides(manual: Manual) -> None:
     for _, guide, sequence in plays(manual):
         for f in [s.command for s in sequence.steps] + [x.field for t in sequence.streams for x in t.fields]:
-            told = re.findall(r"^Used in the guides: (.*)\.$", manual.page(path_of(f)), re.M)
+            told = re.findall(r"^- Guides: (.*)$", manual.page(path_of(f)), re.M)
             assert f"guides/{guide.name}.md)" in told[0], f.full_name
 
 

@@ -39,7 +39,7 @@ export function rustProgram(names, field, calls) {
 /** A program with what it needs in front. */
 function rustUses(names, text) {
     const used = [...names.used].sort();
-    return `use ${names.package}_protocol::${used.length === 1 ? used[0] : `{${used.join(", ")}}`};\n\n${text}`;
+    return `use ${names.package}_protocol::${used.length === 1 ? used[0] : `{${used.join(", ")}}`};\n${text}`;
 }
 
 /** The arguments of a constructor: no reserved values, and no tag whose union is given. */

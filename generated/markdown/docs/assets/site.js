@@ -70,8 +70,8 @@
         for (const link of document.querySelectorAll("article a[href$='tools/builder.html']")) {
             if (field) link.hash = field;
         }
-        for (const code of document.querySelectorAll("article :is(td, pre) > code")) {
-            const bytes = code.textContent.trim();
+        for (const code of document.querySelectorAll("article :is(td, pre, p) > code, article .mip-ruler")) {
+            const bytes = code.textContent.trim().replace(/\s+/g, " ");
             if (!/^75 65( [0-9A-F]{2}){4,}$/.test(bytes)) continue;
             const links = element("span", { class: "mip-open" }, openIn("inspector", "inspect", bytes));
             const answer = /^75 65 [0-7]. .. .. F1/.test(bytes);

@@ -17,7 +17,6 @@ from mipgen.emit import package
 from mipgen.emit.target import File, Identifier, Target
 
 from . import (
-    answers,
     comparison,
     devices,
     examples,
@@ -143,14 +142,13 @@ FILTERS_OF_PAGE: Filters = {
     "conversions": frames.conversions,
     "drawings": frames.drawings,
     "changed": fields.changed,
-    "call_table": fields.call_table,
     "first_sentence": fields.first_sentence,
     "own_responses": fields.own_responses,
-    "packet_row": packets.packet_row,
-    "ready_packets": packets.ready_packets,
-    "answers": answers.answers,
-    "rejected": answers.rejected,
-    "shown_examples": examples.shown_examples,
+    "forms": packets.forms,
+    "ruler": packets.ruler,
+    "replies": packets.replies,
+    "printed": examples.printed,
+    "as_command": parameters.as_command,
     "programs": snippets.programs,
     "related": related.related,
     "field_values": parameters.field_values,

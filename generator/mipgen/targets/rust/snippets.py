@@ -57,7 +57,7 @@ class _Program:
         """Whole, with what it needs in front."""
         used = sorted(self.uses)
         names = used[0] if len(used) == 1 else f"{{{', '.join(used)}}}"
-        return "\n".join([f"use mip_protocol::{names};", "", *lines])
+        return "\n".join([f"use mip_protocol::{names};", *lines])
 
     def item(self, words: str) -> str:
         """An item of the crate: a type of its own, or one of a module."""
