@@ -112,7 +112,7 @@ def test_site_builds(spec: str) -> None:
             assert 'class="filter' in page and re.search(r'<script src="(\.\./)*assets/filter\.js"', page), path
         programs = re.findall(r'^<details class="program"', text, re.M)
         if path.startswith("fields/"):
-            programs += re.findall(r"^```(?:c|cpp|python|rust)$", text, re.M)
+            programs += re.findall(r"^```(?:c|cpp|python|rust|javascript)$", text, re.M)
             assert page.count('class="mip-ruler"') == len(re.findall(r"`75 65` ", text)), path
         assert len(re.findall(r'<div class="tabbed-block">', page)) == len(programs), path
     assert len(set(titles.values())) == len(titles)
