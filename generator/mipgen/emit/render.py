@@ -47,6 +47,7 @@ def render(source: Source | str, model: Model, past: Anew | None = None) -> dict
     past = past or Anew()
     right = past.all_right()
     if right is not None:
+        past.keep(right)
         return right
     target, place = source.load(), f"target {source.name}"
     files, templates, rename = past.make(PLAN, _plan, source, model)

@@ -134,23 +134,23 @@ class Device:
         self._wake(News(True, True))
         await self._link.stop()
 
-    async def reopen(self, timeout: float = 10.0) -> None:
+    async def reopen(self, within: float = 30.0) -> None:
         """Like `device.Device.reopen`."""
-        check_seconds(timeout)
+        check_seconds(within, "within")
         if self._again is None:
             raise ValueError("only a port that `open_port` has opened can be opened again")
         link, closes = self._link, self._closes
         async with self._opening:
             if self._link is link:  # else another task has done it meanwhile
-                await self._open_again(self._again, timeout, closes)
+                await self._open_again(self._again, within, closes)
 
     async def _open_again(
-        self, again: Callable[[int], Coroutine[Any, Any, Any]], timeout: float, closes: int
+        self, again: Callable[[int], Coroutine[Any, Any, Any]], within: float, closes: int
     ) -> None:
         rate = self.baud or USUAL
         try:
             await self._link.stop()
-            port = await self._opened(partial(again, rate), time.monotonic() + timeout, closes)
+            port = await self._opened(partial(again, rate), time.monotonic() + within, closes)
         except BaseException as error:
             self._give_up(error)
             raise

@@ -184,7 +184,7 @@ def test_a_terminal_that_goes_away_and_comes_back(kind: Kind, tmp_path: Path) ->
         with pytest.raises(mip.PortClosed):
             list(device)
         with pytest.raises(OSError):
-            device.reopen(timeout=0.2)
+            device.reopen(within=0.2)
         with serving(VirtualDevice(DEVICE), endpoint):
             device.reopen()
             device.request(PING)

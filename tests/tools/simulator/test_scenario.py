@@ -16,7 +16,8 @@ from mip_tools.simulator import ScriptedEvent, VirtualDevice
 from mip_tools.simulator.endpoints import pty_at, tcp_at, udp_at
 from mip_tools.simulator.scenario import SCHEMA, read_scenario
 from mip_tools.simulator.script import KINDS
-from support import later
+from mip_tools.simulator.trajectory import COLUMNS
+from support import ROOT, later
 from test_serve import ACKNOWLEDGE, PING, Client, program, run, serving, stream, until
 
 jsonschema = later("jsonschema")
@@ -133,6 +134,22 @@ def test_the_schema(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     kinds = schema["definitions"]["events"]["items"]["properties"]["event"]["enum"]
     assert tuple(kinds) == KINDS
     assert run(capsys, "simulate", "--schema")[1] == SCHEMA.read_text()
+
+
+def test_the_page(tmp_path: Path) -> None:
+    """Its scenarios and its trajectory are what the program reads, and it names every event and every column."""
+    page = (ROOT / "docs/simulate.md").read_text("utf-8")
+    motion, scenarios = (
+        page.partition(f"\n## {title}\n")[2].partition("\n## ")[0] for title in ("Motion", "Scenarios")
+    )
+    (tmp_path / "drive.csv").write_text(re.findall(r"```text\n(.*?)```", motion, re.S)[1])
+    for text in re.findall(r"```yaml\n(.*?)```", scenarios, re.S):
+        (tmp_path / "scenario.yaml").write_text(text)
+        scenario = read_scenario(tmp_path / "scenario.yaml")
+        assert scenario.devices or scenario.events
+    assert all(f"| `{kind}` |" in scenarios for kind in KINDS)
+    for name, units in COLUMNS.items():
+        assert all(f"`{word}`" in motion for word in (name, *units))
 
 
 # --------------------------------------------------------------------------- events

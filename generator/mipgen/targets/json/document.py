@@ -8,11 +8,13 @@ from __future__ import annotations
 
 import dataclasses
 import json
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass
 from operator import attrgetter
 from typing import Any
 
 from mipgen import model as m
+from mipgen.emit import slices
 from mipgen.emit.target import Identifier
 from mipgen.facts import describe
 from mipgen.facts.sample_values import SampleValues
@@ -51,11 +53,13 @@ def text(model: m.Model) -> str:
 
 
 def _text(model: m.Model) -> str:
-    parts = ",\n".join(f"{json.dumps(key)}: {_laid_out(value)}" for key, value in document(model).items())
+    parts = ",\n".join(f"{json.dumps(key)}: {_laid_out(value)}" for key, value in _parts(model).items())
     return f"{{\n{parts}\n}}"
 
 
 def _laid_out(value: Any) -> str:
+    if isinstance(value, (_Each, _Whole)):
+        return value.text()
     if isinstance(value, list) and value:
         return "[\n" + ",\n".join(map(line, value)) + "\n]"
     if isinstance(value, dict) and value and all(isinstance(v, (dict, list)) for v in value.values()):
@@ -73,7 +77,33 @@ def lines(f: m.Field, samples: SampleValues) -> str:
 line = json.JSONEncoder(ensure_ascii=False, separators=(",", ":")).encode
 
 
-def document(model: m.Model) -> dict[str, Any]:
+@dataclass(frozen=True, slots=True)
+class _Each:
+    """A value for each of many objects, in one line each."""
+
+    things: Sequence[Any]
+    value: Callable[[Any], Any]
+
+    def text(self) -> str:
+        lines = [slices.piece("line", self.line, thing) for thing in self.things]
+        return "[\n" + ",\n".join(lines) + "\n]" if lines else "[]"
+
+    def line(self, thing: Any) -> str:
+        return line(self.value(thing))
+
+
+@dataclass(frozen=True, slots=True)
+class _Whole:
+    """A value that is made of one object, in several lines."""
+
+    thing: Any
+    value: Callable[[Any], Any]
+
+    def text(self) -> str:
+        return slices.piece("whole", lambda thing: _laid_out(self.value(thing)), self.thing)
+
+
+def _parts(model: m.Model) -> dict[str, Any]:
     p, samples = model.protocol, model.derived(SampleValues)
     return {
         "$schema": "mip.schema.json",
@@ -97,15 +127,15 @@ def document(model: m.Model) -> dict[str, Any]:
         "vocabulary": plain(p.vocabulary),
         "clocks": [_clock(c, model) for c in p.clocks],
         "leap_seconds": dict(p.leap_seconds),
-        "types": [_attributes(t) for t in types(model)],
-        "sets": [_set(s, model) for s in model.sets],
-        "fields": [_with_samples(f, samples) for f in (p.acknowledge, *model.fields)],
-        "devices": [_device(d, model) for d in model.devices],
-        "examples": plain(model.examples),
-        "errata": plain(model.errata),
-        "simulation": _attributes(model.simulation),
-        "guides": plain(model.guides),
-        "programs": programs(model),
+        "types": _Each(types(model), _attributes),
+        "sets": _Each(model.sets, lambda s: _set(s, model)),
+        "fields": _Each((p.acknowledge, *model.fields), lambda f: _with_samples(f, samples)),
+        "devices": _Each(model.devices, lambda d: _device(d, model)),
+        "examples": _Each(model.examples, _attributes),
+        "errata": _Each(model.errata, _attributes),
+        "simulation": _Whole(model.simulation, _attributes),
+        "guides": _Each(model.guides, _attributes),
+        "programs": _Whole(p, lambda _: programs(model)),
     }
 
 
