@@ -18,9 +18,9 @@ from typing import Any
 _ANCHORED = re.compile(r'^<a id="([^"]+)"></a>\n\n(#+ .*)$', re.M)
 _PROGRAM = re.compile(r'<details class="program" markdown="1">\n<summary>(.*?)</summary>\n(.*?)</details>\n', re.S)
 #: Programs one after the other, one in each language.
-_PROGRAMS = re.compile(r"^(?:```(?:c|cpp|python|rust)\n(?:(?!```).*\n)*```\n){2,}", re.M)
+_PROGRAMS = re.compile(r"^(?:```(?:c|cpp|python|rust|javascript)\n(?:(?!```).*\n)*```\n){2,}", re.M)
 _FENCE = re.compile(r"```(\w+)\n(.*?)```\n", re.S)
-_LANGUAGES = {"c": "C", "cpp": "C++", "python": "Python", "rust": "Rust"}
+_LANGUAGES = {"c": "C", "cpp": "C++", "python": "Python", "rust": "Rust", "javascript": "JavaScript"}
 #: A packet byte by byte, and a row of a table that its parts lead to.
 _RULER = re.compile(r"<code>75 65</code>(?: (?:<a [^>]*>)?<code>[0-9A-F ]+</code>(?:</a>)?){4,}")
 _PART = re.compile(r'(?:<a href="([^"]*)">)?<code>([0-9A-F ]+)</code>')

@@ -79,7 +79,9 @@ def test_lists_stay_apart(manual: Manual) -> None:
 
 
 #: What a page of a field needs whatever it says: fences, edges and headings of tables, brackets in programs, sections.
-FRAME = re.compile(r"```\w*|[| -]+|[ })\];]+|## (?:Packets|Parameters|Programs|Devices|More)|(?:\| [A-Z][a-z ]+)+\|")
+FRAME = re.compile(
+    r"```\w*|[| -]+|[ })\];]+|## (?:Packets|Parameters|Programs|Devices and sources)|(?:\| [A-Z][a-z ]+)+\|"
+)
 
 
 def test_pages_of_fields_are_short() -> None:

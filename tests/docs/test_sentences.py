@@ -48,7 +48,7 @@ SENTENCES = [
     ("tools.formats", "Not acknowledged if suppress_ack is true."),
     ("tools.formats", "Between a counter and its array. Deprecated."),
     ("tools.hello", "Sent by the device; the host answers."),
-    ("tools.hello", "Probably supported by Model C."),
+    ("tools.hello", "No device is certain to support it."),
     ("tools.stripes", "Of a stripe. Unit: m."),
     ("tools.stripes", "Of all stripes. Unit: deg. Range: -180 to 180."),
 ]
@@ -56,7 +56,6 @@ SENTENCES = [
 #: What C says in other words.
 IN_C = {
     "Occurs in measurements (0x80) and copy (0x92).": "Occurs in MIP_MEASUREMENTS_SET and MIP_COPY_SET.",
-    "Probably supported by Model C.": "No device is certain to support it.",
 }
 
 #: What pages of the reference have in columns, and not in sentences: the row of a parameter.

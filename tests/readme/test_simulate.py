@@ -186,7 +186,24 @@ def test_every_motion_is_named() -> None:
         "for name, (_, options) in MOTIONS.items():\n"
         "    print(f'| `{name}` |', ', '.join(f'`{o}`' for o in options), '|')"
     )
-    rows = re.findall(r"^\| `.*?\|.*?\|(?= )", section("Motion"), re.M)
+    table = section("Motion").partition("| Columns |")[0]
+    rows = re.findall(r"^\| `.*?\|.*?\|(?= )", table, re.M)
     motions = [(row.split("|")[1], set(re.findall(r"`(\w+)`", row.split("|")[2]))) for row in rows]
     wanted = [(row.split("|")[1], set(re.findall(r"`(\w+)`", row.split("|")[2]))) for row in python(code).splitlines()]
     assert motions == wanted
+
+
+def test_the_scenarios_and_the_trajectory(tmp_path: Path) -> None:
+    """They are what the program reads, and name every event and every column."""
+    from mip_tools.simulator.scenario import read_scenario
+    from mip_tools.simulator.script import KINDS
+    from mip_tools.simulator.trajectory import COLUMNS
+
+    (tmp_path / "drive.csv").write_text(blocks("text", "Motion")[1])
+    for text in blocks("yaml", "Scenarios"):
+        (tmp_path / "scenario.yaml").write_text(text)
+        scenario = read_scenario(tmp_path / "scenario.yaml")
+        assert scenario.devices or scenario.events
+    assert all(f"| `{kind}` |" in section("Scenarios") for kind in KINDS)
+    for name, units in COLUMNS.items():
+        assert all(f"`{word}`" in section("Motion") for word in (name, *units))

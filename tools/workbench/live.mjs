@@ -6,7 +6,7 @@ import { buildPacket, fromHex, MipError, Packet } from "mip-protocol/tools";
 import { openWebSocket } from "mip-protocol/websocket";
 import { State } from "./address.mjs";
 import { builder } from "./builder.mjs";
-import { deviceOf, element, links, profileNote } from "./dom.mjs";
+import { count, deviceOf, element, links, profileNote } from "./dom.mjs";
 import { drawAttitude, drawPlot } from "./draw.mjs";
 import { deviceWithNumber, inspectBytes, inspectData } from "./inspect.mjs";
 import { transaction } from "./inspector.mjs";
@@ -340,6 +340,7 @@ class Live {
     async #start() {
         const { outcome } = this.#parts;
         const said = [];
+        this.#readings.restart();
         try {
             for (const fields of this.#chooser.chosen().filter((some) => some.length)) {
                 const set = fields[0].set.number;
@@ -496,8 +497,10 @@ class Live {
         if (!this.#device) return;
         const now = Date.now() / 1000;
         const { skipped, dropped } = this.#device;
-        const parts = [`${this.#readings.packets} packets`, skipped && `${skipped} bytes outside packets`, dropped && `${dropped} dropped`];
-        this.#parts.counts.textContent = this.#readings.packets ? parts.filter(Boolean).join(", ") : "Nothing has arrived yet.";
+        const { packets, lost } = this.#readings;
+        const missing = lost && `${count(lost, "sample")} missing by the clock of the device`;
+        const parts = [count(packets, "packet"), missing, skipped && `${skipped} bytes outside packets`, dropped && `${dropped} dropped`];
+        this.#parts.counts.textContent = packets ? parts.filter(Boolean).join(", ") : "Nothing has arrived yet.";
         if (this.#recording) this.#parts.recorded.textContent = `${this.#recording.size} bytes`;
         for (const [key, reading] of this.#readings.fields) {
             let shown = this.#shown.get(key);

@@ -29,9 +29,9 @@ export function rustProgram(names, field, calls) {
         const function_ = field.calls && names.protocol.functions.get(Number(values.function))?.name;
         const made = function_ ? names.table.constructors[function_] : "new";
         const asks = responseTo(names.protocol, field, values) !== undefined;
-        const head = `${asks ? "let response = " : ""}device.request(&${names.type(field)}::${made}(`;
+        const head = `${asks ? 'println!("{:?}", ' : ""}device.request(&${names.type(field)}::${made}(`;
         const given = rustGiven(names, field, required, values);
-        lines.push(laidOut(brackets(head, given, "))?;"), 84), ...(asks ? ['println!("{response:?}");'] : []));
+        lines.push(laidOut(brackets(head, given, asks ? "))?);" : "))?;"), 84));
     }
     return rustUses(names, lines.join("\n"));
 }

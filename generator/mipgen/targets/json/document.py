@@ -8,13 +8,15 @@ from __future__ import annotations
 
 import dataclasses
 import json
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from operator import attrgetter
 from typing import Any
 
 from mipgen import model as m
+from mipgen.emit.target import Identifier
 from mipgen.facts import describe
 from mipgen.facts.sample_values import SampleValues
+from mipgen.lower.session import Rate, session
 from mipgen.model import guides, simulation
 from mipgen.model.simulation import Quantity
 
@@ -85,6 +87,7 @@ def document(model: m.Model) -> dict[str, Any]:
         "barrier": dict(zip(("set", "descriptor"), p.barrier, strict=True)),
         "ack_code": type_name(p.ack_code),
         "function_selector": type_name(p.function_selector),
+        **_session(model),
         "scalars": {s.name: {"size": s.size, "kind": s.kind} for s in m.SCALARS.values()},
         "functions": [_attributes(f) for f in p.functions],
         "units": plain(p.units),
@@ -92,6 +95,8 @@ def document(model: m.Model) -> dict[str, Any]:
         "manuals": plain(p.manuals),
         "notes": plain(p.notes),
         "vocabulary": plain(p.vocabulary),
+        "clocks": [_clock(c, model) for c in p.clocks],
+        "leap_seconds": dict(p.leap_seconds),
         "types": [_attributes(t) for t in types(model)],
         "sets": [_set(s, model) for s in model.sets],
         "fields": [_with_samples(f, samples) for f in (p.acknowledge, *model.fields)],
@@ -104,11 +109,40 @@ def document(model: m.Model) -> dict[str, Any]:
     }
 
 
+def _session(model: m.Model) -> dict[str, Any]:
+    """The commands that start data, if the specification names them."""
+    found = session(model)
+    if found is None:
+        return {}
+    item = found.entries.item.struct
+    assert item is not None
+    older = [
+        {"set": x.set, **_rate(x.base_rate), "format": x.format.full_name, "stream": x.stream} for x in found.older
+    ]
+    commands = {"format": found.format, "stream": found.stream, "resume": found.resume}
+    names = {key: f.full_name for key, f in commands.items()}
+    return {"session": {**_rate(found.base_rate), **names, "item": type_name(item), "older": older}}
+
+
+def _rate(r: Rate) -> dict[str, str]:
+    return {"base_rate": r.command.full_name, "rate": r.parameter.name}
+
+
 def types(model: m.Model) -> list[m.Type]:
     """All of them, those that others use before these."""
     selector, *rest = model.protocol.function_selector, *model.all_types
     codes = [] if model.protocol.ack_code in rest else [model.protocol.ack_code]
     return [selector, *codes, *rest]
+
+
+def identifiers(model: m.Model) -> Iterator[Identifier]:
+    """Fields and types are referred to by name. Scalars are types too."""
+    for f in (model.protocol.acknowledge, *model.fields):
+        yield Identifier("fields", f.full_name, f"field {f.full_name}", f.position)
+    for name in m.SCALARS:
+        yield Identifier("types", name, f"scalar {name}", None)
+    for t in types(model):
+        yield Identifier("types", type_name(t), f"type {t.name}", getattr(t, "position", None))
 
 
 # --------------------------------------------------------------------------- values
@@ -231,6 +265,11 @@ _MORE: dict[type, Callable[[Any, dict[str, Any]], dict[str, Any]]] = {
     m.Enum: _type,
     m.Bitfield: _type,
 }
+
+
+def _clock(c: m.Clock, model: m.Model) -> dict[str, Any]:
+    """A clock with its timestamps, as far as a part of a specification has them."""
+    return _attributes(c) | {"timestamps": [name for name in c.timestamps if model.field(name)]}
 
 
 def _set(s: m.Set, model: m.Model) -> dict[str, Any]:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from mipgen import model as m
 
-from .snippets import LANGUAGES, Program
+from .snippets import LANGUAGES, Language, Program
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,10 +85,10 @@ def frames(model: m.Model) -> list[Frame]:
         ("data", "frame_data", "Data", "These programs open a device, stream the field once per second and read it."),
     )
     return [
-        Frame(name, title, about, tuple(Program(x.title, x.name, _text(model, f"{file}.{x.suffix}")) for x in LANGUAGES))
+        Frame(name, title, about, tuple(_program(model, x, file) for x in LANGUAGES))
         for name, file, title, about in kinds
     ]
 
 
-def _text(model: m.Model, name: str) -> str:
-    return model.program(name).rstrip()
+def _program(model: m.Model, x: Language, file: str) -> Program:
+    return Program(x.title, x.name, model.program(f"{file}.{x.suffix}").rstrip())

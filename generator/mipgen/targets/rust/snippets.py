@@ -73,9 +73,9 @@ class _Program:
         for shown in samples.shown(f):
             way, asks = ways[shown.function], bool(samples.replies(f, shown))
             arguments = self.arguments(way, literals.record(f.parameters, samples.values(f, shown)), f)
-            head = f"{'let response = ' if asks else ''}device.request(&{self.name(f)}::{way.name}("
-            lines.append(laid_out(Brackets(head, arguments, "))?;"), WIDTH))
-            lines += ['println!("{response:?}");'] if asks else []
+            before, behind = ('println!("{:?}", ', ")") if asks else ("", "")
+            head = f"{before}device.request(&{self.name(f)}::{way.name}("
+            lines.append(laid_out(Brackets(head, arguments, f"))?{behind};"), WIDTH))
         return lines
 
     def arguments(self, way: Constructor, values: dict[str, Literal], record: m.Record) -> list[Expression]:

@@ -110,7 +110,8 @@
 
     // ------------------------------------------------------------------------------------------------ whole programs
 
-    const SUFFIXES = { c: "c", cpp: "cpp", python: "py", rust: "rs" };
+    /** The language of a tab: its name, and how its files end. */
+    const LANGUAGES = { C: ["c", "c"], "C++": ["cpp", "cpp"], Python: ["python", "py"], Rust: ["rust", "rs"], JavaScript: ["javascript", "mjs"] };
 
     /** What is between two comments of a program is replaced by other lines, as far to the right. */
     function replaced(lines, from, count, others) {
@@ -123,13 +124,13 @@
     /** A complete program with the lines of a page; `numbers` are the descriptor set and the descriptor, in hexadecimal. */
     function wholeProgram(frame, text, [set, descriptor]) {
         const [lines, others] = [frame.split("\n"), text.trimEnd().split("\n")];
-        const needs = others.filter((line) => /^(#include|from|use) /.test(line));
+        const needs = others.filter((line) => /^(#include|from|use|import) /.test(line));
         replaced(lines, "1. the line", 1, needs);
         replaced(lines, "2. the other", undefined, others.filter((line) => !needs.includes(line)));
         const type = /device\.fields\(([\w.]+)/.exec(text)?.[1];
         const numbers = lines[lines.findIndex((line) => line.includes("3. the")) + 1];
         const own = numbers.replace("0x80", `0x${set}`).replace("0x04", `0x${descriptor}`);
-        replaced(lines, "3. the", 1, [type ? own.replace(/[\w.]+$/, type) : own]);
+        replaced(lines, "3. the", 1, [type ? own.replace(/[\w.]+(?=\]?;?$)/, type) : own]);
         return lines.join("\n");
     }
 
@@ -153,14 +154,15 @@
         const field = document.querySelector("article h1[id*='.']")?.id;
         if (!role || !field) return;
         const bytes = [...document.querySelectorAll(".mip-ruler code")].map((code) => code.textContent);
-        for (const code of document.querySelectorAll("article .tabbed-block [class*='language-'] code")) {
-            const language = /language-(\w+)/.exec(code.closest("[class*='language-']").className)[1];
+        const labels = [...document.querySelectorAll("article .tabbed-labels label")].map((label) => label.textContent.trim());
+        for (const [i, code] of document.querySelectorAll("article .tabbed-block code").entries()) {
+            const [language, suffix] = LANGUAGES[labels[i]];
             const button = element("button", { class: "md-button mip-whole" }, "Whole program");
             button.addEventListener("click", async () => {
                 await load("frames.js");
                 const numbers = role === "data" ? [bytes[1], bytes[3].slice(3)] : [];
                 const text = wholeProgram(mipFrames[role][language], code.textContent, numbers);
-                showProgram(`Whole program for ${field}`, `${field.split(".")[1]}.${SUFFIXES[language]}`, text);
+                showProgram(`Whole program for ${field}`, `${field.split(".")[1]}.${suffix}`, text);
             });
             code.closest(".tabbed-block").append(button);
         }
