@@ -48,12 +48,14 @@ _BEGINNINGS = {
 _TABLES = re.compile(r"(?:packets|units)\.md$")  # pages with tables that can be found
 _LEFT_OUT = re.compile(r"<(pre|table)\b.*?</\1>", re.S)
 
+_frames: dict[str, dict[str, str]] = {}  # "command" or "data" -> a complete program in each language
 _texts: dict[str, Any] = {}  # the address of a page -> its title and sections
 
 
 def on_config(config: Any) -> Any:
     """Adds the style of the tools. `mkdocs serve` builds more than once."""
     _texts.clear()
+    _frames.clear()
     if WORKBENCH:
         config["extra_css"].insert(0, "assets/tools.css")
     return config
@@ -61,6 +63,8 @@ def on_config(config: Any) -> Any:
 
 def on_page_markdown(markdown: str, page: Any, **_: Any) -> str:
     """Gives headings their anchors and programs their tabs, and a page its description."""
+    if page.file.src_uri == "programs.md":
+        _frames.update(frames(markdown))
     text = _ANCHORED.sub(r"\2 { #\1 }", markdown)
     page.meta.setdefault("description", description(text))
     if '<div class="filter devices">' in text:  # their tables need the room
@@ -86,13 +90,26 @@ def on_page_content(content: str, page: Any, **_: Any) -> str:
 
 
 def on_post_build(config: Any) -> None:
-    """Writes the texts of all pages as a script, which pages from disk may load too, and adds the workbench."""
+    """Writes the texts of all pages and the whole programs as scripts, which pages from disk may load too, and adds the
+    workbench."""
     assets = Path(config["site_dir"], "assets")
     text = json.dumps([_texts[url] for url in sorted(_texts)], ensure_ascii=False, separators=(",", ":"))
     (assets / "text.js").write_text(f"globalThis.mipText = {text};\n", "utf-8")
+    if _frames:
+        (assets / "frames.js").write_text(f"globalThis.mipFrames = {json.dumps(_frames)};\n", "utf-8")
     if WORKBENCH:
         for name in ("workbench.js", "fields.js", "tools.css"):
             shutil.copy(Path(WORKBENCH, name), assets)
+
+
+def frames(markdown: str) -> dict[str, dict[str, str]]:
+    """The programs of each section, by language.
+
+    >>> frames('<a id="programs.data"></a>\\n\\n## D\\n\\n```c\\nx\\n```\\n')
+    {'data': {'c': 'x\\n'}}
+    """
+    _, *parts = re.split(r'^<a id="programs\.(\w+)"></a>$', markdown, flags=re.M)
+    return {name: dict(_FENCE.findall(text)) for name, text in zip(parts[::2], parts[1::2], strict=True)}
 
 
 def rulers(content: str) -> str:

@@ -157,7 +157,7 @@ def test_packets_byte_by_byte(manual: Manual) -> None:
 def test_where_the_specification_says_it(manual: Manual) -> None:
     for f in (f for f in manual.model.fields if f.role != m.RESPONSE):
         assert f.position is not None
-        said = f"\n- In the specification: {'/'.join(f.position.file.split('/')[-2:])}, name: {f.name}\n"
+        said = f" In the specification: {'/'.join(f.position.file.split('/')[-2:])}, name: {f.name}\n"
         assert words(manual.page(path_of(f))).endswith(said)
 
 

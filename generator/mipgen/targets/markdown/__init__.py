@@ -55,6 +55,7 @@ def files(model: m.Model) -> Iterator[File]:
     yield page(places.INDEX, "index.md.j2")
     if starts:
         yield page(places.START, "start.md.j2")
+        yield page(places.PROGRAMS, "programs.md.j2", frames=start.frames(model))
     yield page(places.PACKETS, "packets.md.j2")
     yield page(places.UNITS, "units.md.j2")
     for name, title, axes in frames.drawn(model):
