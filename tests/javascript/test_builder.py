@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import random
 import urllib.parse
 from collections.abc import Iterator
@@ -428,6 +429,35 @@ def test_the_layout_of_the_answer(own: browser.Page) -> None:
     assert own.run("texts('.mip-output li td:first-child')") == [p.name for p in r.parameters]
     shown = bytes.fromhex(own.run("document.querySelector('.mip-output li code').textContent"))
     assert [d for d, _ in codec.split(of, shown)] == [0xF1, r.descriptor]
+
+
+def test_rates_in_hz_become_decimations(own: browser.Page) -> None:
+    """On a device whose base rate is known; what the port must carry stays in view."""
+    start(own, "3dm.message_format")
+    assert own.run("document.querySelector('.mip-hertz')") is None
+    assert own.run("document.querySelector('.mip-totals').hidden")
+    own.run("put('#mip-device', '3dm-cv7-gnss-ins')")
+    rates = "[...document.querySelectorAll('.mip-hertz')].map((one) => one.value)"
+    assert own.run(rates) == ["100", "100"]
+    own.run("put('.mip-hertz', '300')")
+    assert packet(own)[9:12] == bytes((4, 0, 3))  # scaled_accel at a third of 1000 Hz
+    own.run("document.querySelector('.mip-hertz').dispatchEvent(new Event('change'))")
+    assert own.run(rates) == ["333.333", "100"]
+    need = (6 + 14) * 1000 / 3 + 14 * 100
+    wanted = f"These rates need {math.ceil(need)} bytes/s; over a UART at least {math.ceil(10 * need)} Bd."
+    assert own.run("document.querySelector('.mip-totals').textContent") == wanted
+    own.run("document.querySelector('.mip-hertz').closest('p').querySelector('input').value = '2'")
+    own.run(
+        "document.querySelector('.mip-hertz').closest('p').querySelector('input').dispatchEvent(new Event('input'))"
+    )
+    assert own.run(rates) == ["500", "100"] and packet(own)[11] == 2
+    own.size(1400)
+    own.run("window.scrollTo(0, document.body.scrollHeight)")
+    top = own.run("document.querySelector('.mip-totals').getBoundingClientRect().top")
+    assert 0 <= top < 900
+    own.run("put('#mip-device', '')")
+    assert own.run("document.querySelector('.mip-hertz')") is None
+    assert own.run("document.querySelector('.mip-totals').hidden")
 
 
 def clipboard(page: browser.Page) -> str:

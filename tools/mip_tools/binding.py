@@ -150,16 +150,16 @@ _USED = {
     "protocol": "VERSION AckCode Acknowledge FunctionSelector",
     "reflection": "info items",
     "registry": "MODULES all_types types",
-    "text": "meant shortest",
+    "text": "meant named shortest",
     "timestamps": "MOST REACH SECOND from_date headers moments moments_of utc",
 }
 #: Modules that they use as such.
-_MODULES = ("lookup", "reflection", "registry", "timestamps")
+_MODULES = ("lookup", "reflection", "registry", "timestamps", "wire")
 _HOMES = {name: home for home, names in _USED.items() for name in names.split()}
 
 # For type checkers, any generated package is like this one.
 if TYPE_CHECKING:
-    from mip_protocol import lookup, reflection, registry, timestamps
+    from mip_protocol import lookup, reflection, registry, timestamps, wire
     from mip_protocol._clocks import CLOCKS, LEAP_SECONDS
     from mip_protocol._index import FAMILIES, FIELDS, SETS
     from mip_protocol._session import session
@@ -193,7 +193,7 @@ if TYPE_CHECKING:
     from mip_protocol.protocol import VERSION, AckCode, Acknowledge, FunctionSelector
     from mip_protocol.reflection import info, items
     from mip_protocol.registry import MODULES, all_types, types
-    from mip_protocol.text import meant, shortest
+    from mip_protocol.text import meant, named, shortest
     from mip_protocol.timestamps import MOST, REACH, SECOND, from_date, headers, moments, moments_of, utc
 else:
 

@@ -73,8 +73,8 @@ class Part:
 
 def _details(thing: Any) -> tuple[Any, ...]:
     """The details of an object, so that equal ones are of the same kind."""
-    found = _GETTERS[type(thing)](thing)
-    several = found if len(_NAMES[type(thing)]) > 1 else (found,)
+    values = _GETTERS[type(thing)](thing)
+    several = values if len(_NAMES[type(thing)]) > 1 else (values,)
     return tuple([x if x is None or x.__class__ is str else _plain(x) for x in several])
 
 

@@ -78,6 +78,7 @@ class Device:
     """
 
     _closed = True  # until there is a port
+    _url = ""  # of a port that `open_port` has opened
 
     def __init__(
         self,
@@ -114,6 +115,9 @@ class Device:
         if not self._closed and not sys.is_finalizing():
             warn_unclosed(self)
             self._link.abandon()
+
+    def __repr__(self) -> str:
+        return f"<Device at {self._url or 'a port'}{', closed' * self._closed}>"
 
     async def __aenter__(self) -> Device:
         return self
@@ -619,7 +623,7 @@ class open_port:  # noqa: N801  # it is called like the function of the other mo
             on_bytes=self._on_bytes,
             on_skipped=self._on_skipped,
         )
-        device._again = partial(_connect, self._url)
+        device._again, device._url = partial(_connect, self._url), os.fspath(self._url)
         return device
 
 

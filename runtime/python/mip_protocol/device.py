@@ -52,6 +52,7 @@ class Device:
     """
 
     _closed = True  # until there is a port
+    _url = ""  # of a port that `open_port` has opened
 
     def __init__(
         self,
@@ -97,6 +98,9 @@ class Device:
         if not self._closed and not sys.is_finalizing():
             warn_unclosed(self)
             self._reader.stop()
+
+    def __repr__(self) -> str:
+        return f"<Device at {self._url or 'a port'}{', closed' * self._closed}>"
 
     def __enter__(self) -> Device:
         return self
@@ -503,7 +507,7 @@ def open_port(
     device = Device(
         port, timeout=timeout, capacity=capacity, on_bytes=on_bytes, on_skipped=on_skipped
     )
-    device._again = partial(open_url, url)
+    device._again, device._url = partial(open_url, url), os.fspath(url)
     return device
 
 

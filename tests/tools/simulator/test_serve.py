@@ -486,6 +486,8 @@ def test_time_that_cannot_be_caught_up_is_given_up() -> None:
             assert device.now < 60e9  # it goes on from where it was, at its own pace
     # Said once; the client does not read meanwhile, which may be said, too.
     assert server.complaints.count("the machine cannot keep up; simulated time is late from here on") == 1
+    (ended,) = (x for x in server.complaints if "ends" in x)
+    assert re.fullmatch(r"simulated time ends 86\d{3}\.\d s late", ended)
 
 
 # --------------------------------------------------------------------------- disconnection

@@ -106,7 +106,7 @@ class Server:
         self._plugged: set[Endpoint] = set()
         self._numbers: dict[Endpoint, int] = {}  # those that the system chose
         self._stopped = False
-        self._slipped = False
+        self._lost = 0.0  # seconds of the clock that simulated time has given up
         self._origin = 0.0
         self._wake, self._woken = socket.socketpair()
 
@@ -225,6 +225,8 @@ class Server:
             self._advance()
             for key, events in self._selector.select(self._patience()):
                 key.data(events)
+        if self._lost:
+            self._complain(f"simulated time ends {self._lost:.1f} s late")
         self._drain()
 
     def _simulated(self, nanoseconds: float) -> float:
@@ -277,9 +279,9 @@ class Server:
             self._origin += behind
         elif behind > LATE and self._device.now < self._end:
             self._origin += behind
-            if not self._slipped:
+            if not self._lost:
                 self._complain("the machine cannot keep up; simulated time is late from here on")
-                self._slipped = True
+            self._lost += behind
 
     def _patience(self) -> float | None:
         """How long to wait for clients; None: until one comes."""

@@ -141,17 +141,17 @@ def _parts(model: m.Model) -> dict[str, Any]:
 
 def _session(model: m.Model) -> dict[str, Any]:
     """The commands that start data, if the specification names them."""
-    found = session(model)
-    if found is None:
+    start = session(model)
+    if start is None:
         return {}
-    item = found.entries.item.struct
+    item = start.entries.item.struct
     assert item is not None
     older = [
-        {"set": x.set, **_rate(x.base_rate), "format": x.format.full_name, "stream": x.stream} for x in found.older
+        {"set": x.set, **_rate(x.base_rate), "format": x.format.full_name, "stream": x.stream} for x in start.older
     ]
-    commands = {"format": found.format, "stream": found.stream, "resume": found.resume}
+    commands = {"format": start.format, "stream": start.stream, "resume": start.resume}
     names = {key: f.full_name for key, f in commands.items()}
-    return {"session": {**_rate(found.base_rate), **names, "item": type_name(item), "older": older}}
+    return {"session": {**_rate(start.base_rate), **names, "item": type_name(item), "older": older}}
 
 
 def _rate(r: Rate) -> dict[str, str]:

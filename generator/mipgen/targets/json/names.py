@@ -20,9 +20,9 @@ def type_name(t: m.Scalar | m.Type) -> str:
 def symbols(thing: m.Type | m.Field) -> dict[str, str]:
     """What the bindings call the type of a field, or a type of the specification. C++ has no type for a command: each
     way to send it has one."""
-    found = {"c": c.symbol(thing), "cpp": c.cpp_symbol(thing), "python": python.symbol(thing)}
-    found |= {"rust": rust.symbol(thing), "javascript": javascript.symbol(thing)}
-    return {language: name for language, name in found.items() if name}
+    names = {"c": c.symbol(thing), "cpp": c.cpp_symbol(thing), "python": python.symbol(thing)}
+    names |= {"rust": rust.symbol(thing), "javascript": javascript.symbol(thing)}
+    return {language: name for language, name in names.items() if name}
 
 
 def programs(model: m.Model) -> dict[str, dict[str, Any]]:
