@@ -97,10 +97,7 @@ def _engine() -> str:
 
 def _run(given: list[str]) -> int:
     parser = argparse.ArgumentParser(
-        prog="mip",
-        description="Tools for devices that use MIP.",
-        epilog=EPILOG,
-        formatter_class=lambda prog: _Layout(prog, max_help_position=18),  # longer options have a line of their own
+        prog="mip", description="Tools for devices that use MIP.", epilog=EPILOG, formatter_class=_Layout
     )
     parser.add_argument("--version", action="version", version=_version() if "--version" in given else "")
     parser.add_argument(
