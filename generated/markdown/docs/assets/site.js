@@ -111,14 +111,24 @@
     // ------------------------------------------------------------------------------------------------ whole programs
 
     /** The language of a tab: its name, and how its files end. */
-    const LANGUAGES = { C: ["c", "c"], "C++": ["cpp", "cpp"], Python: ["python", "py"], Rust: ["rust", "rs"], JavaScript: ["javascript", "mjs"] };
+    const LANGUAGES = {
+        C: ["c", "c"],
+        "C++": ["cpp", "cpp"],
+        Python: ["python", "py"],
+        Rust: ["rust", "rs"],
+        JavaScript: ["javascript", "mjs"],
+    };
 
     /** What is between two comments of a program is replaced by other lines, as far to the right. */
     function replaced(lines, from, count, others) {
         const at = lines.findIndex((line) => line.includes(from)) + 1;
         if (!at) return;
         const indent = lines[at - 1].match(/^ */)[0];
-        lines.splice(at, count ?? lines.findIndex((line) => line.includes("end of 2")) - at, ...others.map((line) => line && indent + line));
+        lines.splice(
+            at,
+            count ?? lines.findIndex((line) => line.includes("end of 2")) - at,
+            ...others.map((line) => line && indent + line),
+        );
     }
 
     /** A complete program with the lines of a page; `numbers` are the descriptor set and the descriptor, in hexadecimal. */
@@ -126,7 +136,12 @@
         const [lines, others] = [frame.split("\n"), text.trimEnd().split("\n")];
         const needs = others.filter((line) => /^(#include|from|use|import) /.test(line));
         replaced(lines, "1. the line", 1, needs);
-        replaced(lines, "2. the other", undefined, others.filter((line) => !needs.includes(line)));
+        replaced(
+            lines,
+            "2. the other",
+            undefined,
+            others.filter((line) => !needs.includes(line)),
+        );
         const type = /device\.fields\(([\w.]+)/.exec(text)?.[1];
         const numbers = lines[lines.findIndex((line) => line.includes("3. the")) + 1];
         const own = numbers.replace("0x80", `0x${set}`).replace("0x04", `0x${descriptor}`);
