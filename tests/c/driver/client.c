@@ -70,7 +70,8 @@ static const char *add(struct session *s, struct mip_builder *builder, const str
         return mip_error_name(error);
     }
     c->request.exchange = entry->command->exchange;
-    mip_client_wait(&s->client, &c->request, builder->buffer + start, s->now);
+    c->request.asked = mip_requested(c->request.exchange, builder->buffer + start);
+    mip_client_wait(&s->client, &c->request, s->now);
     *end = c;
     const struct mip_response *asked = c->request.asked;
     /* What has several layouts is decoded when it has come. */
