@@ -75,7 +75,7 @@ static const char *add(struct session *s, struct mip_builder *builder, const str
     *end = c;
     const struct mip_response *asked = c->request.asked;
     /* What has several layouts is decoded when it has come. */
-    if (asked != NULL && asked->layout == NULL) {
+    if (asked != NULL && asked->descriptor != 0 && asked->layout == NULL) {
         size_t i = 0;
         while (mip_registry_link(entry, i)->descriptor != asked->descriptor) {
             i++;

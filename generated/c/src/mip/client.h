@@ -156,7 +156,8 @@ MIP_CHECKED MIP_API mip_error mip_client_add(struct mip_client *client, struct m
                                              const struct mip_command *command, const void *value,
                                              uint32_t now);
 
-/** The response that a command requests, or the first of several layouts; NULL if it requests none.
+/** The response that a command requests, or the first of several layouts; NULL if it requests none,
+ * and one with descriptor 0 if the device leaves the command unanswered.
  * `field` begins with the length of the command. */
 MIP_API const struct mip_response *mip_requested(const struct mip_exchange *exchange,
                                                  const uint8_t *field);
