@@ -691,6 +691,7 @@ def test_names_are_as_long_as_c_permits(spec: str) -> None:
     assert long_names(folder(spec)) == set()
 
 
+@heavy("the whole specification read anew")
 def test_no_name_is_shorter_than_c_requires(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """Without `short`, each of these names would be the same as another one in its first 63 characters."""
     shutil.copytree(ROOT / "spec", tmp_path / "spec")
