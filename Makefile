@@ -139,6 +139,7 @@ check: $(BUILD)/biome/stamp tools-check $(VENV)/development.stamp ## validate, c
 	@$(if $(wildcard $(SPEC)/witness),$(MIPGEN) audit --spec $(SPEC) --witness $(SPEC)/witness)
 	@PYTHONPATH=generator $(RUN) tests/golden.py --check
 	@$(MIPGEN) diff --release --spec $(SPEC)
+	@$(RUN) tools/release/interface.py --check --out $(OUT)
 	@$(VENV)/bin/ruff check --quiet .
 	@$(VENV)/bin/ruff format --quiet --check .
 	@cd $(OUT)/python && $(abspath $(VENV))/bin/ruff check --quiet . && $(abspath $(VENV))/bin/ruff format --quiet --check .
@@ -167,6 +168,10 @@ docs: workbench $(VENV)/development.stamp ## build the reference as a searchable
 release: export SOURCE_DATE_EPOCH = 315532800
 release: docs ## build what people install in dist/: the same bytes each time, with checksums, an SBOM and notes
 	@$(RUN) tools/release/build.py --site $(BUILD)/site
+
+.PHONY: interface
+interface: ## of a release: write what programs see of this version, interface/, with which make check compares
+	@$(PYTHON) tools/release/interface.py
 
 .PHONY: docs-serve
 docs-serve: workbench $(VENV)/development.stamp ## show that site at http://127.0.0.1:8000, and follow changes: make docs-serve ADDRESS=HOST:PORT

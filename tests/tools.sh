@@ -160,6 +160,7 @@ command_or arduino-builder "install it (Debian: apt-get install arduino-builder)
 [ -d /usr/share/arduino/hardware/arduino/avr ] ||
     lacks "the core of Arduino's AVR boards" "install it (Debian: apt-get install arduino-core-avr)"
 command_or doxygen "install it (Debian: apt-get install doxygen)"
+command_or cppcheck "install it (Debian: apt-get install cppcheck)"
 command_or node "install it (Debian: apt-get install nodejs)"
 command_or chromium "install it (Debian: apt-get install chromium)"
 command_or npm "install it (Debian: apt-get install npm)"

@@ -406,9 +406,7 @@ export declare const Gx4SystemState: Enumeration<Gx4SystemState> & {
  * IMU Message Format response (0x0C,0x80).
  *
  * Answers `ImuMessageFormat`. Supported by 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT
- * and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25,
- * 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45,
- * 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-10, 3DM-GX5-25 and 3DM-RQ1-IMU.
+ * and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.5 IMU Message Format (0x0C, 0x08)
  */
@@ -423,7 +421,6 @@ export declare class ImuMessageFormatResponse extends Response {
  * GNSS Message Format response (0x0C,0x81).
  *
  * Answers `GnssMessageFormat`. Supported by 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
- * Probably supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX3-35, 3DM-GX3-45 and 3DM-GX4-45.
  *
  * - mip-sdk-4: GNSS Message Format (0x0C,0x09)
  * - 3dm-gx5-35: 4.2.6 GNSS Message Format (0x0C, 0x09)
@@ -439,8 +436,6 @@ export declare class GnssMessageFormatResponse extends Response {
  * Estimation Filter Message Format response (0x0C,0x82).
  *
  * Answers `FilterMessageFormat`. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
- * Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
- * 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45 and 3DM-GX5-25.
  *
  * - 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A)
  */
@@ -455,10 +450,7 @@ export declare class FilterMessageFormatResponse extends Response {
  * Get IMU Data Base Rate response (0x0C,0x83).
  *
  * Also called `imu_get_base_rate_response`. Answers `GetImuBaseRate`. Supported by 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15,
- * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10,
- * 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX3-15, 3DM-GX3-25,
- * 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35 and
- * 3DM-RQ1-IMU.
+ * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
  */
@@ -472,8 +464,7 @@ export declare class GetImuBaseRateResponse extends Response {
  * Get GNSS Data Base Rate response (0x0C,0x84).
  *
  * Also called `gnss_get_base_rate_response`. Answers `GetGnssBaseRate`. Supported by 3DM-GQ4-45, 3DM-GX5-35,
- * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX3-35,
- * 3DM-GX3-45 and 3DM-GX4-45. Known only from the MicroStrain MIP SDK.
+ * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
  */
@@ -487,11 +478,7 @@ export declare class GetGnssBaseRateResponse extends Response {
  * Data Stream Control response (0x0C,0x85).
  *
  * Also called `datastream_control_response`. Answers `DataStreamControl`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
- * 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported
- * by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15,
- * 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-DH3, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS,
- * 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
- * 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45 and 3DM-MV5-AR.
+ * 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
  * - 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11)
@@ -515,8 +502,8 @@ export declare class DataStreamControlResponse extends Response {
 /**
  * IMU signal conditioning response (0x0C,0x86).
  *
- * Answers `ImuSignalConditioning`. Probably supported by 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35 and 3DM-GX3-45. Known only
- * from the MIP SDK of 2014 and MicroStrain Communication Library.
+ * No device is certain to support it. Answers `ImuSignalConditioning`. Known only from the MIP SDK of 2014 and
+ * MicroStrain Communication Library.
  *
  * - mip-sdk-2014: IMU signal conditioning (0x0C,0x35)
  * - mscl: IMU signal conditioning (0x0C,0x35)
@@ -545,9 +532,7 @@ export declare class ImuSignalConditioningResponse extends Response {
  * UART Baud Rate response (0x0C,0x87).
  *
  * Also called `uart_baudrate_response`. Answers `UartBaudRate`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15,
- * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10,
- * 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15,
- * 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25 and 3DM-GX5-35.
+ * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.13 UART Baud Rate (0x0C, 0x40)
  * - 3dm-cv7-gnss-ins: UART Baudrate (0x0C,0x40)
@@ -561,7 +546,7 @@ export declare class UartBaudRateResponse extends Response {
 /**
  * Data stream format response (0x0C,0x88).
  *
- * Answers `DataStreamFormat`. Probably supported by 3DM-GX3-35. Known only from the MIP SDK of 2014 and MicroStrain
+ * No device is certain to support it. Answers `DataStreamFormat`. Known only from the MIP SDK of 2014 and MicroStrain
  * Communication Library.
  *
  * - mip-sdk-2014: Data stream format (0x0C,0x60)
@@ -578,8 +563,8 @@ export declare class DataStreamFormatResponse extends Response {
 /**
  * Device power state response (0x0C,0x89).
  *
- * Answers `DevicePowerState`. Probably supported by 3DM-GX3-15, 3DM-GX3-25 and 3DM-GX3-35. Known only from the MIP SDK
- * of 2014 and MicroStrain Communication Library.
+ * No device is certain to support it. Answers `DevicePowerState`. Known only from the MIP SDK of 2014 and MicroStrain
+ * Communication Library.
  *
  * - mip-sdk-2014: Device power state (0x0C,0x61)
  * - mscl: Device power state (0x0C,0x61)
@@ -596,8 +581,7 @@ export declare class DevicePowerStateResponse extends Response {
  * Get Estimation Filter Data Base Rate response (0x0C,0x8A).
  *
  * Also called `filter_get_base_rate_response`. Answers `GetFilterBaseRate`. Supported by 3DM-GQ4-45, 3DM-GX5-15,
- * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25,
- * 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45 and 3DM-GX5-25.
+ * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
  */
@@ -611,10 +595,7 @@ export declare class GetFilterBaseRateResponse extends Response {
  * Advanced Low-Pass Filter Settings response (0x0C,0x8B).
  *
  * Also called `imu_lowpass_filter_response`. Answers `ImuLowPassFilter`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
- * 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by
- * 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-10,
- * 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR,
- * 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35 and 3DM-GX5-45.
+ * 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.14 Advanced Low-Pass Filter Settings (0x0C, 0x50)
  * - 3dm-cv7-gnss-ins: Advanced Low-Pass Filter Settings (0x0C,0x50)
@@ -639,8 +620,7 @@ export declare class ImuLowPassFilterResponse extends Response {
 /**
  * NMEA Message Format response (0x0C,0x8C).
  *
- * Answers `NmeaMessageFormat`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-INS,
- * 3DM-GQ7-GNSS/INS and 3DM-GV7-INS.
+ * Answers `NmeaMessageFormat`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: NMEA Message Format (0x0C,0x0C)
  */
@@ -654,8 +634,7 @@ export declare class NmeaMessageFormatResponse extends Response {
 /**
  * Get Data Base Rate response (0x0C,0x8E).
  *
- * Answers `GetBaseRate`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably
- * supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+ * Answers `GetBaseRate`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
  */
@@ -670,8 +649,7 @@ export declare class GetBaseRateResponse extends Response {
 /**
  * Message Format response (0x0C,0x8F).
  *
- * Answers `MessageFormat`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS,
- * 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+ * Answers `MessageFormat`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Message Format (0x0C,0x0F)
  */
@@ -689,7 +667,7 @@ export declare class MessageFormatResponse extends Response {
  *
  * Timer only, in microseconds.
  *
- * Answers `DeviceStatus`. Sent if `statusSelector` is `DeviceStatusSelector.BASIC`. Probably supported by 3DM-RQ1-IMU.
+ * No device is certain to support it. Answers `DeviceStatus`. Sent if `statusSelector` is `DeviceStatusSelector.BASIC`.
  * Uncertain: The SDK of 2014 names the values and the unit of the timer; the descriptions follow from the names.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
@@ -714,9 +692,7 @@ export declare class DeviceStatusBasicRq1ImuResponse extends Response {
  *
  * Answers `DeviceStatus`. Distinguished from `DeviceStatusBasicWithoutStateResponse` and `DeviceStatusBasicGx3Response`
  * by the size of its data. Sent if `statusSelector` is `DeviceStatusSelector.BASIC`. Supported by 3DM-GQ4-45,
- * 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-15, 3DM-CL5-25,
- * 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX3-15, 3DM-GX3-25,
- * 3DM-GX4-45 and 3DM-GX5-25.
+ * 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -745,12 +721,12 @@ export declare class DeviceStatusBasicResponse extends Response {
  *
  * Timer only.
  *
- * Answers `DeviceStatus`. Distinguished from `DeviceStatusBasicResponse` and `DeviceStatusBasicGx3Response` by the size
- * of its data. Sent if `statusSelector` is `DeviceStatusSelector.BASIC`. Probably supported by 3DM-CL5-10, 3DM-CV5-10,
- * 3DM-CX5-10, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-IMU and 3DM-GX5-10. Uncertain: MSCL has it for the 3DM-GX4-15,
- * 3DM-GX4-25, 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10, the SDK of 2014 for the 3DM-GX4-15, the 3DM-GX4-25 and the
- * inertial sensor of the 3DM-GX4-45; that the 3DM-CL5-10 has it is inferred. Uncertain: The manual of the 3DM-GX5-45
- * gives it too, but for the model number of another device; MSCL has the layout with a state for that device.
+ * No device is certain to support it. Answers `DeviceStatus`. Distinguished from `DeviceStatusBasicResponse` and
+ * `DeviceStatusBasicGx3Response` by the size of its data. Sent if `statusSelector` is `DeviceStatusSelector.BASIC`.
+ * Uncertain: MSCL has it for the 3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10, the SDK of 2014 for the
+ * 3DM-GX4-15, the 3DM-GX4-25 and the inertial sensor of the 3DM-GX4-45; that the 3DM-CL5-10 has it is inferred.
+ * Uncertain: The manual of the 3DM-GX5-45 gives it too, but for the model number of another device; MSCL has the layout
+ * with a state for that device.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -777,8 +753,7 @@ export declare class DeviceStatusBasicWithoutStateResponse extends Response {
  * `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticGx4Response`,
  * `DeviceStatusDiagnosticImuResponse`, `DeviceStatusDiagnosticGx4ImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse`
  * and `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `statusSelector` is
- * `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-GX5-15. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15,
- * 3DM-CV5-25, 3DM-CX5-15, 3DM-CX5-25, 3DM-GX3-15, 3DM-GX3-25 and 3DM-GX5-25.
+ * `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -829,10 +804,9 @@ export declare class DeviceStatusDiagnosticResponse extends Response {
  * `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse`,
  * `DeviceStatusDiagnosticGx4ImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse` and
  * `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `statusSelector` is
- * `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-GX5-35 and 3DM-GX5-45. Probably supported by 3DM-CV5-45,
- * 3DM-CX5-35, 3DM-CX5-45 and 3DM-GX4-45. Uncertain: MSCL has it for the 3DM-GX4-45 and the -35 and -45 of GX5 and CX5;
- * its length is from a manual. Uncertain: MSCL only names the values; the descriptions follow from the names, and the
- * times are assumed to be in ms like the system timer.
+ * `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-GX5-35 and 3DM-GX5-45. Uncertain: MSCL has it for the 3DM-GX4-45
+ * and the -35 and -45 of GX5 and CX5; its length is from a manual. Uncertain: MSCL only names the values; the
+ * descriptions follow from the names, and the times are assumed to be in ms like the system timer.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -1045,14 +1019,13 @@ export declare class DeviceStatusDiagnosticRq1_45Response extends Response {
  *
  * Timer, and counters of pulses, streams, port and USB.
  *
- * Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGnssResponse`,
- * `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticImuResponse`,
- * `DeviceStatusDiagnosticGx4ImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse` and
- * `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `statusSelector` is
- * `DeviceStatusSelector.DIAGNOSTIC`. Probably supported by 3DM-GX4-15 and 3DM-GX4-25. Uncertain: No known manual
- * documents it for these devices; the offsets 49 to 69 in the manual of the 3DM-GX5-45 agree. Uncertain: MSCL only
- * names the values; the descriptions follow from the names, and the times are assumed to be in ms like the system
- * timer.
+ * No device is certain to support it. Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
+ * `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`,
+ * `DeviceStatusDiagnosticImuResponse`, `DeviceStatusDiagnosticGx4ImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse`
+ * and `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `statusSelector` is
+ * `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: No known manual documents it for these devices; the offsets 49 to 69 in
+ * the manual of the 3DM-GX5-45 agree. Uncertain: MSCL only names the values; the descriptions follow from the names,
+ * and the times are assumed to be in ms like the system timer.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -1109,14 +1082,13 @@ export declare class DeviceStatusDiagnosticGx4Response extends Response {
  *
  * Timer, available sensors, temperature, and the counters of pulses, stream and port.
  *
- * Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGnssResponse`,
- * `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticGx4Response`,
- * `DeviceStatusDiagnosticGx4ImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse` and
- * `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `statusSelector` is
- * `DeviceStatusSelector.DIAGNOSTIC`. Probably supported by 3DM-CL5-10, 3DM-CV5-10, 3DM-CX5-10 and 3DM-GX5-10.
- * Uncertain: MSCL has it for the 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10; no known manual documents it. Uncertain: MSCL
- * only names the values; the descriptions follow from the names, and the times are assumed to be in ms like the system
- * timer. Uncertain: The units of the ranges are not known.
+ * No device is certain to support it. Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
+ * `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`,
+ * `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticGx4ImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse`
+ * and `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `statusSelector` is
+ * `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: MSCL has it for the 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10; no known
+ * manual documents it. Uncertain: MSCL only names the values; the descriptions follow from the names, and the times are
+ * assumed to be in ms like the system timer. Uncertain: The units of the ranges are not known.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -1173,12 +1145,12 @@ export declare class DeviceStatusDiagnosticImuResponse extends Response {
  *
  * Timer, available sensors and their ranges, temperature, and the counters of pulses, stream and port.
  *
- * Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGnssResponse`,
- * `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticGx4Response`,
- * `DeviceStatusDiagnosticImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse` and `DeviceStatusDiagnosticGx3Response`
- * by the size of its data. Sent if `statusSelector` is `DeviceStatusSelector.DIAGNOSTIC`. Probably supported by
- * 3DM-GX4-IMU. Uncertain: The SDK of 2014 names the values and the units of temperature and times; the descriptions
- * follow from the names. Uncertain: The units of the ranges are not known.
+ * No device is certain to support it. Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
+ * `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`,
+ * `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse` and
+ * `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `statusSelector` is
+ * `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: The SDK of 2014 names the values and the units of temperature and
+ * times; the descriptions follow from the names. Uncertain: The units of the ranges are not known.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -1235,12 +1207,12 @@ export declare class DeviceStatusDiagnosticGx4ImuResponse extends Response {
  *
  * Timer, temperature and supply, and the counters of pulses, stream and port.
  *
- * Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGnssResponse`,
- * `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticGx4Response`,
- * `DeviceStatusDiagnosticImuResponse`, `DeviceStatusDiagnosticGx4ImuResponse` and `DeviceStatusDiagnosticGx3Response`
- * by the size of its data. Sent if `statusSelector` is `DeviceStatusSelector.DIAGNOSTIC`. Probably supported by
- * 3DM-RQ1-IMU. Uncertain: The SDK of 2014 names the values and the units of temperature and times; the descriptions
- * follow from the names.
+ * No device is certain to support it. Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
+ * `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`,
+ * `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse`, `DeviceStatusDiagnosticGx4ImuResponse` and
+ * `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `statusSelector` is
+ * `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: The SDK of 2014 names the values and the units of temperature and
+ * times; the descriptions follow from the names.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -1293,9 +1265,10 @@ export declare class DeviceStatusDiagnosticRq1ImuResponse extends Response {
  *
  * State of the port.
  *
- * Answers `DeviceStatus`. Distinguished from `DeviceStatusBasicResponse` and `DeviceStatusBasicWithoutStateResponse` by
- * the size of its data. Sent if `statusSelector` is `DeviceStatusSelector.BASIC`. Probably supported by 3DM-GX3-35 and
- * 3DM-GX3-45. Uncertain: Only the SDK of 2014 has it, which names the values; the descriptions follow from the names.
+ * No device is certain to support it. Answers `DeviceStatus`. Distinguished from `DeviceStatusBasicResponse` and
+ * `DeviceStatusBasicWithoutStateResponse` by the size of its data. Sent if `statusSelector` is
+ * `DeviceStatusSelector.BASIC`. Uncertain: Only the SDK of 2014 has it, which names the values; the descriptions follow
+ * from the names.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -1324,12 +1297,12 @@ export declare class DeviceStatusBasicGx3Response extends Response {
  *
  * State of the port with the counters of port, USB, receiver and IMU.
  *
- * Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGnssResponse`,
- * `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticGx4Response`,
- * `DeviceStatusDiagnosticImuResponse`, `DeviceStatusDiagnosticGx4ImuResponse` and
+ * No device is certain to support it. Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
+ * `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`,
+ * `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse`, `DeviceStatusDiagnosticGx4ImuResponse` and
  * `DeviceStatusDiagnosticRq1ImuResponse` by the size of its data. Sent if `statusSelector` is
- * `DeviceStatusSelector.DIAGNOSTIC`. Probably supported by 3DM-GX3-35 and 3DM-GX3-45. Uncertain: Only the SDK of 2014
- * has it, which names the values; the descriptions follow from the names.
+ * `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: Only the SDK of 2014 has it, which names the values; the descriptions
+ * follow from the names.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -1406,7 +1379,7 @@ export declare class DeviceStatusDiagnosticGx3Response extends Response {
 /**
  * GPS dynamics mode response (0x0C,0x92).
  *
- * Answers `GpsDynamicsMode`. Probably supported by 3DM-GX3-35. Known only from the MIP SDK of 2014 and MicroStrain
+ * No device is certain to support it. Answers `GpsDynamicsMode`. Known only from the MIP SDK of 2014 and MicroStrain
  * Communication Library.
  *
  * - mip-sdk-2014: GPS dynamics mode (0x0C,0x34)
@@ -1421,8 +1394,7 @@ export declare class GpsDynamicsModeResponse extends Response {
 /**
  * IMU timestamp response (0x0C,0x93).
  *
- * Answers `ImuTimestamp`. Probably supported by 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35 and 3DM-GX3-45. Known only from the
- * MIP SDK of 2014.
+ * No device is certain to support it. Answers `ImuTimestamp`. Known only from the MIP SDK of 2014.
  *
  * - mip-sdk-2014: IMU timestamp (0x0C,0x36)
  */
@@ -1437,11 +1409,7 @@ export declare class ImuTimestampResponse extends Response {
 /**
  * Complementary Filter Configuration response (0x0C,0x97).
  *
- * Answers `ComplementaryFilter`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35. Probably
- * supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS,
- * 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR,
- * 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10,
- * 3DM-GX5-25 and 3DM-GX5-45.
+ * Answers `ComplementaryFilter`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35.
  *
  * - 3dm-gx5-15: 4.2.15 Complementary Filter Settings (0x0C, 0x51)
  * - 3dm-cv7-gnss-ins: Complementary Filter Configuration (0x0C,0x51)
@@ -1462,10 +1430,7 @@ export declare class ComplementaryFilterResponse extends Response {
  * Accelerometer Bias Configuration response (0x0C,0x9A).
  *
  * Answers `AccelBias`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and
- * 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25,
- * 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45,
- * 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15,
- * 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45 and 3DM-RQ1-IMU.
+ * 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
  * - 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
@@ -1483,10 +1448,6 @@ export declare class AccelBiasResponse extends Response {
  *
  * Also called `capture_gyro_bias_response`. Answers `GyroBias` and `CaptureGyroBias`. Supported by 3DM-CV7-AHRS,
  * 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
- * Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
- * 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
- * 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-10, 3DM-GX5-25,
- * 3DM-GX5-45 and 3DM-RQ1-IMU.
  *
  * - 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
  * - 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
@@ -1501,9 +1462,7 @@ export declare class GyroBiasResponse extends Response {
  * Magnetometer Hard Iron Offset response (0x0C,0x9C).
  *
  * Answers `MagHardIronOffset`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-45,
- * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-25,
- * 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR,
- * 3DM-GV7-INS, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-25 and 3DM-GX5-35.
+ * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A)
  * - 3dm-gx5-45: (0x0C, 0x3A)
@@ -1520,9 +1479,7 @@ export declare class MagHardIronOffsetResponse extends Response {
  * Magnetometer Soft Iron Matrix response (0x0C,0x9D).
  *
  * Answers `MagSoftIronMatrix`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-35,
- * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-25,
- * 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR,
- * 3DM-GV7-INS, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-25 and 3DM-GX5-45.
+ * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B)
  * - 3dm-gx5-35: (0x0C, 0x3B)
@@ -1539,10 +1496,7 @@ export declare class MagSoftIronMatrixResponse extends Response {
 /**
  * Coning and Sculling Enable response (0x0C,0x9E).
  *
- * Answers `ConingScullingEnable`. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably
- * supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-10,
- * 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-10,
- * 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45 and 3DM-RQ1-IMU.
+ * Answers `ConingScullingEnable`. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
  */
@@ -1557,8 +1511,7 @@ export declare class ConingScullingEnableResponse extends Response {
  *
  * Tracking channels of the receiver and the setting of each constellation.
  *
- * Answers `ConstellationSettings`. Supported by 3DM-GQ4-45 and 3DM-GX5-35. Probably supported by 3DM-CV5-45,
- * 3DM-CX5-35, 3DM-CX5-45 and 3DM-GX5-45.
+ * Answers `ConstellationSettings`. Supported by 3DM-GQ4-45 and 3DM-GX5-35.
  *
  * - mip-sdk-4: Constellation Settings (0x0C,0x21)
  * - 3dm-gx5-35: 4.2.8 GNSS Constellation Settings (0x0C, 0x21)
@@ -1577,8 +1530,7 @@ export declare class ConstellationSettingsResponse extends Response {
 /**
  * GNSS SBAS Settings response (0x0C,0xA1).
  *
- * Answers `GnssSbasSettings`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45 and 3DM-GX5-35. Probably supported by
- * 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45, 3DM-GQ7-GNSS/INS and 3DM-GX5-45.
+ * Answers `GnssSbasSettings`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45 and 3DM-GX5-35.
  *
  * - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
  */
@@ -1599,8 +1551,7 @@ export declare class GnssSbasSettingsResponse extends Response {
 /**
  * GNSS Assisted Fix response (0x0C,0xA2).
  *
- * Answers `GnssAssistedFix`. Supported by 3DM-GX5-35. Probably supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45 and
- * 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+ * Answers `GnssAssistedFix`. Supported by 3DM-GX5-35. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: GNSS Assisted Fix (0x0C,0x23)
  */
@@ -1615,8 +1566,7 @@ export declare class GnssAssistedFixResponse extends Response {
 /**
  * GNSS Time Assistance response (0x0C,0xA3).
  *
- * Answers `GnssTimeAssistance`. Supported by 3DM-GX5-35. Probably supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45 and
- * 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+ * Answers `GnssTimeAssistance`. Supported by 3DM-GX5-35. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: GNSS Time Assistance (0x0C,0x24)
  */
@@ -1633,9 +1583,7 @@ export declare class GnssTimeAssistanceResponse extends Response {
 /**
  * PPS Source Control response (0x0C,0xA8).
  *
- * Also called `pps_source_response`. Answers `PpsSourceControl`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
- * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS,
- * 3DM-GV7-AR and 3DM-GV7-INS.
+ * Also called `pps_source_response`. Answers `PpsSourceControl`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28)
  */
@@ -1649,8 +1597,7 @@ export declare class PpsSourceControlResponse extends Response {
  * Sensor-to-Vehicle Frame Transformation Euler response (0x0C,0xB1).
  *
  * Also called `sensor_2_vehicle_transform_euler_response`. Answers `SensorToVehicleTransformEuler`. Supported by
- * 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS,
- * 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+ * 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31)
  */
@@ -1668,8 +1615,7 @@ export declare class SensorToVehicleTransformEulerResponse extends Response {
  * Sensor-to-Vehicle Frame Transformation Quaternion response (0x0C,0xB2).
  *
  * Also called `sensor_2_vehicle_transform_quaternion_response`. Answers `SensorToVehicleTransformQuaternion`. Supported
- * by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR,
- * 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+ * by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32)
  */
@@ -1686,8 +1632,7 @@ export declare class SensorToVehicleTransformQuaternionResponse extends Response
  * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix response (0x0C,0xB3).
  *
  * Also called `sensor_2_vehicle_transform_dcm_response`. Answers `SensorToVehicleTransformDcm`. Supported by
- * 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
- * 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+ * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33)
  */
@@ -1700,8 +1645,7 @@ export declare class SensorToVehicleTransformDcmResponse extends Response {
 /**
  * Get Supported Events response (0x0C,0xB4).
  *
- * Answers `GetEventSupport`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
- * 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+ * Answers `GetEventSupport`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
  */
@@ -1724,8 +1668,7 @@ export declare class GetEventSupportResponse extends Response {
 /**
  * Event Control response (0x0C,0xB5).
  *
- * Answers `EventControl`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS,
- * 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+ * Answers `EventControl`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Event Control (0x0C,0x2B)
  */
@@ -1740,8 +1683,7 @@ export declare class EventControlResponse extends Response {
 /**
  * Get Event Trigger Status response (0x0C,0xB6).
  *
- * Answers `GetEventTriggerStatus`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
- * 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+ * Answers `GetEventTriggerStatus`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C)
  */
@@ -1755,8 +1697,7 @@ export declare class GetEventTriggerStatusResponse extends Response {
 /**
  * Get Event Action Status response (0x0C,0xB7).
  *
- * Answers `GetEventActionStatus`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
- * 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+ * Answers `GetEventActionStatus`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D)
  */
@@ -1771,8 +1712,7 @@ export declare class GetEventActionStatusResponse extends Response {
  * Event Trigger Configuration response (0x0C,0xB8).
  *
  * Also called `event_trigger_response`. Answers `EventTriggerConfig`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and
- * 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
- * 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+ * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
  */
@@ -1797,8 +1737,7 @@ export declare class EventTriggerConfigResponse extends Response {
  * Event Action Configuration response (0x0C,0xB9).
  *
  * Also called `event_action_response`. Answers `EventActionConfig`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and
- * 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
- * 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+ * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
  * - 3dm-cv7-gnss-ins: Event Cycle
@@ -1824,8 +1763,7 @@ export declare class EventActionConfigResponse extends Response {
 /**
  * GPIO Configuration response (0x0C,0xC1).
  *
- * Answers `GpioConfig`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS,
- * 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+ * Answers `GpioConfig`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
  */
@@ -1853,8 +1791,7 @@ export declare class GpioConfigResponse extends Response {
 /**
  * GPIO State response (0x0C,0xC2).
  *
- * Answers `GpioState`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-AHRS,
- * 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+ * Answers `GpioState`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GPIO State (0x0C,0x42)
  */
@@ -1869,8 +1806,7 @@ export declare class GpioStateResponse extends Response {
 /**
  * Odometer Configuration response (0x0C,0xC3).
  *
- * Also called `odometer_response`. Answers `OdometerConfig`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
- * 3DM-GQ7-GNSS/INS.
+ * Also called `odometer_response`. Answers `OdometerConfig`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
  */
@@ -1890,8 +1826,7 @@ export declare class OdometerConfigResponse extends Response {
 /**
  * Sensor Range response (0x0C,0xD2).
  *
- * Answers `SensorRange`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS,
- * 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+ * Answers `SensorRange`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52)
  */
@@ -1907,8 +1842,6 @@ export declare class SensorRangeResponse extends Response {
  * Get Calibrated Sensor Ranges response (0x0C,0xD3).
  *
  * Also called `calibrated_sensor_ranges_response`. Answers `GetCalibratedSensorRanges`. Supported by 3DM-CV7-GNSS/INS.
- * Probably supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
- * 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
  *
  * - 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53)
  */
@@ -1932,8 +1865,7 @@ export declare class GetCalibratedSensorRangesResponse extends Response {
  * Low-Pass Anti-Aliasing Filter response (0x0C,0xD4).
  *
  * Also called `lowpass_filter_response`. Answers `LowPassFilter`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
- * 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
- * 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+ * 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54)
  */
@@ -1957,10 +1889,7 @@ export declare class LowPassFilterResponse extends Response {
  * Requests one sensor data packet (0x80) with the listed fields, in the listed order.
  *
  * Also called `poll_imu_message`. Not acknowledged if `suppressAck` is true. Supported by 3DM-CX5-10, 3DM-GQ4-45,
- * 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25,
- * 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX3-15,
- * 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-10, 3DM-GX5-25,
- * 3DM-GX5-45 and 3DM-RQ1-IMU.
+ * 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * An empty list polls what `ImuMessageFormat` stores; if nothing is stored, the device rejects the command. Descriptors
  * that the device does not know are ignored. The data is sent in a separate packet after the reply.
@@ -1982,8 +1911,7 @@ export declare class PollImuData extends Command<undefined> {
  * Requests one GNSS data packet with the listed fields, in the listed order.
  *
  * Also called `poll_gnss_message`. Not acknowledged if `suppressAck` is true. Supported by 3DM-GQ4-45, 3DM-GX5-45,
- * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX3-35, 3DM-GX3-45,
- * 3DM-GX4-45 and 3DM-GX5-35. Known only from the MicroStrain MIP SDK.
+ * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the MicroStrain MIP SDK.
  *
  * An empty list polls the format stored by `GnssMessageFormat`; if none is stored, the device rejects the command.
  * Descriptors that the device does not know are omitted. The data is sent in a separate packet after the reply.
@@ -2008,8 +1936,7 @@ export declare class PollGnssData extends Command<undefined> {
  * Requests one filter data packet (0x82) with the listed fields, in the listed order.
  *
  * Also called `poll_filter_message`. Not acknowledged if `suppressAck` is true. Supported by 3DM-GQ4-45, 3DM-GX5-15,
- * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25,
- * 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45 and 3DM-GX5-25.
+ * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * An empty list polls what `FilterMessageFormat` stores; if nothing is stored, the device rejects the command.
  * Descriptors that the device does not know are ignored. The data is sent in a separate packet after the reply.
@@ -2031,7 +1958,7 @@ export declare class PollFilterData extends Command<undefined> {
  * Requests the listed NMEA sentences once.
  *
  * Also called `nmea_poll_data`. Not acknowledged if `suppressAck` is true. Supported by 3DM-CV7-GNSS/INS and
- * 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS.
+ * 3DM-GQ7-GNSS/INS.
  *
  * An empty list polls the stored NMEA format; if none is stored, the device rejects the command. The sentences follow
  * the reply as ordinary NMEA text, on the port of the command, even if NMEA is disabled there. A sentence is sent only
@@ -2054,10 +1981,7 @@ export declare class PollNmeaData extends Command<undefined> {
  * Gets the rate that is divided by the decimations of `ImuMessageFormat`.
  *
  * Also called `imu_get_base_rate`. Answered by `GetImuBaseRateResponse`. Supported by 3DM-CX5-10, 3DM-GQ4-45,
- * 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25,
- * 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX3-15,
- * 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-10, 3DM-GX5-25,
- * 3DM-GX5-35 and 3DM-RQ1-IMU.
+ * 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
  */
@@ -2071,8 +1995,7 @@ export declare class GetImuBaseRate extends Command<GetImuBaseRateResponse> {
  * Gets the rate that is divided by the decimations of `GnssMessageFormat`.
  *
  * Also called `gnss_get_base_rate`. Answered by `GetGnssBaseRateResponse`. Supported by 3DM-GQ4-45, 3DM-GX5-35,
- * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX3-35,
- * 3DM-GX3-45 and 3DM-GX4-45. Known only from the MicroStrain MIP SDK.
+ * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
  */
@@ -2086,10 +2009,7 @@ export declare class GetGnssBaseRate extends Command<GetGnssBaseRateResponse> {
  * Sets the fields of the sensor data packets (0x80), their order and their decimations.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `ImuMessageFormatResponse`. Supported by
- * 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by
- * 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25,
- * 3DM-CX5-35, 3DM-CX5-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
- * 3DM-GX4-IMU, 3DM-GX5-10, 3DM-GX5-25 and 3DM-RQ1-IMU.
+ * 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * The decimation is the base rate, as `GetImuBaseRate` reports it, divided by the desired rate. The list replaces the
  * previous one. If any descriptor is unknown, the device rejects the command and changes nothing.
@@ -2124,8 +2044,7 @@ export declare class ImuMessageFormat<R extends Response | undefined = undefined
  * Sets the fields of the GNSS data packets, their order and their decimations.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GnssMessageFormatResponse`. Supported by
- * 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CV5-45, 3DM-CX5-35,
- * 3DM-CX5-45, 3DM-GX3-35, 3DM-GX3-45 and 3DM-GX4-45.
+ * 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * The decimation is the base rate, as `GetGnssBaseRate` reports it, divided by the desired rate.
  *
@@ -2160,9 +2079,7 @@ export declare class GnssMessageFormat<R extends Response | undefined = undefine
  * Sets the fields of the filter data packets (0x82), their order and their decimations.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `FilterMessageFormatResponse`. Supported by
- * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-15, 3DM-CL5-25,
- * 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25,
- * 3DM-GX4-45 and 3DM-GX5-25.
+ * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * The decimation is the base rate, as `GetFilterBaseRate` reports it, divided by the desired rate. The list replaces
  * the previous one. If any descriptor is unknown, the device rejects the command and changes nothing.
@@ -2197,8 +2114,7 @@ export declare class FilterMessageFormat<R extends Response | undefined = undefi
  * Gets the rate that is divided by the decimations of `FilterMessageFormat`.
  *
  * Also called `filter_get_base_rate`. Answered by `GetFilterBaseRateResponse`. Supported by 3DM-GQ4-45, 3DM-GX5-15,
- * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25,
- * 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45 and 3DM-GX5-25.
+ * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
  */
@@ -2212,8 +2128,7 @@ export declare class GetFilterBaseRate extends Command<GetFilterBaseRateResponse
  * Sets the NMEA sentences that the device streams.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `NmeaMessageFormatResponse`. Supported by
- * 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS and 3DM-GV7-INS. Refused by
- * 3DM-GX3-25.
+ * 3DM-CV7-GNSS/INS.
  *
  * A sentence may be listed several times with different talkers or sources. A sentence is sent only while the device is
  * not idle and the data of the source is valid. The 3DM-CV7-GNSS/INS rejects the format if a sentence would come more
@@ -2247,9 +2162,7 @@ export declare class NmeaMessageFormat<R extends Response | undefined = undefine
  *
  * Requests one data packet of the descriptor set with the listed fields, in the listed order.
  *
- * Not acknowledged if `suppressAck` is true. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS,
- * 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
- * 3DM-GV7-INS.
+ * Not acknowledged if `suppressAck` is true. Supported by 3DM-CV7-GNSS/INS.
  *
  * An empty list polls what `MessageFormat` stores; if nothing is stored, the device rejects the command. Descriptors
  * that the device does not know are ignored. The data is sent in a separate packet after the reply, on the port of the
@@ -2274,7 +2187,6 @@ export declare class PollData extends Command<undefined> {
  * Gets the rate that is divided by the decimations of a descriptor set.
  *
  * Answered by `GetBaseRateResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
- * Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
  *
  * - 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
  */
@@ -2290,8 +2202,7 @@ export declare class GetBaseRate extends Command<GetBaseRateResponse> {
  * Sets the fields of the data packets of a descriptor set, their order and their decimations.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `MessageFormatResponse`. Supported by
- * 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
- * 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+ * 3DM-CV7-GNSS/INS.
  *
  * The decimation is the base rate, as `GetBaseRate` reports it, divided by the desired rate. List shared descriptors
  * (0xD0 and up) under the set whose packets will contain them, before the others.
@@ -2327,8 +2238,7 @@ export declare class MessageFormat<R extends Response | undefined = undefined | 
  *
  * Sets all message formats to those that technical support needs in a recording.
  *
- * Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR,
- * 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Factory Streaming (0x0C,0x10)
  */
@@ -2347,11 +2257,7 @@ export declare class FactoryStreaming extends Command<undefined> {
  *
  * Also called `datastream_control`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
  * `DataStreamControlResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45,
- * 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25,
- * 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45,
- * 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-DH3, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-15,
- * 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45 and
- * 3DM-MV5-AR.
+ * 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * Devices of the generations 3 to 5 identify the stream by a number (`LegacyDataStream`), other devices by its
  * descriptor set. A stream that you enable begins with current data, not with data from the time before.
@@ -2417,8 +2323,8 @@ export declare class RawRtcm2_3Message extends Command<undefined> {
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `ConstellationSettingsResponse`. Probably
  * changes `gnss_data.FixInfo`, `gnss_data.SvInfo` and `gnss_data.SatelliteStatus`. Supported by 3DM-GQ4-45 and
- * 3DM-GX5-35. Probably supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45 and 3DM-GX5-45. Uncertain: The factory default.
- * The SDK names only GPS and GLONASS as enabled, but gives channels for SBAS and QZSS too.
+ * 3DM-GX5-35. Uncertain: The factory default. The SDK names only GPS and GLONASS as enabled, but gives channels for
+ * SBAS and QZSS too.
  *
  * The device rejects entries that reserve more than 32 channels in total. The maximum of an entry must not be less than
  * the number of channels it reserves. GLONASS and BeiDou cannot be used together. If the antenna or its filter is made
@@ -2463,7 +2369,6 @@ export declare class ConstellationSettings<R extends Response | undefined = unde
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GnssSbasSettingsResponse`. Probably changes
  * `gnss_data.SbasInfo` and `gnss_data.SbasCorrection`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45 and 3DM-GX5-35.
- * Probably supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45, 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Refused by 3DM-GX3-25.
  *
  * - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
  */
@@ -2507,8 +2412,7 @@ export declare class GnssSbasSettings<R extends Response | undefined = undefined
  * Sets whether the GNSS receiver keeps the data of its last fix and starts from it at the next power-up.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GnssAssistedFixResponse`. Supported by
- * 3DM-GX5-35. Probably supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45 and 3DM-GX5-45. Known only from the MicroStrain
- * MIP SDK.
+ * 3DM-GX5-35. Known only from the MicroStrain MIP SDK.
  *
  * The last fix is kept in the flash memory and the FRAM of the receiver. With the time of `GnssTimeAssistance` right
  * after power-up, the first fix takes 1 s at best. A change from enabled to none erases the flash memory of the
@@ -2549,8 +2453,8 @@ export declare class GnssAssistedFix<R extends Response | undefined = undefined 
  *
  * Sends the current GPS time to the GNSS receiver.
  *
- * Functions: `write` and `read`. Answered by `GnssTimeAssistanceResponse`. Supported by 3DM-GX5-35. Probably supported
- * by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45 and 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+ * Functions: `write` and `read`. Answered by `GnssTimeAssistanceResponse`. Supported by 3DM-GX5-35. Known only from the
+ * MicroStrain MIP SDK.
  *
  * It is needed right after power-up if `GnssAssistedFix` was on at power-off.
  *
@@ -2579,9 +2483,7 @@ export declare class GnssTimeAssistance<R extends Response | undefined = undefin
  *
  * Also called `pps_source`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
  * `PpsSourceControlResponse`. Changes `system_data.TimeSyncStatus`. Probably changes `shared.GpsTimestamp`,
- * `shared.ExternalTimestamp` and `sensor.GpsTimestamp`. Flagged by `filter_data.Cv7StatusFlags.TIME_SYNC_WARNING` of
- * `filter_data.Cv7StatusFlags`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
- * 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+ * `shared.ExternalTimestamp` and `sensor.GpsTimestamp`. Supported by 3DM-CV7-GNSS/INS.
  *
  * The pins are configured separately, by `GpioConfig`. The filter needs a valid pulse; `disabled` and `generated` are
  * rarely useful.
@@ -2619,8 +2521,7 @@ export declare class PpsSourceControl<R extends Response | undefined = undefined
  *
  * Gets the types of event triggers or actions that the device has, and how many of each.
  *
- * Answered by `GetEventSupportResponse`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
- * 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+ * Answered by `GetEventSupportResponse`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
  */
@@ -2636,8 +2537,7 @@ export declare class GetEventSupport extends Command<GetEventSupportResponse> {
  * Enables, disables or tests an event trigger.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `EventControlResponse`. Supported by
- * 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
- * 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+ * 3DM-CV7-GNSS/INS.
  *
  * Triggers are disabled by default and after configuration. A trigger of type none cannot be enabled.
  *
@@ -2668,9 +2568,7 @@ export declare class EventControl<R extends Response | undefined = undefined | E
  *
  * Gets the type and the state of event triggers.
  *
- * Answered by `GetEventTriggerStatusResponse`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS,
- * 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
- * 3DM-GV7-INS.
+ * Answered by `GetEventTriggerStatusResponse`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C)
  */
@@ -2689,9 +2587,7 @@ export declare class GetEventTriggerStatus extends Command<GetEventTriggerStatus
  *
  * Gets the type and the trigger of event actions.
  *
- * Answered by `GetEventActionStatusResponse`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS,
- * 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
- * 3DM-GV7-INS.
+ * Answered by `GetEventActionStatusResponse`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D)
  */
@@ -2711,8 +2607,7 @@ export declare class GetEventActionStatus extends Command<GetEventActionStatusRe
  * Configures the kind and the condition of an event trigger.
  *
  * Also called `event_trigger`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
- * `EventTriggerConfigResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by
- * 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+ * `EventTriggerConfigResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
  *
  * The trigger is disabled afterwards; `EventControl` enables it. A GPIO trigger needs its pin configured by
  * `GpioConfig`.
@@ -2754,8 +2649,7 @@ export declare class EventTriggerConfig<R extends Response | undefined = undefin
  * Configures the trigger and the effect of an event action.
  *
  * Also called `event_action`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
- * `EventActionConfigResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by
- * 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+ * `EventActionConfigResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
  *
  * A packet holds one descriptor set; for several sets use several actions with the same trigger. A GPIO action needs
  * its pin configured as an output with the gpio feature. In each event cycle, the device updates all triggers first and
@@ -2800,10 +2694,7 @@ export declare class EventActionConfig<R extends Response | undefined = undefine
  * Saves, loads or resets all settings of the device at once.
  *
  * Functions: `save`, `load` and `default`. The device may take 2 s to answer. Supported by 3DM-CV7-GNSS/INS,
- * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10,
- * 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS,
- * 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
- * 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25 and 3DM-RTK.
+ * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * A save may disturb the data output for a short time. A save may take up to 1 s. Use a reply time-out of at least 2 s.
  *
@@ -2832,10 +2723,7 @@ export declare class DeviceSettings extends Command<undefined> {
  * `sensor.DeltaTheta`, `sensor.DeltaVelocity`, `sensor.CompOrientationMatrix`, `sensor.CompQuaternion`,
  * `sensor.CompEulerAngles`, `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
  * `filter_data.LinearAccel`, `filter_data.CompAngularRate` and `filter_data.GravityVector`. Probably changes
- * `filter_data.CompAccel` and `sensor.CompOrientationUpdateMatrix`. Flagged by
- * `filter_data.Cv7StatusFlags.MOUNTING_TRANSFORM_WARNING` of `filter_data.Cv7StatusFlags`. Supported by
- * 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS,
- * 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+ * `filter_data.CompAccel` and `sensor.CompOrientationUpdateMatrix`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * `SensorToVehicleTransformQuaternion` and `SensorToVehicleTransformDcm` set the same transformation; the value read
  * back may be another form of it. Starting in line with the vehicle frame, the sensor is rotated by yaw, pitch and roll
@@ -2878,8 +2766,6 @@ export declare class SensorToVehicleTransformEuler<R extends Response | undefine
  * `sensor.CompQuaternion`, `sensor.CompEulerAngles`, `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`,
  * `filter_data.EulerAngles`, `filter_data.LinearAccel`, `filter_data.CompAngularRate` and `filter_data.GravityVector`.
  * Probably changes `filter_data.CompAccel` and `sensor.CompOrientationUpdateMatrix`. Supported by 3DM-CV7-GNSS/INS.
- * Probably supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
- * 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
  *
  * `SensorToVehicleTransformEuler` and `SensorToVehicleTransformDcm` set the same transformation; the value read back
  * may be another form of it. `p_vehicle = q^-1 * p_sensor * q`, where the vectors are quaternions with the scalar part
@@ -2919,10 +2805,7 @@ export declare class SensorToVehicleTransformQuaternion<R extends Response | und
  * `sensor.DeltaTheta`, `sensor.DeltaVelocity`, `sensor.CompOrientationMatrix`, `sensor.CompQuaternion`,
  * `sensor.CompEulerAngles`, `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
  * `filter_data.LinearAccel`, `filter_data.CompAngularRate` and `filter_data.GravityVector`. Probably changes
- * `filter_data.CompAccel` and `sensor.CompOrientationUpdateMatrix`. Flagged by
- * `filter_data.Cv7StatusFlags.MOUNTING_TRANSFORM_WARNING` of `filter_data.Cv7StatusFlags`. Supported by
- * 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
- * 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+ * `filter_data.CompAccel` and `sensor.CompOrientationUpdateMatrix`. Supported by 3DM-CV7-GNSS/INS.
  *
  * `SensorToVehicleTransformEuler` and `SensorToVehicleTransformQuaternion` set the same transformation; the value read
  * back may be another form of it. `v_vehicle = dcm * v_sensor`. This is the inverse of the matrix that
@@ -2957,10 +2840,10 @@ export declare class SensorToVehicleTransformDcm<R extends Response | undefined 
  *
  * Sets the dynamics that the GNSS receiver assumes of the vehicle.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GpsDynamicsModeResponse`. Probably changes
- * `gnss_data.LlhPosition` and `gnss_data.NedVelocity`. Probably supported by 3DM-GX3-35. Known only from the MIP SDK of
- * 2014 and MicroStrain Communication Library. Uncertain: Which devices have it. The SDK of 2014 has it in its example
- * for the 3DM-GX3-35 only.
+ * No device is certain to support it. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+ * `GpsDynamicsModeResponse`. Probably changes `gnss_data.LlhPosition` and `gnss_data.NedVelocity`. Known only from the
+ * MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: Which devices have it. The SDK of 2014 has it in
+ * its example for the 3DM-GX3-35 only.
  *
  * - mip-sdk-2014: GPS dynamics mode (0x0C,0x34)
  * - mscl: GPS dynamics mode (0x0C,0x34)
@@ -2988,14 +2871,13 @@ export declare class GpsDynamicsMode<R extends Response | undefined = undefined 
  *
  * Configures the filters and the orientation algorithm of 3-series devices.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `ImuSignalConditioningResponse`. Changes
- * `sensor.ScaledAccel`, `sensor.ScaledGyro`, `sensor.DeltaTheta`, `sensor.DeltaVelocity`,
- * `sensor.CompOrientationMatrix`, `sensor.CompQuaternion` and `sensor.CompEulerAngles`. Probably changes
- * `sensor.ScaledMag`. Probably supported by 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35 and 3DM-GX3-45. Known only from the MIP
- * SDK of 2014 and MicroStrain Communication Library. Uncertain: The ranges, the defaults, and some of the flags. They
- * are those of the single-byte protocol of the 3DM-GX3, which has the same record. Uncertain: Which devices have it.
- * The SDK of 2014 has it in its example for the 3DM-GX3-35 only. Uncertain: Whether every device sends `reserved` in
- * the response. MSCL reads it without.
+ * No device is certain to support it. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+ * `ImuSignalConditioningResponse`. Changes `sensor.ScaledAccel`, `sensor.ScaledGyro`, `sensor.DeltaTheta`,
+ * `sensor.DeltaVelocity`, `sensor.CompOrientationMatrix`, `sensor.CompQuaternion` and `sensor.CompEulerAngles`.
+ * Probably changes `sensor.ScaledMag`. Known only from the MIP SDK of 2014 and MicroStrain Communication Library.
+ * Uncertain: The ranges, the defaults, and some of the flags. They are those of the single-byte protocol of the
+ * 3DM-GX3, which has the same record. Uncertain: Which devices have it. The SDK of 2014 has it in its example for the
+ * 3DM-GX3-35 only. Uncertain: Whether every device sends `reserved` in the response. MSCL reads it without.
  *
  * The filters are moving averages; the first zero of their response is at 1000 Hz divided by the width.
  *
@@ -3049,10 +2931,9 @@ export declare class ImuSignalConditioning<R extends Response | undefined = unde
  *
  * Sets or reads a counter of the time of the sensor data.
  *
- * Functions: `write` and `read`. Answered by `ImuTimestampResponse`. Probably supported by 3DM-GX3-15, 3DM-GX3-25,
- * 3DM-GX3-35 and 3DM-GX3-45. Known only from the MIP SDK of 2014. Uncertain: Which devices have it. The SDK of 2014 has
- * it in its example for the 3DM-GX3-35 only. Uncertain: Whether a read needs `time` and ignores it, or leaves it out,
- * as is assumed.
+ * No device is certain to support it. Functions: `write` and `read`. Answered by `ImuTimestampResponse`. Known only
+ * from the MIP SDK of 2014. Uncertain: Which devices have it. The SDK of 2014 has it in its example for the 3DM-GX3-35
+ * only. Uncertain: Whether a read needs `time` and ignores it, or leaves it out, as is assumed.
  *
  * - mip-sdk-2014: IMU timestamp (0x0C,0x36)
  */
@@ -3077,11 +2958,8 @@ export declare class ImuTimestamp<R extends Response | undefined = undefined | I
  *
  * For advanced use. Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Answered by `AccelBiasResponse`.
  * Changes `sensor.ScaledAccel`. Probably changes `sensor.DeltaVelocity` and `filter_data.AccelBias`. Supported by
- * 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by
- * 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR,
- * 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
- * 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-10,
- * 3DM-GX5-25, 3DM-GX5-45 and 3DM-RQ1-IMU. On the 3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and `default` only.
+ * 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. On the 3DM-CV7-GNSS/INS:
+ * `write`, `read`, `save`, `load` and `default` only.
  *
  * - 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
  * - 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
@@ -3116,13 +2994,9 @@ export declare class AccelBias<R extends Response | undefined = undefined | Acce
  *
  * For advanced use. Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Answered by `GyroBiasResponse`.
  * Changes `sensor.ScaledGyro`. Probably changes `sensor.DeltaTheta`, `filter_data.GyroBias` and `filter_data.Status`.
- * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
- * Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
- * 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
- * 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-10,
- * 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45 and 3DM-RQ1-IMU. On the 3DM-CV7-AHRS: `write`, `read`, `save`, `load` and
- * `default` only. On the 3DM-CV7-AR: `write`, `read`, `save`, `load` and `default` only. On the 3DM-CV7-GNSS/INS:
- * `write`, `read`, `save`, `load` and `default` only.
+ * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. On
+ * the 3DM-CV7-AHRS: `write`, `read`, `save`, `load` and `default` only. On the 3DM-CV7-AR: `write`, `read`, `save`,
+ * `load` and `default` only. On the 3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and `default` only.
  *
  * - 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
  * - 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
@@ -3156,13 +3030,8 @@ export declare class GyroBias<R extends Response | undefined = undefined | GyroB
  * Averages the angular rate of the device at rest and uses the result as the gyroscope bias.
  *
  * Answered by `GyroBiasResponse`. Changes `sensor.ScaledGyro`. Probably changes `sensor.DeltaTheta`,
- * `filter_data.GyroBias` and `filter_data.Status`. Flagged by `filter_data.Cv7StatusFlags.IMU_BIAS_WARNING` of
- * `filter_data.Cv7StatusFlags`. The device may take 31 s to answer. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
- * 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably
- * supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS,
- * 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS,
- * 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45 and
- * 3DM-RQ1-IMU.
+ * `filter_data.GyroBias` and `filter_data.Status`. The device may take 31 s to answer. Supported by 3DM-CV7-AHRS,
+ * 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * The device must be at rest, with as little vibration as possible, for the whole time. The reply arrives after the
  * averaging time. The bias is not saved; to save it, send `GyroBias` with save. The 3DM-GX5-15 also initializes its
@@ -3184,11 +3053,9 @@ export declare class CaptureGyroBias extends Command<GyroBiasResponse> {
  *
  * Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Answered by `MagHardIronOffsetResponse`. Changes
  * `sensor.ScaledMag`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT
- * and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-25, 3DM-CX5-35,
- * 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS,
- * 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-25 and 3DM-GX5-35. On the 3DM-CV7-AHRS: `write`, `read`, `save`, `load`
- * and `default` only. On the 3DM-CV7-AR: `write`, `read`, `save`, `load` and `default` only. On the 3DM-CV7-GNSS/INS:
- * `write`, `read`, `save`, `load` and `default` only.
+ * and 3DM-RQ1-45-ST. On the 3DM-CV7-AHRS: `write`, `read`, `save`, `load` and `default` only. On the 3DM-CV7-AR:
+ * `write`, `read`, `save`, `load` and `default` only. On the 3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and
+ * `default` only.
  *
  * The values come from a calibration of the device as it is installed. On some devices,
  * `filter.MagCaptureAutoCalibration` captures them from the calibration that the filter makes during operation. The
@@ -3229,11 +3096,9 @@ export declare class MagHardIronOffset<R extends Response | undefined = undefine
  *
  * Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Answered by `MagSoftIronMatrixResponse`. Changes
  * `sensor.ScaledMag`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-35, 3DM-RQ1-45-LT
- * and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-25, 3DM-CX5-35,
- * 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS,
- * 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-25 and 3DM-GX5-45. On the 3DM-CV7-AHRS: `write`, `read`, `save`, `load`
- * and `default` only. On the 3DM-CV7-AR: `write`, `read`, `save`, `load` and `default` only. On the 3DM-CV7-GNSS/INS:
- * `write`, `read`, `save`, `load` and `default` only.
+ * and 3DM-RQ1-45-ST. On the 3DM-CV7-AHRS: `write`, `read`, `save`, `load` and `default` only. On the 3DM-CV7-AR:
+ * `write`, `read`, `save`, `load` and `default` only. On the 3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and
+ * `default` only.
  *
  * The values come from a calibration of the device as it is installed. On some devices,
  * `filter.MagCaptureAutoCalibration` captures them from the calibration that the filter makes during operation. The
@@ -3272,9 +3137,7 @@ export declare class MagSoftIronMatrix<R extends Response | undefined = undefine
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `ConingScullingEnableResponse`. Probably
  * changes `sensor.DeltaTheta` and `sensor.DeltaVelocity`. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and
- * 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25,
- * 3DM-CV5-45, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
- * 3DM-GX4-IMU, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45 and 3DM-RQ1-IMU.
+ * 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
  */
@@ -3303,9 +3166,7 @@ export declare class ConingScullingEnable<R extends Response | undefined = undef
  *
  * Also called `uart_baudrate`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
  * `UartBaudRateResponse`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and
- * 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25,
- * 3DM-CV5-45, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
- * 3DM-GX5-10, 3DM-GX5-25 and 3DM-GX5-35.
+ * 3DM-RQ1-45-ST.
  *
  * The 3DM-GX5-15 replies at the old rate and accepts commands at the new rate 250 ms later. The 3DM-CV7 applies the
  * rate when the port is empty, after at most 250 ms; until then, commands and data may be lost. Set the device to idle
@@ -3343,8 +3204,7 @@ export declare class UartBaudRate<R extends Response | undefined = undefined | U
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GpioConfigResponse`. Probably changes
  * `system_data.GpioState` and `system_data.GpioAnalogValue`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and
- * 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
- * 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS. Refused by 3DM-GX5-25.
+ * 3DM-CV7-GNSS/INS.
  *
  * Not every pin has every feature. For an output with another feature than gpio, set up what drives it first, then the
  * pin; meanwhile, its level would be undefined. For an input, configure the pin first, then what uses it. A
@@ -3392,8 +3252,7 @@ export declare class GpioConfig<R extends Response | undefined = undefined | Gpi
  * Sets or reads the state of a GPIO pin.
  *
  * Functions: `write` and `read`. Answered by `GpioStateResponse`. Changes `system_data.GpioState`. Supported by
- * 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS,
- * 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+ * 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * A read returns the level of the pin itself. A write has an effect only on a pin that is configured as an output. An
  * event action of mode `active_high` or `active_low` on the pin overrides the written state. Reading is guaranteed to
@@ -3421,8 +3280,7 @@ export declare class GpioState<R extends Response | undefined = undefined | Gpio
  * Configures the input from a wheel encoder.
  *
  * Also called `odometer`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
- * `OdometerConfigResponse`. Changes `sensor.Odometer`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
- * 3DM-GQ7-GNSS/INS. Refused by 3DM-GX3-25.
+ * `OdometerConfigResponse`. Changes `sensor.Odometer`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
  */
@@ -3459,13 +3317,10 @@ export declare class OdometerConfig<R extends Response | undefined = undefined |
  * For advanced use. Also called `imu_lowpass_filter`. Functions: `write`, `read`, `save`, `load` and `default`.
  * Answered by `ImuLowPassFilterResponse`. Changes `sensor.ScaledAccel`, `sensor.ScaledGyro`, `sensor.ScaledMag` and
  * `sensor.ScaledPressure`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS,
- * 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10,
- * 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45,
- * 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
- * 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35 and 3DM-GX5-45. Deprecated on the 3DM-CV7-AHRS: use `LowPassFilter` instead.
- * Deprecated on the 3DM-CV7-AR: use `LowPassFilter` instead. Deprecated on the 3DM-CV7-GNSS/INS: use `LowPassFilter`
- * instead. Deprecated on the 3DM-GQ7-GNSS/INS: use `LowPassFilter` instead. On the 3DM-CV7-AHRS: firmware <= 1.0.07. On
- * the 3DM-CV7-AR: firmware <= 1.0.07. On the 3DM-GQ7-GNSS/INS: firmware <= 1.0.10.
+ * 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Deprecated on the 3DM-CV7-AHRS: use `LowPassFilter` instead. Deprecated
+ * on the 3DM-CV7-AR: use `LowPassFilter` instead. Deprecated on the 3DM-CV7-GNSS/INS: use `LowPassFilter` instead.
+ * Deprecated on the 3DM-GQ7-GNSS/INS: use `LowPassFilter` instead. On the 3DM-CV7-AHRS: firmware <= 1.0.07. On the
+ * 3DM-CV7-AR: firmware <= 1.0.07. On the 3DM-GQ7-GNSS/INS: firmware <= 1.0.10.
  *
  * The filter has one pole. By default it is on and its cutoff is half the rate of the message format.
  *
@@ -3516,10 +3371,6 @@ export declare class ImuLowPassFilter<R extends Response | undefined = undefined
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `ComplementaryFilterResponse`. Changes
  * `sensor.CompOrientationMatrix`, `sensor.CompQuaternion` and `sensor.CompEulerAngles`. Probably changes
  * `sensor.NorthVector` and `sensor.UpVector`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35.
- * Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
- * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS,
- * 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
- * 3DM-GX5-10, 3DM-GX5-25 and 3DM-GX5-45.
  *
  * Pitch and roll follow the accelerometers, on the assumption that the mean acceleration is zero. The heading follows
  * the magnetometer, if the device has one. The device rejects time constants out of range. The attitude of the
@@ -3570,9 +3421,7 @@ export declare class ComplementaryFilter<R extends Response | undefined = undefi
  * Sets the measuring range of a sensor.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `SensorRangeResponse`. Probably changes
- * `sensor.ScaledAccel`, `sensor.ScaledGyro` and `sensor.OverrangeStatus`. Supported by 3DM-CV7-GNSS/INS. Probably
- * supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
- * 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+ * `sensor.ScaledAccel`, `sensor.ScaledGyro` and `sensor.OverrangeStatus`. Supported by 3DM-CV7-GNSS/INS.
  *
  * `GetCalibratedSensorRanges` lists the settings. The device may reject other settings, or measure incorrectly with
  * them.
@@ -3605,8 +3454,7 @@ export declare class SensorRange<R extends Response | undefined = undefined | Se
  * Gets the ranges that a sensor supports.
  *
  * Also called `calibrated_sensor_ranges`. Answered by `GetCalibratedSensorRangesResponse`. Supported by
- * 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
- * 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+ * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53)
  */
@@ -3624,9 +3472,8 @@ export declare class GetCalibratedSensorRanges extends Command<GetCalibratedSens
  * Also called `lowpass_filter`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
  * `LowPassFilterResponse`. Changes `sensor.ScaledAccel`, `sensor.ScaledGyro`, `sensor.ScaledMag`,
  * `sensor.ScaledPressure`, `filter_data.CompAccel`, `filter_data.CompAngularRate` and `filter_data.LinearAccel`.
- * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-INS,
- * 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS. On the 3DM-CV7-AHRS: firmware >
- * 1.0.07. On the 3DM-CV7-AR: firmware > 1.0.07. On the 3DM-GQ7-GNSS/INS: firmware > 1.0.10.
+ * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. On the 3DM-CV7-AHRS: firmware > 1.0.07.
+ * On the 3DM-CV7-AR: firmware > 1.0.07. On the 3DM-GQ7-GNSS/INS: firmware > 1.0.10.
  *
  * Except for read, a field descriptor of 0 means all fields of the set; if both are 0, all sets are meant.
  *
@@ -3666,10 +3513,11 @@ export declare class LowPassFilter<R extends Response | undefined = undefined | 
  *
  * Selects MIP data or the raw data of a sensor for a stream.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `DataStreamFormatResponse`. Probably supported
- * by 3DM-GX3-35. Known only from the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: Which devices
- * have it. A comment in the SDK of 2014 restricts it to the 3DM-GX3-35. Uncertain: Whether functions other than write
- * require `format`. The SDK of 2014 sends both parameters with every function, and a 0 in place of `format`.
+ * No device is certain to support it. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+ * `DataStreamFormatResponse`. Known only from the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain:
+ * Which devices have it. A comment in the SDK of 2014 restricts it to the 3DM-GX3-35. Uncertain: Whether functions
+ * other than write require `format`. The SDK of 2014 sends both parameters with every function, and a 0 in place of
+ * `format`.
  *
  * In the wrapped format, packets of the sensor arrive in fields of the data sets: `sensor.aspp` and `sensor.gxsb` for
  * the IMU, `gnss_data.nmea` and `gnss_data.ubx` for the receiver.
@@ -3702,12 +3550,12 @@ export declare class DataStreamFormat<R extends Response | undefined = undefined
  *
  * Sets the power state of an internal sensor.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `DevicePowerStateResponse`. The device may take
- * 5 s to answer. Probably supported by 3DM-GX3-15, 3DM-GX3-25 and 3DM-GX3-35. Known only from the MIP SDK of 2014 and
- * MicroStrain Communication Library. Uncertain: Which devices have it. A comment in the SDK of 2014 names the
- * 3DM-GX3-25 and the 3DM-GX3-35. Uncertain: The time-out. The SDK of 2014 uses a longer one than usual; 5 s is assumed.
- * Uncertain: Whether `state` may be left out with functions other than write. The SDK of 2014 sends `device` with every
- * function, and a 0 in place of `state`.
+ * No device is certain to support it. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+ * `DevicePowerStateResponse`. The device may take 5 s to answer. Known only from the MIP SDK of 2014 and MicroStrain
+ * Communication Library. Uncertain: Which devices have it. A comment in the SDK of 2014 names the 3DM-GX3-25 and the
+ * 3DM-GX3-35. Uncertain: The time-out. The SDK of 2014 uses a longer one than usual; 5 s is assumed. Uncertain: Whether
+ * `state` may be left out with functions other than write. The SDK of 2014 sends `device` with every function, and a 0
+ * in place of `state`.
  *
  * - mip-sdk-2014: Device power state (0x0C,0x61)
  * - mscl: Device power state (0x0C,0x61)
@@ -3737,8 +3585,8 @@ export declare class DevicePowerState<R extends Response | undefined = undefined
  *
  * Saves, loads or resets the settings of the GNSS receiver that were made in direct mode.
  *
- * For advanced use. Functions: `save`, `load` and `default`. Probably supported by 3DM-GX3-35. Known only from the MIP
- * SDK of 2014 and MicroStrain Communication Library. Uncertain: Which devices have it. A comment in the SDK of 2014
+ * No device is certain to support it. For advanced use. Functions: `save`, `load` and `default`. Known only from the
+ * MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: Which devices have it. A comment in the SDK of 2014
  * names the 3DM-GX3-35.
  *
  * In direct mode, your program configures the u-blox receiver with its own protocol; see `system.CommMode`.
@@ -3768,10 +3616,7 @@ export declare class GpsAdvancedSettings extends Command<undefined> {
  * `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticGx4Response`,
  * `DeviceStatusDiagnosticImuResponse`, `DeviceStatusDiagnosticGx4ImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse`,
  * `DeviceStatusBasicGx3Response` or `DeviceStatusDiagnosticGx3Response`. Supported by 3DM-GQ4-45, 3DM-GX5-15,
- * 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25,
- * 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45,
- * 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-10,
- * 3DM-GX5-25 and 3DM-RQ1-IMU.
+ * 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * The device expects its own model number, which `base.GetDeviceInfo` returns. Families of devices answer in different
  * layouts. The selector and the length distinguish them.

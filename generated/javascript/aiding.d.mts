@@ -84,8 +84,7 @@ export declare const LlhAxisFlags: Bitfield<LlhAxisFlags> & {
 /**
  * Frame configuration response (0x13,0x81).
  *
- * Answers `FrameConfig`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-CV7-INS. Probably supported by
- * 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+ * Answers `FrameConfig`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
  *
  * - 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01)
  * - 3dm-cv7-gnss-ins: Aiding Frames
@@ -114,8 +113,7 @@ export declare class FrameConfigResponse extends Response {
 /**
  * Echo control response (0x13,0x9F).
  *
- * Answers `EchoControl`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS,
- * 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+ * Answers `EchoControl`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Echo Control (0x13,0x1F)
  * - 3dm-cv7-gnss-ins: Aiding Command Echo Control
@@ -133,8 +131,7 @@ export declare class EchoControlResponse extends Response {
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `FrameConfigResponse`. Changes
  * `filter_data.AidingFrameConfigError`. Probably changes `filter_data.AidingFrameConfigErrorUncertainty`. Supported by
- * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-CV7-INS. Probably supported by 3DM-CX7-AHRS, 3DM-CX7-AR,
- * 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+ * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
  *
  * Aiding measurements name the frame by its number. `p_vehicle = R * p_frame + t`, with the rotation R and the
  * translation t. For GNSS positions and velocities the rotation does not matter. Send one that does not turn: Euler
@@ -182,8 +179,7 @@ export declare class FrameConfig<R extends Response | undefined = undefined | Fr
  * Sets how the device answers aiding measurements.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `EchoControlResponse`. Supported by
- * 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR,
- * 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+ * 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
  *
  * The manual does not give the layout of the responses that carry the data back.
  *
@@ -214,7 +210,7 @@ export declare class EchoControl<R extends Response | undefined = undefined | Ec
  * Sends a measured position in Earth-fixed coordinates.
  *
  * Also called `pos_ecef`. Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by
- * 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS.
+ * 3DM-CV7-GNSS/INS.
  *
  * Use only one form of position: ECEF or LLH. In mode `response` of `EchoControl`, the device sends the data back in a
  * response of unknown layout.
@@ -249,7 +245,7 @@ export declare class EcefPosition extends Command<undefined> {
  * Sends a measured position as latitude, longitude and height.
  *
  * Also called `pos_llh`. Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by
- * 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS.
+ * 3DM-CV7-GNSS/INS.
  *
  * Use only one form of position: ECEF or LLH. To send a height only, clear the valid flags of latitude and longitude.
  * The 3DM-CV7-GNSS/INS also accepts an uncertainty of 0 for both instead. In mode `response` of `EchoControl`, the
@@ -291,8 +287,7 @@ export declare class LlhPosition extends Command<undefined> {
  *
  * Sends a measured height above the ellipsoid.
  *
- * Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS. Probably
- * supported by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS.
+ * Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS.
  *
  * In mode `response` of `EchoControl`, the device sends the data back in a response of unknown layout.
  *
@@ -318,7 +313,7 @@ export declare class HeightAboveEllipsoid extends Command<undefined> {
  * Sends a measured velocity in Earth-fixed coordinates.
  *
  * Also called `vel_ecef`. Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by
- * 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS.
+ * 3DM-CV7-GNSS/INS.
  *
  * Use only one form of velocity: ECEF or NED. Not for a sensor that is fixed to the vehicle; for such a sensor, use
  * `BodyFrameVelocity`. In mode `response` of `EchoControl`, the device sends the data back in a response of unknown
@@ -354,7 +349,7 @@ export declare class EcefVelocity extends Command<undefined> {
  * Sends a measured velocity in the local level frame.
  *
  * Also called `vel_ned`. Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by
- * 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS.
+ * 3DM-CV7-GNSS/INS.
  *
  * Use only one form of velocity: ECEF or NED. Not for a sensor that is fixed to the vehicle; for such a sensor, use
  * `BodyFrameVelocity`. In mode `response` of `EchoControl`, the device sends the data back in a response of unknown
@@ -391,7 +386,7 @@ export declare class NedVelocity extends Command<undefined> {
  * Sends a measured velocity of the vehicle in the frame of the sensor.
  *
  * Also called `vel_body_frame`. Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported
- * by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS.
+ * by 3DM-CV7-GNSS/INS.
  *
  * The device supports up to four sensors of this kind. A wheeled vehicle constraint is a velocity of 0 with only y
  * valid, sent at least once per second. With z also valid and 0, motion is constrained to a plane (2D mode). A zero
@@ -429,8 +424,7 @@ export declare class BodyFrameVelocity extends Command<undefined> {
  * Sends a measured heading relative to true north.
  *
  * Also called `heading_true`. Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported
- * by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR,
- * 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+ * by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
  *
  * In mode `response` of `EchoControl`, the device sends the data back in a response of unknown layout.
  *
@@ -460,8 +454,7 @@ export declare class TrueHeading extends Command<undefined> {
  * Sends a magnetic field measured by an external magnetometer.
  *
  * Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR
- * and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS,
- * 3DM-GV7-AR and 3DM-GV7-INS.
+ * and 3DM-CV7-GNSS/INS.
  *
  * The magnetometer must be calibrated. In mode `response` of `EchoControl`, the device sends the data back in a
  * response of unknown layout.
@@ -495,8 +488,7 @@ export declare class MagneticField extends Command<undefined> {
  *
  * Sends a static air pressure measured by an external sensor.
  *
- * Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS. Probably
- * supported by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS.
+ * Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS.
  *
  * In mode `response` of `EchoControl`, the device sends the data back in a response of unknown layout.
  *

@@ -43,11 +43,7 @@ export declare const GpsTimeField: Enumeration<GpsTimeField> & {
  * Get device information response (0x01,0x81).
  *
  * Answers `GetDeviceInfo`. Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15,
- * 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25,
- * 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25,
- * 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-DH3, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS,
- * 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-10,
- * 3DM-GX5-25, 3DM-MV5-AR, 3DM-RQ1-IMU, 3DM-RTK and DEMOD-DC.
+ * 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03)
  * - 3dm-cv7-gnss-ins: Get device information (0x01,0x03)
@@ -62,11 +58,7 @@ export declare class GetDeviceInfoResponse extends Response {
  * Get device descriptors response (0x01,0x82).
  *
  * Answers `GetDeviceDescriptors`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45,
- * 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10,
- * 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25,
- * 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-DH3, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS,
- * 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-10,
- * 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-IMU, 3DM-RTK and DEMOD-DC.
+ * 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.1.4 Get Device Descriptor Sets (0x01, 0x04)
  * - 3dm-cv7-gnss-ins: Get device descriptors (0x01,0x04)
@@ -81,11 +73,7 @@ export declare class GetDeviceDescriptorsResponse extends Response {
  * Built-in test response (0x01,0x83).
  *
  * Answers `BuiltInTest`. Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and
- * 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25,
- * 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS,
- * 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35,
- * 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45,
- * 3DM-RQ1-IMU and 3DM-RTK.
+ * 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05)
  * - 3dm-cv7-gnss-ins: Built in test (0x01,0x05)
@@ -116,10 +104,7 @@ export declare class BuiltInTestResponse extends Response {
  * The current week number.
  *
  * Answers `GpsTimeUpdate`. Sent if `fieldId` is `GpsTimeField.WEEK_NUMBER`. Supported by 3DM-CX5-10, 3DM-GQ4-45,
- * 3DM-GX5-15 and 3DM-GX5-35. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15,
- * 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45,
- * 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX5-10,
- * 3DM-GX5-25 and 3DM-GX5-45.
+ * 3DM-GX5-15 and 3DM-GX5-35.
  *
  * - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
  * - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
@@ -137,9 +122,7 @@ export declare class GpsTimeUpdateWeekNumberResponse extends Response {
  * The current time of week.
  *
  * Answers `GpsTimeUpdate`. Sent if `fieldId` is `GpsTimeField.TOW`. Supported by 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15 and
- * 3DM-GX5-35. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
- * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR,
- * 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX5-10, 3DM-GX5-25 and 3DM-GX5-45.
+ * 3DM-GX5-35.
  *
  * - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
  * - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
@@ -155,9 +138,7 @@ export declare class GpsTimeUpdateTowResponse extends Response {
  * Get device descriptors (extended) response (0x01,0x86).
  *
  * Answers `GetExtendedDescriptors`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS,
- * 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10,
- * 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45,
- * 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX5-10 and 3DM-GX5-25.
+ * 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 4.1.7 Get Extended Device Descriptor Sets (0x01, 0x07)
  * - 3dm-cv7-gnss-ins: Get device descriptors (extended) (0x01,0x07)
@@ -172,8 +153,6 @@ export declare class GetExtendedDescriptorsResponse extends Response {
  * Continuous built-in test response (0x01,0x88).
  *
  * Also called `continuous_bit_response`. Answers `ContinuousBuiltInTest`. Supported by 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
- * Probably supported by 3DM-CV7-AHRS, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
- * 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
  *
  * - 3dm-cv7-gnss-ins: Continuous built-in test (0x01,0x08)
  */
@@ -192,8 +171,7 @@ export declare class ContinuousBuiltInTestResponse extends Response {
 /**
  * Comm port speed response (0x01,0x89).
  *
- * Answers `CommSpeed`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported
- * by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS and 3DM-RTK.
+ * Answers `CommSpeed`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Comm Port Speed (0x01,0x09)
  */
@@ -225,11 +203,6 @@ export declare class CommSpeedResponse extends Response {
  * Checks whether a device is present and answers commands.
  *
  * Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
- * Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
- * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR,
- * 3DM-CX7-INS, 3DM-DH3, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35,
- * 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR,
- * 3DM-RQ1-IMU, 3DM-RTK and DEMOD-DC.
  *
  * A device that is not in a normal operating mode may reject the command.
  *
@@ -245,12 +218,7 @@ export declare class Ping extends Command<undefined> {
  *
  * Stops all data streams, and wakes a sleeping device, so that it can be configured.
  *
- * Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably
- * supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS,
- * 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
- * 3DM-DH3, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45,
- * 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR,
- * 3DM-RQ1-IMU, 3DM-RTK and DEMOD-DC.
+ * Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * `Resume` restores the previous mode. While idle, the device does not send NMEA sentences either.
  *
@@ -267,11 +235,7 @@ export declare class SetIdle extends Command<undefined> {
  * Gets the firmware version and the identity strings of the device.
  *
  * Answered by `GetDeviceInfoResponse`. Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS,
- * 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15,
- * 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15,
- * 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-DH3, 3DM-GV7-AHRS, 3DM-GV7-AR,
- * 3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU,
- * 3DM-GX5-10, 3DM-GX5-25, 3DM-MV5-AR, 3DM-RQ1-IMU, 3DM-RTK and DEMOD-DC.
+ * 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03)
  * - 3dm-cv7-gnss-ins: Get device information (0x01,0x03)
@@ -286,11 +250,7 @@ export declare class GetDeviceInfo extends Command<GetDeviceInfoResponse> {
  * Gets the command and data descriptors that the device supports.
  *
  * Answered by `GetDeviceDescriptorsResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CX5-10,
- * 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by
- * 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15,
- * 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-DH3, 3DM-GV7-AHRS, 3DM-GV7-AR,
- * 3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU,
- * 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-IMU, 3DM-RTK and DEMOD-DC.
+ * 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * If the list contains the descriptor of `GetExtendedDescriptors`, that command returns further descriptors.
  *
@@ -307,12 +267,8 @@ export declare class GetDeviceDescriptors extends Command<GetDeviceDescriptorsRe
  * Runs the self test of the device and gets its result.
  *
  * Answered by `BuiltInTestResponse`. The device may take 10 s to answer. Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10,
- * 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25,
- * 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25,
- * 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR,
- * 3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU,
- * 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-IMU and 3DM-RTK. Uncertain: The maximum duration of the test.
- * The manual of the 3DM-CV7 states several seconds; 10 s leaves room for that.
+ * 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Uncertain: The maximum duration of the test. The manual of
+ * the 3DM-CV7 states several seconds; 10 s leaves room for that.
  *
  * The test interrupts normal operation for up to several seconds; no data is available meanwhile. The device must be at
  * rest; acceleration, rotation or vibration cause false failures. The continuous built-in test, if the device has it,
@@ -332,10 +288,6 @@ export declare class BuiltInTest extends Command<BuiltInTestResponse> {
  * Ends idle mode and returns the device to the mode that it was in before.
  *
  * Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
- * Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
- * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR,
- * 3DM-CX7-INS, 3DM-DH3, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35,
- * 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-MV5-AR, 3DM-RTK and DEMOD-DC.
  *
  * If the device was not idle, it enters its default mode (3DM-GX5-15).
  *
@@ -352,9 +304,7 @@ export declare class Resume extends Command<undefined> {
  * Gets the supported descriptors that did not fit into the reply of `GetDeviceDescriptors`.
  *
  * Answered by `GetExtendedDescriptorsResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
- * 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25,
- * 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35,
- * 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX5-10 and 3DM-GX5-25.
+ * 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
  *
  * Only supported if `GetDeviceDescriptors` lists it.
  *
@@ -371,8 +321,7 @@ export declare class GetExtendedDescriptors extends Command<GetExtendedDescripto
  * Gets the flags of the tests that run all the time. It does not interrupt operation.
  *
  * Also called `continuous_bit`. Answered by `ContinuousBuiltInTestResponse`. Supported by 3DM-CV7-AR and
- * 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
- * 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+ * 3DM-CV7-GNSS/INS.
  *
  * It is less thorough than `BuiltInTest`. Each flag stays set until this command reports it; the streamed field has its
  * own copy of the flags. The self-test flags change only when `BuiltInTest` runs.
@@ -389,8 +338,7 @@ export declare class ContinuousBuiltInTest extends Command<ContinuousBuiltInTest
  * Sets the baud rate of one communication port.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `CommSpeedResponse`. Supported by 3DM-CV7-AHRS,
- * 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR,
- * 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS and 3DM-RTK.
+ * 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * The change takes effect once pending data is sent and received, after at most 250 ms. Send it alone in a packet while
  * the device is idle, and wait 250 ms before going on. Commands and data during the change may be lost, or sent at
@@ -439,10 +387,8 @@ export declare class CommSpeed<R extends Response | undefined = undefined | Comm
  *
  * Functions: `write`, `read` and `apply`. Answered by `GpsTimeUpdateWeekNumberResponse` or `GpsTimeUpdateTowResponse`.
  * Changes `filter_data.Timestamp`, `sensor.GpsTimestamp`, `shared.GpsTimestamp` and `shared.ExternalTimestamp`.
- * Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35. Probably supported by 3DM-CL5-10,
- * 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS,
- * 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
- * 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX5-10, 3DM-GX5-25 and 3DM-GX5-45. On the 3DM-CV7-GNSS/INS: `write` only.
+ * Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35. On the 3DM-CV7-GNSS/INS: `write`
+ * only.
  *
  * Send it once for the time of week and once for the week number after the PPS is locked. On the 3DM-CV7-GNSS/INS, the
  * time may have another epoch than GPS time, for example that of Unix time; `shared.ExternalTimestamp` then has it,
@@ -482,10 +428,6 @@ export declare class GpsTimeUpdate<R extends Response | undefined = undefined | 
  * Acknowledges the command, then resets the device immediately.
  *
  * Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
- * Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
- * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR,
- * 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10,
- * 3DM-GX5-25, 3DM-GX5-35 and 3DM-RTK.
  *
  * - 3dm-gx5-15: 4.1.9 Device Reset (0x01, 0x7E)
  * - 3dm-cv7-gnss-ins: Reset device (0x01,0x7E)

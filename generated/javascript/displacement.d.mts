@@ -12,8 +12,8 @@ import type * as types from "./types.mjs";
 /**
  * Get Analog to Displacement Calibration response (0x11,0x81).
  *
- * Also called `get_analog_displacement_calibration_response`. Answers `GetCalibration`. Probably supported by DEMOD-DC.
- * Known only from the MicroStrain Communication Library.
+ * No device is certain to support it. Also called `get_analog_displacement_calibration_response`. Answers
+ * `GetCalibration`. Known only from the MicroStrain Communication Library.
  *
  * - mscl: Get Analog to Displacement Calibration (0x11,0x01)
  */
@@ -28,7 +28,7 @@ export declare class GetCalibrationResponse extends Response {
 /**
  * Displacement Output Data Rate response (0x11,0x82).
  *
- * Also called `displacement_output_rate_response`. Answers `OutputRate`. Probably supported by DEMOD-DC. Known only
+ * No device is certain to support it. Also called `displacement_output_rate_response`. Answers `OutputRate`. Known only
  * from the MicroStrain Communication Library.
  *
  * - mscl: Displacement Output Data Rate (0x11,0x02)
@@ -44,8 +44,8 @@ export declare class OutputRateResponse extends Response {
  *
  * Reads the line by which the device converts the counts of its converter to a displacement.
  *
- * Also called `get_analog_displacement_calibration`. Answered by `GetCalibrationResponse`. Probably supported by
- * DEMOD-DC. Known only from the MicroStrain Communication Library.
+ * No device is certain to support it. Also called `get_analog_displacement_calibration`. Answered by
+ * `GetCalibrationResponse`. Known only from the MicroStrain Communication Library.
  *
  * - mscl: Get Analog to Displacement Calibration (0x11,0x01)
  */
@@ -58,9 +58,9 @@ export declare class GetCalibration extends Command<GetCalibrationResponse> {
  *
  * Reads the rate at which displacement is measured.
  *
- * Also called `displacement_output_rate`. Functions: `read`. Answered by `OutputRateResponse`. Probably supported by
- * DEMOD-DC. Known only from the MicroStrain Communication Library. Uncertain: Whether the rate can be written. MSCL
- * only reads it.
+ * No device is certain to support it. Also called `displacement_output_rate`. Functions: `read`. Answered by
+ * `OutputRateResponse`. Known only from the MicroStrain Communication Library. Uncertain: Whether the rate can be
+ * written. MSCL only reads it.
  *
  * - mscl: Displacement Output Data Rate (0x11,0x02)
  */
@@ -77,9 +77,9 @@ export declare class OutputRate extends Command<OutputRateResponse> {
  *
  * Sets the clock of the device, from which `displacement_data.Timestamp` is taken.
  *
- * Also called `displacement_device_time`. Functions: `write`. Changes `displacement_data.Timestamp`. Probably supported
- * by DEMOD-DC. Known only from the MicroStrain Communication Library. Uncertain: Whether the time can be read. MSCL
- * only writes it.
+ * No device is certain to support it. Also called `displacement_device_time`. Functions: `write`. Changes
+ * `displacement_data.Timestamp`. Known only from the MicroStrain Communication Library. Uncertain: Whether the time can
+ * be read. MSCL only writes it.
  *
  * - mscl: Displacement Device Time (0x11,0x04)
  */

@@ -299,8 +299,7 @@ export declare const ReferencePoint: Enumeration<ReferencePoint> & {
 /**
  * Vehicle dynamics mode response (0x0D,0x80).
  *
- * Answers `VehicleDynamicsMode`. Supported by 3DM-GX5-45. Probably supported by 3DM-CV5-45, 3DM-CX5-45, 3DM-GQ4-45,
- * 3DM-GX3-45, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the MicroStrain MIP SDK.
+ * Answers `VehicleDynamicsMode`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Vehicle dynamics mode (0x0D,0x10)
  */
@@ -313,9 +312,7 @@ export declare class VehicleDynamicsModeResponse extends Response {
 /**
  * Sensor to vehicle frame transformation response (0x0D,0x81).
  *
- * Answers `SensorToVehicleRotationEuler`. Supported by 3DM-GX5-15 and 3DM-GX5-45. Probably supported by 3DM-CL5-15,
- * 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45,
- * 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Answers `SensorToVehicleRotationEuler`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
  */
@@ -332,8 +329,7 @@ export declare class SensorToVehicleRotationEulerResponse extends Response {
 /**
  * Sensor to vehicle offset response (0x0D,0x82).
  *
- * Answers `SensorToVehicleOffset`. Supported by 3DM-GX5-45. Probably supported by 3DM-CV5-45, 3DM-CX5-45, 3DM-GQ4-45,
- * 3DM-GX3-45, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the MicroStrain MIP SDK.
+ * Answers `SensorToVehicleOffset`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Sensor to vehicle offset (0x0D,0x12)
  */
@@ -349,8 +345,7 @@ export declare class SensorToVehicleOffsetResponse extends Response {
 /**
  * GNSS antenna offset response (0x0D,0x83).
  *
- * Answers `AntennaOffset`. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GX5-45. Probably supported by 3DM-CV5-45,
- * 3DM-CX5-45, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GV7-INS, 3DM-GX3-45, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Answers `AntennaOffset`. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GX5-45.
  *
  * - 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13)
  */
@@ -368,9 +363,7 @@ export declare class AntennaOffsetResponse extends Response {
 /**
  * Estimation control flags response (0x0D,0x84).
  *
- * Answers `EstimationControl`. Supported by 3DM-GX5-15 and 3DM-GX5-45. Probably supported by 3DM-CL5-15, 3DM-CL5-25,
- * 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15,
- * 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Answers `EstimationControl`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
  */
@@ -383,9 +376,7 @@ export declare class EstimationControlResponse extends Response {
 /**
  * GNSS aiding source response (0x0D,0x86).
  *
- * Answers `GnssSource`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Probably supported by
- * 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-45, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GV7-INS, 3DM-GX3-45, 3DM-GX4-45, 3DM-RQ1-45-LT and
- * 3DM-RQ1-45-ST.
+ * Answers `GnssSource`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45.
  *
  * - 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15)
  */
@@ -398,9 +389,7 @@ export declare class GnssSourceResponse extends Response {
 /**
  * Heading update control response (0x0D,0x87).
  *
- * Answers `HeadingSource`. Supported by 3DM-GX5-15 and 3DM-GX5-45. Probably supported by 3DM-CL5-15, 3DM-CL5-25,
- * 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-25,
- * 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Answers `HeadingSource`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
  */
@@ -414,8 +403,7 @@ export declare class HeadingSourceResponse extends Response {
  * Automatic initialization response (0x0D,0x88).
  *
  * Also called `auto_init_control_response`. Answers `AutoInitializationControl`. Supported by 3DM-GX5-15 and
- * 3DM-GX5-45. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25,
- * 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19)
  */
@@ -428,10 +416,7 @@ export declare class AutoInitializationControlResponse extends Response {
 /**
  * Accelerometer noise response (0x0D,0x89).
  *
- * Answers `AccelNoise`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45. Probably supported by 3DM-CL5-15,
- * 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25,
- * 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR,
- * 3DM-GV7-INS, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Answers `AccelNoise`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
  *
  * - 3dm-cv7-gnss-ins: Accelerometer Noise Standard Deviation (0x0D,0x1A)
  * - 3dm-gx5-15: 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A)
@@ -445,10 +430,7 @@ export declare class AccelNoiseResponse extends Response {
 /**
  * Gyroscope noise response (0x0D,0x8A).
  *
- * Answers `GyroNoise`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45. Probably supported by 3DM-CL5-15,
- * 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25,
- * 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR,
- * 3DM-GV7-INS, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Answers `GyroNoise`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
  *
  * - 3dm-cv7-gnss-ins: Gyroscope Noise Standard Deviation (0x0D,0x1B)
  * - 3dm-gx5-15: 4.3.13 Gyroscope Noise Standard Deviation (0x0D, 0x1B)
@@ -462,9 +444,7 @@ export declare class GyroNoiseResponse extends Response {
 /**
  * Accelerometer bias model response (0x0D,0x8B).
  *
- * Answers `AccelBiasModel`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-45. Probably supported by 3DM-CV5-45,
- * 3DM-CV7-INS, 3DM-CX5-45, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GV7-INS, 3DM-GX4-45, 3DM-RQ1-45-LT and
- * 3DM-RQ1-45-ST.
+ * Answers `AccelBiasModel`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-45.
  *
  * - 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
  */
@@ -479,10 +459,7 @@ export declare class AccelBiasModelResponse extends Response {
 /**
  * Gyroscope bias model response (0x0D,0x8C).
  *
- * Answers `GyroBiasModel`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45. Probably supported by 3DM-CL5-15,
- * 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25,
- * 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR,
- * 3DM-GV7-INS, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Answers `GyroBiasModel`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
  *
  * - 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D)
  * - 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
@@ -498,8 +475,7 @@ export declare class GyroBiasModelResponse extends Response {
 /**
  * Automatic zero velocity update response (0x0D,0x8D).
  *
- * Answers `AutoZupt`. Supported by 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Probably supported by 3DM-CV5-45, 3DM-CX5-45,
- * 3DM-GQ4-45, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the MicroStrain MIP SDK.
+ * Answers `AutoZupt`. Supported by 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Auto Zupt (0x0D,0x1E)
  */
@@ -515,9 +491,6 @@ export declare class AutoZuptResponse extends Response {
  * Zero angular rate update response (0x0D,0x8E).
  *
  * Answers `AutoAngularZupt`. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
- * Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR,
- * 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GV7-AHRS, 3DM-GV7-AR,
- * 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-cv7-gnss-ins: Zero Angular Rate Update Control (0x0D,0x20)
  * - 3dm-gx5-15: 4.3.15 Zero Angular Rate Update Control (0x0D, 0x20)
@@ -533,8 +506,7 @@ export declare class AutoAngularZuptResponse extends Response {
 /**
  * Set reference position response (0x0D,0x90).
  *
- * Answers `ReferencePosition`. Supported by 3DM-GX5-15. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15,
- * 3DM-CV5-25, 3DM-CX5-15, 3DM-CX5-25, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-25 and 3DM-GX5-45.
+ * Answers `ReferencePosition`. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26)
  */
@@ -556,10 +528,7 @@ export declare class ReferencePositionResponse extends Response {
 /**
  * Gravity noise response (0x0D,0x93).
  *
- * Answers `GravityNoise`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45. Probably supported by 3DM-CL5-15,
- * 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25,
- * 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS and
- * 3DM-GX5-25.
+ * Answers `GravityNoise`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
  *
  * - 3dm-cv7-gnss-ins: Gravity Noise Standard Deviation (0x0D,0x28)
  * - 3dm-gx5-15: 4.3.11 Gravity Noise Standard Deviation (0x0D, 0x28)
@@ -573,8 +542,7 @@ export declare class GravityNoiseResponse extends Response {
 /**
  * Pressure altitude noise response (0x0D,0x94).
  *
- * Answers `PressureAltitudeNoise`. Supported by 3DM-GX5-45. Probably supported by 3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45,
- * 3DM-CX5-25, 3DM-CX5-45 and 3DM-GX5-25. Known only from the MicroStrain MIP SDK.
+ * Answers `PressureAltitudeNoise`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Pressure altitude noise (0x0D,0x29)
  */
@@ -587,8 +555,7 @@ export declare class PressureAltitudeNoiseResponse extends Response {
 /**
  * Hard iron offset noise response (0x0D,0x96).
  *
- * Answers `HardIronOffsetNoise`. Supported by 3DM-GX5-45. Probably supported by 3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45,
- * 3DM-CX5-25, 3DM-CX5-45 and 3DM-GX5-25. Known only from the MicroStrain MIP SDK.
+ * Answers `HardIronOffsetNoise`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Hard iron offset noise (0x0D,0x2B)
  */
@@ -601,8 +568,7 @@ export declare class HardIronOffsetNoiseResponse extends Response {
 /**
  * Soft iron matrix noise response (0x0D,0x97).
  *
- * Answers `SoftIronMatrixNoise`. Supported by 3DM-GX5-45. Probably supported by 3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45,
- * 3DM-CX5-25, 3DM-CX5-45 and 3DM-GX5-25. Known only from the MicroStrain MIP SDK.
+ * Answers `SoftIronMatrixNoise`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Soft iron matrix noise (0x0D,0x2C)
  */
@@ -618,10 +584,8 @@ export declare class SoftIronMatrixNoiseResponse extends Response {
 /**
  * Tare orientation response (0x0D,0xA1).
  *
- * Answers `TareOrientation`. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
- * 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and
- * 3DM-RQ1-45-ST. Uncertain: Which devices send it. The SDK reads the setting back; the manuals of the 3DM-GX5-15 and
- * 3DM-GX5-45 have neither the read function nor the response.
+ * No device is certain to support it. Answers `TareOrientation`. Uncertain: Which devices send it. The SDK reads the
+ * setting back; the manuals of the 3DM-GX5-15 and 3DM-GX5-45 have neither the read function nor the response.
  *
  * - 3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21)
  * - mip-sdk-4: Tare orientation (0x0D,0x21)
@@ -635,8 +599,7 @@ export declare class TareOrientationResponse extends Response {
 /**
  * Enable or disable measurements response (0x0D,0xB0).
  *
- * Answers `EnableMeasurements`. Supported by 3DM-GX5-15. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15,
- * 3DM-CV5-25, 3DM-CX5-15, 3DM-CX5-25, 3DM-GX4-25 and 3DM-GX5-25.
+ * Answers `EnableMeasurements`. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41)
  */
@@ -649,9 +612,7 @@ export declare class EnableMeasurementsResponse extends Response {
 /**
  * Magnetometer noise response (0x0D,0xB1).
  *
- * Answers `MagNoise`. Supported by 3DM-GX5-45. Probably supported by 3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25,
- * 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the
- * MicroStrain MIP SDK.
+ * Answers `MagNoise`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Mag Noise (0x0D,0x42)
  */
@@ -665,9 +626,7 @@ export declare class MagNoiseResponse extends Response {
  * Magnetic declination source response (0x0D,0xB2).
  *
  * Answers `MagneticDeclinationSource`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and
- * 3DM-GX5-45. Probably supported by 3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-25, 3DM-CX5-45,
- * 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-25, 3DM-GX4-45,
- * 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * 3DM-GX5-45.
  *
  * - 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43)
  * - 3dm-gq7: Magnetic Field Declination Source Control (0x0D,0x43)
@@ -687,9 +646,7 @@ export declare class MagneticDeclinationSourceResponse extends Response {
 /**
  * Gravity magnitude error adaptive measurement response (0x0D,0xB3).
  *
- * Answers `AccelMagnitudeErrorAdaptiveMeasurement`. Supported by 3DM-GX5-15 and 3DM-GX5-45. Probably supported by
- * 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45,
- * 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Answers `AccelMagnitudeErrorAdaptiveMeasurement`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
  */
@@ -714,9 +671,7 @@ export declare class AccelMagnitudeErrorAdaptiveMeasurementResponse extends Resp
 /**
  * Magnetometer magnitude error adaptive measurement response (0x0D,0xB4).
  *
- * Answers `MagMagnitudeErrorAdaptiveMeasurement`. Supported by 3DM-GX5-45. Probably supported by 3DM-CL5-25,
- * 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
- * 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the MicroStrain MIP SDK.
+ * Answers `MagMagnitudeErrorAdaptiveMeasurement`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45)
  */
@@ -756,9 +711,7 @@ export declare class MagMagnitudeErrorAdaptiveMeasurementResponse extends Respon
 /**
  * Magnetometer dip angle error adaptive measurement response (0x0D,0xB5).
  *
- * Answers `MagDipAngleErrorAdaptiveMeasurement`. Supported by 3DM-GX5-45. Probably supported by 3DM-CL5-25, 3DM-CV5-25,
- * 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
- * Known only from the MicroStrain MIP SDK.
+ * Answers `MagDipAngleErrorAdaptiveMeasurement`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46)
  */
@@ -788,8 +741,7 @@ export declare class MagDipAngleErrorAdaptiveMeasurementResponse extends Respons
 /**
  * Altitude aiding response (0x0D,0xB7).
  *
- * Answers `AltitudeAiding`. Supported by 3DM-GX5-45. Probably supported by 3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45,
- * 3DM-CX5-25, 3DM-CX5-45 and 3DM-GX5-25. Known only from the MicroStrain MIP SDK.
+ * Answers `AltitudeAiding`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Altitude aiding (0x0D,0x47)
  */
@@ -802,8 +754,7 @@ export declare class AltitudeAidingResponse extends Response {
 /**
  * Pitch and roll aiding response (0x0D,0xBB).
  *
- * Answers `PitchRollAiding`. Supported by 3DM-GX5-15 and 3DM-GX5-45. Probably supported by 3DM-CL5-15, 3DM-CL5-25,
- * 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45 and 3DM-GX5-25.
+ * Answers `PitchRollAiding`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
  */
@@ -881,8 +832,7 @@ export declare class SensorToVehicleRotationQuaternionResponse extends Response 
 /**
  * Aiding measurement control response (0x0D,0xD0).
  *
- * Answers `AidingMeasurementEnable`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by
- * 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+ * Answers `AidingMeasurementEnable`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
  */
@@ -915,7 +865,7 @@ export declare class KinematicConstraintResponse extends Response {
  * Navigation filter initialization response (0x0D,0xD2).
  *
  * Also called `initialization_configuration_response`. Answers `InitializationConfig`. Supported by 3DM-CV7-GNSS/INS,
- * 3DM-CV7-INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CX7-INS and 3DM-GV7-INS.
+ * 3DM-CV7-INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52)
  */
@@ -955,9 +905,7 @@ export declare class InitializationConfigResponse extends Response {
 /**
  * Adaptive filter control response (0x0D,0xD3).
  *
- * Answers `AdaptiveFilterOptions`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV5-45, 3DM-CV7-AHRS,
- * 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS,
- * 3DM-GV7-AR, 3DM-GV7-INS and 3DM-GX5-45.
+ * Answers `AdaptiveFilterOptions`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
  */
@@ -972,7 +920,7 @@ export declare class AdaptiveFilterOptionsResponse extends Response {
 /**
  * GNSS multi-antenna offset response (0x0D,0xD4).
  *
- * Answers `MultiAntennaOffset`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-GQ7-GNSS/INS.
+ * Answers `MultiAntennaOffset`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54)
  */
@@ -988,7 +936,6 @@ export declare class MultiAntennaOffsetResponse extends Response {
  * Relative position configuration response (0x0D,0xD5).
  *
  * Also called `rel_pos_configuration_response`. Answers `RelativePositionConfig`. Supported by 3DM-CV7-GNSS/INS.
- * Probably supported by 3DM-CV7-INS, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS and 3DM-GV7-INS.
  *
  * - 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
  */
@@ -1011,8 +958,7 @@ export declare class RelativePositionConfigResponse extends Response {
 /**
  * Reference point lever arm response (0x0D,0xD6).
  *
- * Also called `ref_point_lever_arm_response`. Answers `ReferencePointLeverArm`. Supported by 3DM-CV7-GNSS/INS. Probably
- * supported by 3DM-CV7-INS, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS and 3DM-GV7-INS.
+ * Also called `ref_point_lever_arm_response`. Answers `ReferencePointLeverArm`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56)
  */
@@ -1027,7 +973,7 @@ export declare class ReferencePointLeverArmResponse extends Response {
 /**
  * Speed measurement lever arm response (0x0D,0xE1).
  *
- * Answers `SpeedLeverArm`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-GQ7-GNSS/INS.
+ * Answers `SpeedLeverArm`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61)
  */
@@ -1055,7 +1001,7 @@ export declare class VerticalGyroConstraintControlResponse extends Response {
 /**
  * Wheeled vehicle constraint response (0x0D,0xE3).
  *
- * Answers `WheeledVehicleConstraintControl`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-GQ7-GNSS/INS.
+ * Answers `WheeledVehicleConstraintControl`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Wheeled Vehicle Constraint Control (0x0D,0x63)
  */
@@ -1087,15 +1033,8 @@ export declare class GnssAntennaCalibrationControlResponse extends Response {
  *
  * Returns the filter to its initialization state.
  *
- * Changes filter_data (0x82). Flagged by `types.Gx5BuiltInTest.SOLUTION_FAULT` of `types.Gx5BuiltInTest`,
- * `types.Cv7BuiltInTest.FILTER_SOLUTION_FAULT` of `types.Cv7BuiltInTest`,
- * `filter_data.Gx5StatusFlags.RUN_MATRIX_SINGULARITY` of `filter_data.Gx5StatusFlags`,
- * `filter_data.Gx5StatusFlags.RUN_NAN_IN_SOLUTION_WARNING` of `filter_data.Gx5StatusFlags` and
- * `filter_data.Cv7StatusFlags.SOLUTION_ERROR` of `filter_data.Cv7StatusFlags`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
- * 3DM-CV7-GNSS/INS, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-15, 3DM-CL5-25,
- * 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR,
- * 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25,
- * 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45.
+ * Changes filter_data (0x82). Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15, 3DM-RQ1-45-LT and
+ * 3DM-RQ1-45-ST.
  *
  * If automatic initialization is off, the attitude or heading must be set before the filter runs again. 3DM-CV7: send
  * it after a large jump of the system time, for example when the PPS is first detected.
@@ -1113,9 +1052,7 @@ export declare class Reset extends Command<undefined> {
  * Sets the initial attitude of the filter, the orientation of the sensor frame in the NED frame.
  *
  * Changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Supported by
- * 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25,
- * 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
- * 3DM-GX5-25 and 3DM-GX5-45.
+ * 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * Accepted only in the initialization state.
  *
@@ -1140,10 +1077,7 @@ export declare class SetInitialAttitude extends Command<undefined> {
  * Sets the initial heading of the filter; pitch and roll come from the accelerometers.
  *
  * Changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Supported by
- * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably
- * supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25,
- * 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR,
- * 3DM-GV7-INS, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45 and 3DM-GX5-25.
+ * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * 3DM-GX5: accepted only in the initialization state. 3DM-CV7: resets the estimated heading; if magnetometer aiding is
  * on, the given heading is ignored.
@@ -1165,11 +1099,11 @@ export declare class SetInitialHeading extends Command<undefined> {
  *
  * Initializes the attitude of the filter with that of the complementary filter.
  *
- * Also called `set_initial_heading_from_mag`. Changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and
- * `filter_data.EulerAngles`. Probably supported by 3DM-GX3-45. Known only from the MIP SDK of 2014, MicroStrain
- * Communication Library and MicroStrain MIP SDK. Uncertain: The name. The SDK calls it set initial heading from mag,
- * and has no layout; the SDK of 2014 has this layout, in its example for the 3DM-GX3-45. Uncertain: Which devices have
- * it.
+ * No device is certain to support it. Also called `set_initial_heading_from_mag`. Changes
+ * `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Known only from the MIP
+ * SDK of 2014, MicroStrain Communication Library and MicroStrain MIP SDK. Uncertain: The name. The SDK calls it set
+ * initial heading from mag, and has no layout; the SDK of 2014 has this layout, in its example for the 3DM-GX3-45.
+ * Uncertain: Which devices have it.
  *
  * - mip-sdk-4: Set Initial Heading From Mag (0x0D,0x04)
  * - mip-sdk-2014: Set Initial Attitude From AHRS (0x0D,0x04)
@@ -1186,8 +1120,7 @@ export declare class SetInitialAttitudeFromImu extends Command<undefined> {
  *
  * Starts a filter that is configured to wait for this command.
  *
- * Changes `filter_data.Status`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-INS,
- * 3DM-CX7-INS and 3DM-GV7-INS.
+ * Changes `filter_data.Status`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * The filter waits in its initialization state if `wait_for_run_command` of `InitializationConfig` is set.
  *
@@ -1203,8 +1136,7 @@ export declare class Run extends Command<undefined> {
  * Adapts the filter to the motion that it has to expect.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `VehicleDynamicsModeResponse`. Probably changes
- * filter_data (0x82). Supported by 3DM-GX5-45. Probably supported by 3DM-CV5-45, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45,
- * 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Refused by 3DM-GX3-25. Known only from the MicroStrain MIP SDK.
+ * filter_data (0x82). Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Vehicle dynamics mode (0x0D,0x10)
  */
@@ -1239,10 +1171,8 @@ export declare class VehicleDynamicsMode<R extends Response | undefined = undefi
  * `sensor.ScaledAccel`, `sensor.ScaledGyro`, `sensor.ScaledMag`, `sensor.DeltaTheta`, `sensor.DeltaVelocity`,
  * `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`, `filter_data.LinearAccel`,
  * `filter_data.CompAngularRate`, `filter_data.GravityVector` and `filter_data.CompAccel`. Supported by 3DM-GX5-15 and
- * 3DM-GX5-45. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25,
- * 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Uncertain:
- * The formula. The text of the manual lacks it; it is the inverse of that of `3dm.SensorToVehicleTransformEuler`, which
- * the 3DM-CV7 manual states.
+ * 3DM-GX5-45. Uncertain: The formula. The text of the manual lacks it; it is the inverse of that of
+ * `3dm.SensorToVehicleTransformEuler`, which the 3DM-CV7 manual states.
  *
  * The 3DM-CV7 uses the inverse instead: `3dm.SensorToVehicleTransformEuler`. `v_sensor = Rz(yaw) * Ry(pitch) * Rx(roll)
  * * v_vehicle`
@@ -1277,8 +1207,7 @@ export declare class SensorToVehicleRotationEuler<R extends Response | undefined
  * Sets the origin of the vehicle frame, as seen from the sensor.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `SensorToVehicleOffsetResponse`. Changes
- * `filter_data.LlhPosition`. Supported by 3DM-GX5-45. Probably supported by 3DM-CV5-45, 3DM-CX5-45, 3DM-GQ4-45,
- * 3DM-GX3-45, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the MicroStrain MIP SDK. Uncertain: The
+ * `filter_data.LlhPosition`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK. Uncertain: The
  * direction, from the sensor to the origin of the vehicle frame, is inferred from the name.
  *
  * The shift is constant. It does not follow the attitude, as a lever arm would.
@@ -1313,10 +1242,7 @@ export declare class SensorToVehicleOffset<R extends Response | undefined = unde
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AntennaOffsetResponse`. Probably changes
  * `filter_data.LlhPosition`, `filter_data.EcefPosition`, `filter_data.NedVelocity`, `filter_data.EcefVelocity` and
- * `filter_data.AntennaOffsetCorrection`. Flagged by
- * `filter_data.Gx5StatusFlags.RUN_ANTENNA_OFFSET_CORRECTION_EST_HIGH_WARNING` of `filter_data.Gx5StatusFlags`.
- * Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GX5-45. Probably supported by 3DM-CV5-45, 3DM-CX5-45, 3DM-CX7-INS,
- * 3DM-GQ4-45, 3DM-GV7-INS, 3DM-GX3-45, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Refused by 3DM-GX3-25.
+ * `filter_data.AntennaOffsetCorrection`. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GX5-45.
  *
  * 7-series devices expect the vehicle frame, 5-series devices the sensor frame. On the 3DM-CV7 it applies to GNSS data
  * received as NMEA; data from the aiding commands uses `aiding.FrameConfig`.
@@ -1357,8 +1283,6 @@ export declare class AntennaOffset<R extends Response | undefined = undefined | 
  * `filter_data.GyroBiasUncertainty`, `filter_data.AccelBiasUncertainty`, `filter_data.GyroScaleFactorUncertainty`,
  * `filter_data.AccelScaleFactorUncertainty`, `filter_data.AntennaOffsetCorrectionUncertainty`,
  * `filter_data.MagOffsetUncertainty` and `filter_data.MagMatrixUncertainty`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
- * Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
- * 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
  */
@@ -1400,9 +1324,7 @@ export declare class EstimationControl<R extends Response | undefined = undefine
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GnssSourceResponse`. Probably changes
  * `filter_data.LlhPosition`, `filter_data.EcefPosition`, `filter_data.NedVelocity`, `filter_data.EcefVelocity` and
- * `filter_data.GnssPositionAidingStatus`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Probably
- * supported by 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-45, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GV7-INS, 3DM-GX3-45, 3DM-GX4-45,
- * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * `filter_data.GnssPositionAidingStatus`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45.
  *
  * A change while the filter is running may return it to initialization until the new source provides data.
  *
@@ -1435,8 +1357,7 @@ export declare class GnssSource<R extends Response | undefined = undefined | Gns
  *
  * Sends one measurement of position and velocity by a GNSS receiver of the user to the filter.
  *
- * Supported by 3DM-GX5-45. Probably supported by 3DM-CV5-45, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX4-45, 3DM-RQ1-45-LT and
- * 3DM-RQ1-45-ST. Known only from the MicroStrain MIP SDK.
+ * Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
  *
  * Refused unless `GnssSource` selects the external source. The highest rate depends on the device.
  *
@@ -1467,9 +1388,7 @@ export declare class ExternalGnssUpdate extends Command<undefined> {
  *
  * Sends one measurement of the heading of the sensor frame in the NED frame to the filter.
  *
- * Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15,
- * 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS,
- * 3DM-GV7-INS, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
  *
  * Refused unless external heading updates are enabled, by `HeadingSource` on the 3DM-GX5 and by
  * `AidingMeasurementEnable` on the 3DM-CV7. The 3DM-GX5-15 accepts at most 20 updates per second. If the declination
@@ -1498,9 +1417,7 @@ export declare class ExternalHeadingUpdate extends Command<undefined> {
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `HeadingSourceResponse`. Changes
  * `filter_data.HeadingUpdateState`. Probably changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and
- * `filter_data.EulerAngles`. Supported by 3DM-GX5-15 and 3DM-GX5-45. Probably supported by 3DM-CL5-15, 3DM-CL5-25,
- * 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-25,
- * 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * `filter_data.EulerAngles`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
  */
@@ -1543,9 +1460,7 @@ export declare class HeadingSource<R extends Response | undefined = undefined | 
  * Sets whether the filter initializes automatically at power-up.
  *
  * Also called `auto_init_control`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
- * `AutoInitializationControlResponse`. Supported by 3DM-GX5-15 and 3DM-GX5-45. Probably supported by 3DM-CL5-15,
- * 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45,
- * 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Refused by 3DM-CV7-AR.
+ * `AutoInitializationControlResponse`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
  * It needs a valid heading source.
  *
@@ -1577,10 +1492,7 @@ export declare class AutoInitializationControl<R extends Response | undefined = 
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AccelNoiseResponse`. Probably changes
  * `filter_data.LlhPositionUncertainty`, `filter_data.EcefPositionUncertainty`, `filter_data.NedVelocityUncertainty`,
  * `filter_data.EcefVelocityUncertainty` and `filter_data.AccelBiasUncertainty`. Supported by 3DM-CV7-GNSS/INS,
- * 3DM-GX5-15 and 3DM-GX5-45. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
- * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
- * 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
- * 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * 3DM-GX5-15 and 3DM-GX5-45.
  *
  * The factory values suit most laboratory conditions.
  *
@@ -1612,10 +1524,7 @@ export declare class AccelNoise<R extends Response | undefined = undefined | Acc
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GyroNoiseResponse`. Probably changes
  * `filter_data.EulerAnglesUncertainty`, `filter_data.QuaternionAttitudeUncertainty` and
- * `filter_data.GyroBiasUncertainty`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45. Probably supported by
- * 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15,
- * 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS,
- * 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * `filter_data.GyroBiasUncertainty`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
  *
  * The factory values suit most laboratory conditions.
  *
@@ -1647,8 +1556,6 @@ export declare class GyroNoise<R extends Response | undefined = undefined | Gyro
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AccelBiasModelResponse`. Probably changes
  * `filter_data.AccelBias` and `filter_data.AccelBiasUncertainty`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-45.
- * Probably supported by 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-45, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GV7-INS,
- * 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
  */
@@ -1682,10 +1589,7 @@ export declare class AccelBiasModel<R extends Response | undefined = undefined |
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GyroBiasModelResponse`. Probably changes
  * `filter_data.GyroBias` and `filter_data.GyroBiasUncertainty`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and
- * 3DM-GX5-45. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS,
- * 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ4-45,
- * 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25,
- * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * 3DM-GX5-45.
  *
  * - 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D)
  * - 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
@@ -1720,9 +1624,8 @@ export declare class GyroBiasModel<R extends Response | undefined = undefined | 
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AutoZuptResponse`. Probably changes
  * `filter_data.NedVelocity`, `filter_data.EcefVelocity`, `filter_data.NedVelocityUncertainty` and
- * `filter_data.EcefVelocityUncertainty`. Supported by 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Probably supported by
- * 3DM-CV5-45, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the
- * MicroStrain MIP SDK.
+ * `filter_data.EcefVelocityUncertainty`. Supported by 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Known only from the MicroStrain
+ * MIP SDK.
  *
  * The update applies while the magnitude of the GNSS velocity vector is at or below the threshold.
  *
@@ -1753,9 +1656,7 @@ export declare class AutoZupt<R extends Response | undefined = undefined | AutoZ
  *
  * Sends one measurement of the heading of the sensor frame with its GPS time to the filter.
  *
- * Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15,
- * 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS,
- * 3DM-GV7-INS, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
  *
  * Better than `ExternalHeadingUpdate` if the heading changes quickly; the time must be accurate. Refused unless
  * external heading updates are enabled, by `HeadingSource` on the 3DM-GX5 and by `AidingMeasurementEnable` on the
@@ -1790,9 +1691,7 @@ export declare class ExternalHeadingUpdateWithTime extends Command<undefined> {
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AutoAngularZuptResponse`. Probably changes
  * `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`, `filter_data.GyroBias` and
  * `filter_data.GyroBiasUncertainty`. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and
- * 3DM-GX5-45. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS,
- * 3DM-CV7-AR, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GV7-AHRS,
- * 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * 3DM-GX5-45.
  *
  * The update applies while the magnitude of the angular rate vector is at or below the threshold.
  *
@@ -1828,10 +1727,8 @@ export declare class AutoAngularZupt<R extends Response | undefined = undefined 
  * `sensor.ScaledAccel`, `sensor.ScaledGyro`, `sensor.ScaledMag`, `sensor.DeltaTheta`, `sensor.DeltaVelocity`,
  * `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`, `filter_data.LinearAccel`,
  * `filter_data.CompAngularRate`, `filter_data.GravityVector` and `filter_data.CompAccel`. Supported by 3DM-GX5-15 and
- * 3DM-GX5-45. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25,
- * 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. On the
- * 3DM-GX5-15: `write`, `save`, `load` and `default` only. On the 3DM-GX5-45: `write`, `save`, `load` and `default`
- * only.
+ * 3DM-GX5-45. On the 3DM-GX5-15: `write`, `save`, `load` and `default` only. On the 3DM-GX5-45: `write`, `save`, `load`
+ * and `default` only.
  *
  * Refused while the filter has no valid attitude.
  *
@@ -1862,8 +1759,7 @@ export declare class TareOrientation<R extends Response | undefined = undefined 
  * Tells the filter once that the device is at rest.
  *
  * Probably changes `filter_data.NedVelocity`, `filter_data.EcefVelocity`, `filter_data.NedVelocityUncertainty` and
- * `filter_data.EcefVelocityUncertainty`. Supported by 3DM-GX5-45. Probably supported by 3DM-CV5-45, 3DM-CX5-45,
- * 3DM-GQ4-45, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the MicroStrain MIP SDK.
+ * `filter_data.EcefVelocityUncertainty`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
  *
  * The highest rate depends on the device.
  *
@@ -1879,9 +1775,7 @@ export declare class CommandedZupt extends Command<undefined> {
  * Tells the filter once that the device is not rotating.
  *
  * Probably changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
- * `filter_data.GyroBias` and `filter_data.GyroBiasUncertainty`. Supported by 3DM-GX5-15 and 3DM-GX5-45. Probably
- * supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
- * 3DM-GQ4-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * `filter_data.GyroBias` and `filter_data.GyroBiasUncertainty`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
  * At most 10 per second.
  *
@@ -1897,9 +1791,7 @@ export declare class CommandedAngularZupt extends Command<undefined> {
  * Sets the position for which the device computes gravity (WGS84) and the magnetic field (WMM2015).
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `ReferencePositionResponse`. Changes
- * `filter_data.Wgs84GravityMagnitude` and `filter_data.MagneticModel`. Supported by 3DM-GX5-15. Probably supported by
- * 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-15, 3DM-CX5-25, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-25 and
- * 3DM-GX5-45.
+ * `filter_data.Wgs84GravityMagnitude` and `filter_data.MagneticModel`. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26)
  */
@@ -1936,8 +1828,8 @@ export declare class ReferencePosition<R extends Response | undefined = undefine
  * Moves the result of the automatic magnetometer calibration into the fixed calibration.
  *
  * Also called `mag_capture_auto_cal`. Functions: `write` and `save`. Changes `sensor.ScaledMag`,
- * `filter_data.MagOffset` and `filter_data.MagMatrix`. Supported by 3DM-GX5-45. Probably supported by 3DM-CL5-25,
- * 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45 and 3DM-GX5-25. Known only from the MicroStrain MIP SDK.
+ * `filter_data.MagOffset` and `filter_data.MagMatrix`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP
+ * SDK.
  *
  * A write combines the automatic calibration with `3dm.MagHardIronOffset` and `3dm.MagSoftIronMatrix`, and resets it. A
  * save does the same as the save of both of these commands.
@@ -1961,9 +1853,7 @@ export declare class MagCaptureAutoCalibration extends Command<undefined> {
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GravityNoiseResponse`. Probably changes
  * `filter_data.EulerAnglesUncertainty` and `filter_data.QuaternionAttitudeUncertainty`. Supported by 3DM-CV7-GNSS/INS,
- * 3DM-GX5-15 and 3DM-GX5-45. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
- * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
- * 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS and 3DM-GX5-25.
+ * 3DM-GX5-15 and 3DM-GX5-45.
  *
  * The factory values suit most laboratory conditions.
  *
@@ -1994,9 +1884,8 @@ export declare class GravityNoise<R extends Response | undefined = undefined | G
  * Sets the standard deviation of the noise of the pressure altitude model that the filter assumes.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `PressureAltitudeNoiseResponse`. Probably
- * changes `filter_data.LlhPosition` and `filter_data.LlhPositionUncertainty`. Supported by 3DM-GX5-45. Probably
- * supported by 3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45 and 3DM-GX5-25. Known only from the
- * MicroStrain MIP SDK.
+ * changes `filter_data.LlhPosition` and `filter_data.LlhPositionUncertainty`. Supported by 3DM-GX5-45. Known only from
+ * the MicroStrain MIP SDK.
  *
  * With a small value, the altitude follows the pressure faster, but weather and draughts appear as changes of height.
  *
@@ -2026,8 +1915,8 @@ export declare class PressureAltitudeNoise<R extends Response | undefined = unde
  * Sets the standard deviation of the noise of the estimated hard iron offset (process noise).
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `HardIronOffsetNoiseResponse`. Probably changes
- * `filter_data.MagOffset` and `filter_data.MagOffsetUncertainty`. Supported by 3DM-GX5-45. Probably supported by
- * 3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45 and 3DM-GX5-25. Known only from the MicroStrain MIP SDK.
+ * `filter_data.MagOffset` and `filter_data.MagOffsetUncertainty`. Supported by 3DM-GX5-45. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Hard iron offset noise (0x0D,0x2B)
  */
@@ -2055,8 +1944,8 @@ export declare class HardIronOffsetNoise<R extends Response | undefined = undefi
  * Sets the standard deviation of the noise of the estimated soft iron matrix (process noise).
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `SoftIronMatrixNoiseResponse`. Probably changes
- * `filter_data.MagMatrix` and `filter_data.MagMatrixUncertainty`. Supported by 3DM-GX5-45. Probably supported by
- * 3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45 and 3DM-GX5-25. Known only from the MicroStrain MIP SDK.
+ * `filter_data.MagMatrix` and `filter_data.MagMatrixUncertainty`. Supported by 3DM-GX5-45. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Soft iron matrix noise (0x0D,0x2C)
  */
@@ -2089,8 +1978,6 @@ export declare class SoftIronMatrixNoise<R extends Response | undefined = undefi
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `EnableMeasurementsResponse`. Probably changes
  * `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
  * `filter_data.EulerAnglesUncertainty` and `filter_data.QuaternionAttitudeUncertainty`. Supported by 3DM-GX5-15.
- * Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-15, 3DM-CX5-25, 3DM-GX4-25 and
- * 3DM-GX5-25.
  *
  * - 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41)
  */
@@ -2122,10 +2009,9 @@ export declare class EnableMeasurements<R extends Response | undefined = undefin
  * Sets the standard deviation of the magnetometer noise that the filter assumes.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `MagNoiseResponse`. Probably changes
- * `filter_data.EulerAnglesUncertainty` and `filter_data.QuaternionAttitudeUncertainty`. Supported by 3DM-GX5-45.
- * Probably supported by 3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX4-25, 3DM-GX4-45,
- * 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the MicroStrain MIP SDK. Uncertain: The SDK calls it
- * process noise, although the noise is that of a measurement.
+ * `filter_data.EulerAnglesUncertainty` and `filter_data.QuaternionAttitudeUncertainty`. Supported by 3DM-GX5-45. Known
+ * only from the MicroStrain MIP SDK. Uncertain: The SDK calls it process noise, although the noise is that of a
+ * measurement.
  *
  * - mip-sdk-4: Mag Noise (0x0D,0x42)
  */
@@ -2154,10 +2040,7 @@ export declare class MagNoise<R extends Response | undefined = undefined | MagNo
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `MagneticDeclinationSourceResponse`. Probably
  * changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Supported by
- * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Probably supported by 3DM-CL5-25,
- * 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ4-45,
- * 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Refused
- * by 3DM-GX3-25.
+ * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45.
  *
  * Without a good declination source, keep automatic magnetometer calibration off.
  *
@@ -2202,9 +2085,7 @@ export declare class MagneticDeclinationSource<R extends Response | undefined = 
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by
  * `AccelMagnitudeErrorAdaptiveMeasurementResponse`. Probably changes `filter_data.AttitudeQuaternion`,
  * `filter_data.AttitudeDcm`, `filter_data.EulerAngles`, `filter_data.EulerAnglesUncertainty` and
- * `filter_data.QuaternionAttitudeUncertainty`. Supported by 3DM-GX5-15 and 3DM-GX5-45. Probably supported by
- * 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45,
- * 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Refused by 3DM-CV7-AR.
+ * `filter_data.QuaternionAttitudeUncertainty`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
  * Also called accelerometer magnitude error adaptive measurement. All parameters after the selector keep their values
  * if they are left out. Filter and limits take effect only with `fixed`. Raise the limits where vibration is strong,
@@ -2255,11 +2136,9 @@ export declare class AccelMagnitudeErrorAdaptiveMeasurement<R extends Response |
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `MagMagnitudeErrorAdaptiveMeasurementResponse`.
  * Probably changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
- * `filter_data.EulerAnglesUncertainty` and `filter_data.QuaternionAttitudeUncertainty`. Supported by 3DM-GX5-45.
- * Probably supported by 3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15,
- * 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the MicroStrain MIP SDK.
- * Uncertain: Whether the parameters after the selector may be left out on write, as those of
- * `AccelMagnitudeErrorAdaptiveMeasurement` may.
+ * `filter_data.EulerAnglesUncertainty` and `filter_data.QuaternionAttitudeUncertainty`. Supported by 3DM-GX5-45. Known
+ * only from the MicroStrain MIP SDK. Uncertain: Whether the parameters after the selector may be left out on write, as
+ * those of `AccelMagnitudeErrorAdaptiveMeasurement` may.
  *
  * The limits and the low-pass filter take effect only with `fixed`; with `auto` the device determines the limits. High
  * limits suit high dynamics but do not reject disturbances of the field; low limits can degrade the heading.
@@ -2323,9 +2202,8 @@ export declare class MagMagnitudeErrorAdaptiveMeasurement<R extends Response | u
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `MagDipAngleErrorAdaptiveMeasurementResponse`.
  * Probably changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
- * `filter_data.EulerAnglesUncertainty` and `filter_data.QuaternionAttitudeUncertainty`. Supported by 3DM-GX5-45.
- * Probably supported by 3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX4-25, 3DM-GX4-45,
- * 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the MicroStrain MIP SDK.
+ * `filter_data.EulerAnglesUncertainty` and `filter_data.QuaternionAttitudeUncertainty`. Supported by 3DM-GX5-45. Known
+ * only from the MicroStrain MIP SDK.
  *
  * It has no effect while `AccelMagnitudeErrorAdaptiveMeasurement` or `MagMagnitudeErrorAdaptiveMeasurement` is set to
  * `auto`. High limits suit high dynamics but do not reject disturbances of the field; low limits can degrade the
@@ -2374,8 +2252,8 @@ export declare class MagDipAngleErrorAdaptiveMeasurement<R extends Response | un
  * Selects the source that aids the altitude in addition to GNSS.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AltitudeAidingResponse`. Probably changes
- * `filter_data.LlhPosition` and `filter_data.LlhPositionUncertainty`. Supported by 3DM-GX5-45. Probably supported by
- * 3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45 and 3DM-GX5-25. Known only from the MicroStrain MIP SDK.
+ * `filter_data.LlhPosition` and `filter_data.LlhPositionUncertainty`. Supported by 3DM-GX5-45. Known only from the
+ * MicroStrain MIP SDK.
  *
  * GNSS remains the main source of altitude; the aid improves it and bridges outages. Weather and location shift the
  * pressure altitude, sometimes by more than 40 m.
@@ -2408,8 +2286,7 @@ export declare class AltitudeAiding<R extends Response | undefined = undefined |
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `PitchRollAidingResponse`. Probably changes
  * `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
  * `filter_data.EulerAnglesUncertainty` and `filter_data.QuaternionAttitudeUncertainty`. Supported by 3DM-GX5-15 and
- * 3DM-GX5-45. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25,
- * 3DM-CX5-45 and 3DM-GX5-25. Refused by 3DM-CV7-AR.
+ * 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
  */
@@ -2588,8 +2465,7 @@ export declare class SensorToVehicleRotationQuaternion<R extends Response | unde
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AidingMeasurementEnableResponse`. Changes
  * `filter_data.AidingMeasurementSummary`. Probably changes filter_data (0x82). Supported by 3DM-CV7-AHRS, 3DM-CV7-AR
- * and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
- * 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+ * and 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
  */
@@ -2669,7 +2545,7 @@ export declare class KinematicConstraint<R extends Response | undefined = undefi
  * `InitializationConfigResponse`. Probably changes `filter_data.Status`, `filter_data.LlhPosition`,
  * `filter_data.EcefPosition`, `filter_data.NedVelocity`, `filter_data.EcefVelocity`, `filter_data.AttitudeQuaternion`,
  * `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and
- * 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CX7-INS and 3DM-GV7-INS.
+ * 3DM-GQ7-GNSS/INS.
  *
  * Single precision resolves the latitude and longitude of the initial position to about a metre only. Kinematic
  * alignment sets the heading once the speed reaches 2 m/s. External alignment needs a heading at least every 5 seconds.
@@ -2734,9 +2610,7 @@ export declare class InitializationConfig<R extends Response | undefined = undef
  * Sets how the filter adapts to measurements that do not fit its model.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AdaptiveFilterOptionsResponse`. Probably
- * changes filter_data (0x82). Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV5-45, 3DM-CV7-AHRS,
- * 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS,
- * 3DM-GV7-AR, 3DM-GV7-INS and 3DM-GX5-45.
+ * changes filter_data (0x82). Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
  */
@@ -2772,9 +2646,7 @@ export declare class AdaptiveFilterOptions<R extends Response | undefined = unde
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `MultiAntennaOffsetResponse`. Probably changes
  * `filter_data.LlhPosition`, `filter_data.EcefPosition`, `filter_data.NedVelocity`, `filter_data.EcefVelocity`,
  * `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
- * `filter_data.MultiAntennaOffsetCorrection` and `filter_data.GnssDualAntennaStatus`. Flagged by
- * `filter_data.Cv7StatusFlags.ANTENNA_LEVER_ARM_WARNING` of `filter_data.Cv7StatusFlags`. Supported by
- * 3DM-CV7-GNSS/INS. Probably supported by 3DM-GQ7-GNSS/INS. Refused by 3DM-GX3-25.
+ * `filter_data.MultiAntennaOffsetCorrection` and `filter_data.GnssDualAntennaStatus`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54)
  */
@@ -2807,8 +2679,7 @@ export declare class MultiAntennaOffset<R extends Response | undefined = undefin
  * Sets the reference point of the relative position that the filter reports.
  *
  * Also called `rel_pos_configuration`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
- * `RelativePositionConfigResponse`. Changes `filter_data.NedRelativePosition`. Supported by 3DM-CV7-GNSS/INS. Probably
- * supported by 3DM-CV7-INS, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS and 3DM-GV7-INS.
+ * `RelativePositionConfigResponse`. Changes `filter_data.NedRelativePosition`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
  */
@@ -2848,7 +2719,7 @@ export declare class RelativePositionConfig<R extends Response | undefined = und
  * Also called `ref_point_lever_arm`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
  * `ReferencePointLeverArmResponse`. Changes `filter_data.LlhPosition`, `filter_data.EcefPosition`,
  * `filter_data.NedVelocity`, `filter_data.EcefVelocity` and `filter_data.NedRelativePosition`. Supported by
- * 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS and 3DM-GV7-INS.
+ * 3DM-CV7-GNSS/INS.
  *
  * The shift of positions depends on the attitude, that of velocities on the angular rate as well.
  *
@@ -2909,7 +2780,7 @@ export declare class SpeedMeasurement extends Command<undefined> {
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `SpeedLeverArmResponse`. Probably changes
  * `filter_data.NedVelocity`, `filter_data.EcefVelocity` and `filter_data.OdometerScaleFactorError`. Supported by
- * 3DM-CV7-GNSS/INS. Probably supported by 3DM-GQ7-GNSS/INS.
+ * 3DM-CV7-GNSS/INS.
  *
  * It corrects for the part of the speed at that point that is due to the rotation of the vehicle.
  *
@@ -2975,8 +2846,7 @@ export declare class VerticalGyroConstraintControl<R extends Response | undefine
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `WheeledVehicleConstraintControlResponse`.
  * Probably changes `filter_data.NedVelocity`, `filter_data.EcefVelocity`, `filter_data.AttitudeQuaternion`,
- * `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
- * 3DM-GQ7-GNSS/INS.
+ * `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Supported by 3DM-CV7-GNSS/INS.
  *
  * It improves the heading of cars and similar vehicles, especially with intermittent GNSS. Do not use it for vehicles
  * that move sideways, such as aircraft.

@@ -346,14 +346,7 @@ export declare const Cv7StatusFlags: Bitfield<Cv7StatusFlags> & {
  *
  * Estimated position.
  *
- * Also called `position_llh`. Changed by `filter.SensorToVehicleOffset` and `filter.ReferencePointLeverArm`. Probably
- * changed by `filter.AntennaOffset`, `filter.GnssSource`, `filter.PressureAltitudeNoise`, `filter.AltitudeAiding`,
- * `filter.InitializationConfig` and `filter.MultiAntennaOffset`. Flagged by `Gx5StatusFlags.RUN_GPS_UNAVAILABLE` of
- * `Gx5StatusFlags`, `Gx5StatusFlags.RUN_POSITION_COVARIANCE_WARNING` of `Gx5StatusFlags`,
- * `Gx5StatusFlags.INIT_NO_POSITION_VELOCITY` of `Gx5StatusFlags` and `Cv7StatusFlags.POSITION_WARNING` of
- * `Cv7StatusFlags`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV5-45, 3DM-CV7-INS,
- * 3DM-CX5-45, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GV7-INS, 3DM-GX3-45, 3DM-GX4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and
- * 3DM-RQ1-45-ST. Refused by 3DM-GX3-25 and 3DM-GX5-25.
+ * Also called `position_llh`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: LLH Position (0x82,0x01)
  */
@@ -380,14 +373,7 @@ export declare class LlhPosition extends Data {
  *
  * Estimated velocity.
  *
- * Also called `velocity_ned`. Changed by `filter.ReferencePointLeverArm`. Probably changed by `filter.AntennaOffset`,
- * `filter.GnssSource`, `filter.AutoZupt`, `filter.CommandedZupt`, `filter.KinematicConstraint`,
- * `filter.InitializationConfig`, `filter.MultiAntennaOffset`, `filter.SpeedLeverArm` and
- * `filter.WheeledVehicleConstraintControl`. Flagged by `Gx5StatusFlags.RUN_GPS_UNAVAILABLE` of `Gx5StatusFlags`,
- * `Gx5StatusFlags.RUN_VELOCITY_COVARIANCE_WARNING` of `Gx5StatusFlags`, `Gx5StatusFlags.INIT_NO_POSITION_VELOCITY` of
- * `Gx5StatusFlags` and `Cv7StatusFlags.VELOCITY_WARNING` of `Cv7StatusFlags`. Supported by 3DM-CV7-GNSS/INS and
- * 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-45, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GV7-INS,
- * 3DM-GX3-45, 3DM-GX4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Refused by 3DM-GX3-25 and 3DM-GX5-25.
+ * Also called `velocity_ned`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Velocity NED (0x82,0x02)
  */
@@ -414,21 +400,7 @@ export declare class NedVelocity extends Data {
  *
  * Estimated orientation of the vehicle frame in the NED frame as a quaternion.
  *
- * Changed by `3dm.SensorToVehicleTransformEuler`, `3dm.SensorToVehicleTransformQuaternion`,
- * `3dm.SensorToVehicleTransformDcm`, `filter.SetInitialAttitude`, `filter.SetInitialHeading`,
- * `filter.SetInitialAttitudeFromImu`, `filter.SensorToVehicleRotationEuler`, `filter.TareOrientation`,
- * `filter.SensorToVehicleRotationDcm` and `filter.SensorToVehicleRotationQuaternion`. Probably changed by
- * `filter.HeadingSource`, `filter.AutoAngularZupt`, `filter.CommandedAngularZupt`, `filter.EnableMeasurements`,
- * `filter.MagneticDeclinationSource`, `filter.AccelMagnitudeErrorAdaptiveMeasurement`,
- * `filter.MagMagnitudeErrorAdaptiveMeasurement`, `filter.MagDipAngleErrorAdaptiveMeasurement`,
- * `filter.PitchRollAiding`, `filter.MagneticInclinationSource`, `filter.MagneticMagnitudeSource`,
- * `filter.KinematicConstraint`, `filter.InitializationConfig`, `filter.MultiAntennaOffset`,
- * `filter.VerticalGyroConstraintControl` and `filter.WheeledVehicleConstraintControl`. Flagged by
- * `Gx5StatusFlags.INIT_NO_ATTITUDE` of `Gx5StatusFlags`, `Cv7StatusFlags.ROLL_PITCH_WARNING` of `Cv7StatusFlags` and
- * `Cv7StatusFlags.HEADING_WARNING` of `Cv7StatusFlags`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
- * 3DM-GQ7-GNSS/INS and 3DM-GX5-15. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
- * 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR,
- * 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45. Refused by 3DM-GX3-25.
+ * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
  *
  * `v_vehicle = q^-1 * v_ned * q`. The 3DM-GX5-15 manual documents the inverse rotation.
  *
@@ -451,21 +423,7 @@ export declare class AttitudeQuaternion extends Data {
  *
  * Estimated orientation of the vehicle frame in the NED frame as a rotation matrix.
  *
- * Changed by `3dm.SensorToVehicleTransformEuler`, `3dm.SensorToVehicleTransformQuaternion`,
- * `3dm.SensorToVehicleTransformDcm`, `filter.SetInitialAttitude`, `filter.SetInitialHeading`,
- * `filter.SetInitialAttitudeFromImu`, `filter.SensorToVehicleRotationEuler`, `filter.TareOrientation`,
- * `filter.SensorToVehicleRotationDcm` and `filter.SensorToVehicleRotationQuaternion`. Probably changed by
- * `filter.HeadingSource`, `filter.AutoAngularZupt`, `filter.CommandedAngularZupt`, `filter.EnableMeasurements`,
- * `filter.MagneticDeclinationSource`, `filter.AccelMagnitudeErrorAdaptiveMeasurement`,
- * `filter.MagMagnitudeErrorAdaptiveMeasurement`, `filter.MagDipAngleErrorAdaptiveMeasurement`,
- * `filter.PitchRollAiding`, `filter.MagneticInclinationSource`, `filter.MagneticMagnitudeSource`,
- * `filter.KinematicConstraint`, `filter.InitializationConfig`, `filter.MultiAntennaOffset`,
- * `filter.VerticalGyroConstraintControl` and `filter.WheeledVehicleConstraintControl`. Flagged by
- * `Gx5StatusFlags.INIT_NO_ATTITUDE` of `Gx5StatusFlags`, `Cv7StatusFlags.ROLL_PITCH_WARNING` of `Cv7StatusFlags` and
- * `Cv7StatusFlags.HEADING_WARNING` of `Cv7StatusFlags`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
- * 3DM-GX5-15 and 3DM-GX5-45. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
- * 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
- * 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45 and 3DM-GX5-25.
+ * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
  *
  * The matrix transforms vectors from the NED frame to the vehicle frame: `v_vehicle = dcm * v_ned`.
  *
@@ -488,23 +446,8 @@ export declare class AttitudeDcm extends Data {
  *
  * Estimated orientation of the vehicle frame in the NED frame as Euler angles.
  *
- * Changed by `3dm.SensorToVehicleTransformEuler`, `3dm.SensorToVehicleTransformQuaternion`,
- * `3dm.SensorToVehicleTransformDcm`, `filter.SetInitialAttitude`, `filter.SetInitialHeading`,
- * `filter.SetInitialAttitudeFromImu`, `filter.SensorToVehicleRotationEuler`, `filter.TareOrientation`,
- * `filter.SensorToVehicleRotationDcm` and `filter.SensorToVehicleRotationQuaternion`. Probably changed by
- * `filter.HeadingSource`, `filter.AutoAngularZupt`, `filter.CommandedAngularZupt`, `filter.EnableMeasurements`,
- * `filter.MagneticDeclinationSource`, `filter.AccelMagnitudeErrorAdaptiveMeasurement`,
- * `filter.MagMagnitudeErrorAdaptiveMeasurement`, `filter.MagDipAngleErrorAdaptiveMeasurement`,
- * `filter.PitchRollAiding`, `filter.MagneticInclinationSource`, `filter.MagneticMagnitudeSource`,
- * `filter.KinematicConstraint`, `filter.InitializationConfig`, `filter.MultiAntennaOffset`,
- * `filter.VerticalGyroConstraintControl` and `filter.WheeledVehicleConstraintControl`. Flagged by
- * `Gx5StatusFlags.RUN_ATTITUDE_COVARIANCE_WARNING` of `Gx5StatusFlags`, `Gx5StatusFlags.INIT_NO_ATTITUDE` of
- * `Gx5StatusFlags`, `Cv7StatusFlags.ROLL_PITCH_WARNING` of `Cv7StatusFlags` and `Cv7StatusFlags.HEADING_WARNING` of
- * `Cv7StatusFlags`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and
- * 3DM-GX5-45. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS,
- * 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GV7-AHRS, 3DM-GV7-AR,
- * 3DM-GV7-INS, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Uncertain:
- * The ranges of the angles. Uncertain: which no source states.
+ * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45. Uncertain: The
+ * ranges of the angles. Uncertain: which no source states.
  *
  * The rotations apply in the order yaw, pitch, roll (3-2-1).
  *
@@ -537,13 +480,7 @@ export declare class EulerAngles extends Data {
  *
  * Estimated bias of the gyroscope.
  *
- * Changed by `filter.EstimationControl`. Probably changed by `3dm.GyroBias`, `3dm.CaptureGyroBias`,
- * `filter.GyroBiasModel`, `filter.AutoAngularZupt` and `filter.CommandedAngularZupt`. Flagged by
- * `Gx5StatusFlags.RUN_GYRO_BIAS_EST_HIGH_WARNING` of `Gx5StatusFlags` and `Cv7StatusFlags.IMU_BIAS_WARNING` of
- * `Cv7StatusFlags`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GX5-15. Probably supported by
- * 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
- * 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15,
- * 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45.
+ * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Gyro Bias (0x82,0x06)
  * - 3dm-gx5-15: 5.2.9 Gyro Bias (0x82, 0x06)
@@ -564,10 +501,7 @@ export declare class GyroBias extends Data {
  *
  * Estimated bias of the accelerometer.
  *
- * Changed by `filter.EstimationControl`. Probably changed by `3dm.AccelBias` and `filter.AccelBiasModel`. Flagged by
- * `Gx5StatusFlags.RUN_ACCEL_BIAS_EST_HIGH_WARNING` of `Gx5StatusFlags` and `Cv7StatusFlags.IMU_BIAS_WARNING` of
- * `Cv7StatusFlags`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-45,
- * 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-INS and 3DM-GX5-45. Refused by 3DM-GX4-25.
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Accel Bias (0x82,0x07)
  */
@@ -587,10 +521,7 @@ export declare class AccelBias extends Data {
  *
  * Standard deviation of the estimated position, in the NED frame.
  *
- * Also called `position_llh_uncertainty`. Probably changed by `filter.AccelNoise`, `filter.PressureAltitudeNoise` and
- * `filter.AltitudeAiding`. Flagged by `Gx5StatusFlags.RUN_POSITION_COVARIANCE_WARNING` of `Gx5StatusFlags`. Supported
- * by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-45, 3DM-CX7-INS,
- * 3DM-GV7-INS and 3DM-GX5-45. Refused by 3DM-GX3-25 and 3DM-GX5-25.
+ * Also called `position_llh_uncertainty`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: LLH Position Uncertainty (0x82,0x08)
  */
@@ -620,10 +551,7 @@ export declare class LlhPositionUncertainty extends Data {
  *
  * Standard deviation of the estimated velocity.
  *
- * Also called `velocity_ned_uncertainty`. Probably changed by `filter.AccelNoise`, `filter.AutoZupt` and
- * `filter.CommandedZupt`. Flagged by `Gx5StatusFlags.RUN_VELOCITY_COVARIANCE_WARNING` of `Gx5StatusFlags`. Supported by
- * 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-45, 3DM-CX7-INS,
- * 3DM-GV7-INS and 3DM-GX5-45. Refused by 3DM-GX3-25.
+ * Also called `velocity_ned_uncertainty`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: NED Velocity Uncertainty (0x82,0x09)
  */
@@ -653,13 +581,7 @@ export declare class NedVelocityUncertainty extends Data {
  *
  * Standard deviation of the estimated Euler angles.
  *
- * Probably changed by `filter.GyroNoise`, `filter.GravityNoise`, `filter.EnableMeasurements`, `filter.MagNoise`,
- * `filter.AccelMagnitudeErrorAdaptiveMeasurement`, `filter.MagMagnitudeErrorAdaptiveMeasurement`,
- * `filter.MagDipAngleErrorAdaptiveMeasurement` and `filter.PitchRollAiding`. Flagged by
- * `Gx5StatusFlags.RUN_ATTITUDE_COVARIANCE_WARNING` of `Gx5StatusFlags`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS
- * and 3DM-GX5-15. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS,
- * 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS,
- * 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45. Refused by 3DM-GX3-25.
+ * Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
  *
  * 3DM-GX5: derived from the quaternion, less accurate at steep pitch, and not valid beyond 70 degrees of pitch up or
  * down.
@@ -686,11 +608,7 @@ export declare class EulerAnglesUncertainty extends Data {
  *
  * Standard deviation of the estimated gyroscope bias.
  *
- * Probably changed by `filter.EstimationControl`, `filter.GyroNoise`, `filter.GyroBiasModel`, `filter.AutoAngularZupt`
- * and `filter.CommandedAngularZupt`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. Probably supported by 3DM-CL5-15,
- * 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25,
- * 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS,
- * 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45.
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Gyro Bias Uncertainty (0x82,0x0B)
  * - 3dm-gx5-15: 5.2.10 Gyro Bias Uncertainty (0x82, 0x0B)
@@ -711,9 +629,7 @@ export declare class GyroBiasUncertainty extends Data {
  *
  * Standard deviation of the estimated accelerometer bias.
  *
- * Probably changed by `filter.EstimationControl`, `filter.AccelNoise` and `filter.AccelBiasModel`. Supported by
- * 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-45, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
- * 3DM-GV7-INS and 3DM-GX5-45.
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Accel Bias Uncertainty (0x82,0x0C)
  */
@@ -733,13 +649,7 @@ export declare class AccelBiasUncertainty extends Data {
  *
  * Rate of change of the velocity, with the effect of gravity removed.
  *
- * Changed by `3dm.SensorToVehicleTransformEuler`, `3dm.SensorToVehicleTransformQuaternion`,
- * `3dm.SensorToVehicleTransformDcm`, `3dm.LowPassFilter`, `filter.SensorToVehicleRotationEuler`,
- * `filter.TareOrientation`, `filter.SensorToVehicleRotationDcm` and `filter.SensorToVehicleRotationQuaternion`.
- * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15. Probably supported by
- * 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
- * 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
- * 3DM-GX5-25 and 3DM-GX5-45.
+ * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Linear Accel (0x82,0x0D)
  * - 3dm-gx5-15: 5.2.12 Linear Acceleration (0x82, 0x0D)
@@ -760,13 +670,7 @@ export declare class LinearAccel extends Data {
  *
  * Angular rate without the estimated bias.
  *
- * Changed by `3dm.SensorToVehicleTransformEuler`, `3dm.SensorToVehicleTransformQuaternion`,
- * `3dm.SensorToVehicleTransformDcm`, `3dm.LowPassFilter`, `filter.SensorToVehicleRotationEuler`,
- * `filter.TareOrientation`, `filter.SensorToVehicleRotationDcm` and `filter.SensorToVehicleRotationQuaternion`.
- * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45. Probably
- * supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25,
- * 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25,
- * 3DM-GX4-45 and 3DM-GX5-25. Refused by 3DM-GX3-25.
+ * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
  *
  * - 3dm-cv7-gnss-ins: Comp Angular Rate (0x82,0x0E)
  * - 3dm-gx5-15: 5.2.8 Compensated Angular Rate (0x82, 0x0E)
@@ -787,9 +691,7 @@ export declare class CompAngularRate extends Data {
  *
  * Magnitude of gravity at the position of the device according to the WGS84 model.
  *
- * Also called `wgs84_gravity_mag`. Changed by `filter.ReferencePosition`. Supported by 3DM-GX5-15. Probably supported
- * by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX4-15,
- * 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45.
+ * Also called `wgs84_gravity_mag`. Supported by 3DM-GX5-15.
  *
  * The model is valid up to an altitude of 20 km.
  *
@@ -811,11 +713,7 @@ export declare class Wgs84GravityMagnitude extends Data {
  *
  * State, dynamics mode, condition and warnings of the filter.
  *
- * Changed by `filter.Run`. Probably changed by `3dm.GyroBias`, `3dm.CaptureGyroBias` and `filter.InitializationConfig`.
- * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15. Probably supported by
- * 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
- * 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
- * 3DM-GX5-25 and 3DM-GX5-45. Refused by 3DM-GX3-25.
+ * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
  *
  * The meaning of all three values depends on the device. 3DM-CV7: 4, 1, 1 is normal operation (full navigation, default
  * mode, stable). 5-series: bits 12 and 13 of the flags have other meanings in state `init` than while the filter runs.
@@ -871,9 +769,7 @@ export declare class Status extends Data {
  *
  * GPS time of the filter data.
  *
- * Changed by `base.GpsTimeUpdate`. Flagged by `Cv7StatusFlags.GNSS_CLOCK_WARNING` of `Cv7StatusFlags`. Supported by
- * 3DM-CV7-GNSS/INS and 3DM-GX5-15. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
- * 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45.
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * Without PPS the internal clock drives the time, and the time jumps when the PPS returns. Without synchronization to a
  * receiver or an external clock it is the internal system time. 3DM-CV7: the field may be withdrawn;
@@ -900,12 +796,7 @@ export declare class Timestamp extends Data {
  *
  * Standard deviation of the elements of the estimated attitude quaternion.
  *
- * Probably changed by `filter.GyroNoise`, `filter.GravityNoise`, `filter.EnableMeasurements`, `filter.MagNoise`,
- * `filter.AccelMagnitudeErrorAdaptiveMeasurement`, `filter.MagMagnitudeErrorAdaptiveMeasurement`,
- * `filter.MagDipAngleErrorAdaptiveMeasurement` and `filter.PitchRollAiding`. Supported by 3DM-CV7-GNSS/INS and
- * 3DM-GX5-15. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS,
- * 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
- * 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45.
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Quaternion Attitude Uncertainty (0x82,0x12)
  * - 3dm-gx5-15: 5.2.4 Attitude Uncertainty, Quaternion Elements (0x82, 0x12)
@@ -926,12 +817,7 @@ export declare class QuaternionAttitudeUncertainty extends Data {
  *
  * Estimated gravity.
  *
- * Changed by `3dm.SensorToVehicleTransformEuler`, `3dm.SensorToVehicleTransformQuaternion`,
- * `3dm.SensorToVehicleTransformDcm`, `filter.SensorToVehicleRotationEuler`, `filter.TareOrientation`,
- * `filter.SensorToVehicleRotationDcm` and `filter.SensorToVehicleRotationQuaternion`. Supported by 3DM-CV7-AHRS,
- * 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GX5-15. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25,
- * 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
- * 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45.
+ * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Gravity Vector (0x82,0x13)
  * - 3dm-gx5-15: 5.2.14 Gravity Vector (0x82, 0x13)
@@ -952,9 +838,7 @@ export declare class GravityVector extends Data {
  *
  * The last heading that updated the filter and where it came from.
  *
- * Changed by `filter.HeadingSource`. Supported by 3DM-GX5-15 and 3DM-GX5-45. Probably supported by 3DM-CL5-15,
- * 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX4-25, 3DM-GX4-45 and
- * 3DM-GX5-25.
+ * Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
  * The valid bit means that the source gave data within the last 2 seconds.
  *
@@ -987,9 +871,7 @@ export declare class HeadingUpdateState extends Data {
  *
  * Magnetic field at the position of the device according to the World Magnetic Model.
  *
- * Changed by `filter.ReferencePosition`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CL5-25, 3DM-CV5-25,
- * 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-INS, 3DM-GX4-25, 3DM-GX4-45,
- * 3DM-GX5-25 and 3DM-GX5-45.
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * It is valid only with a valid GNSS position.
  *
@@ -1022,8 +904,7 @@ export declare class MagneticModel extends Data {
  *
  * Estimated scale factor of the gyroscope.
  *
- * Changed by `filter.EstimationControl`. Flagged by `Gx5StatusFlags.RUN_GYRO_SCALE_FACTOR_EST_HIGH_WARNING` of
- * `Gx5StatusFlags`. Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gyro Scale Factor (0x82,0x16)
  */
@@ -1043,8 +924,7 @@ export declare class GyroScaleFactor extends Data {
  *
  * Estimated scale factor of the accelerometer.
  *
- * Changed by `filter.EstimationControl`. Flagged by `Gx5StatusFlags.RUN_ACCEL_SCALE_FACTOR_EST_HIGH_WARNING` of
- * `Gx5StatusFlags`. Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Accel Scale Factor (0x82,0x17)
  */
@@ -1064,8 +944,7 @@ export declare class AccelScaleFactor extends Data {
  *
  * Standard deviation of the estimated scale factor of the gyroscope.
  *
- * Probably changed by `filter.EstimationControl`. Not listed in any device profile. Known only from the MicroStrain MIP
- * SDK.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gyro Scale Factor Uncertainty (0x82,0x18)
  */
@@ -1085,8 +964,7 @@ export declare class GyroScaleFactorUncertainty extends Data {
  *
  * Standard deviation of the estimated scale factor of the accelerometer.
  *
- * Probably changed by `filter.EstimationControl`. Not listed in any device profile. Known only from the MicroStrain MIP
- * SDK.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Accel Scale Factor Uncertainty (0x82,0x19)
  */
@@ -1106,8 +984,7 @@ export declare class AccelScaleFactorUncertainty extends Data {
  *
  * Estimated bias of the magnetometer.
  *
- * Flagged by `Gx5StatusFlags.RUN_MAG_BIAS_EST_HIGH_WARNING` of `Gx5StatusFlags`. Not listed in any device profile.
- * Known only from the MicroStrain MIP SDK.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Mag Bias (0x82,0x1A)
  */
@@ -1147,12 +1024,7 @@ export declare class MagBiasUncertainty extends Data {
  *
  * Acceleration without the estimated bias; it includes gravity.
  *
- * Changed by `3dm.LowPassFilter`, `filter.SensorToVehicleRotationEuler` and `filter.TareOrientation`. Probably changed
- * by `3dm.SensorToVehicleTransformEuler`, `3dm.SensorToVehicleTransformQuaternion`, `3dm.SensorToVehicleTransformDcm`,
- * `filter.SensorToVehicleRotationDcm` and `filter.SensorToVehicleRotationQuaternion`. Supported by 3DM-CV7-AHRS,
- * 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15. Probably supported by 3DM-CL5-15, 3DM-CL5-25,
- * 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR,
- * 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX5-25 and 3DM-GX5-45.
+ * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Compensated Acceleration (0x82,0x1C)
  * - 3dm-gx5-15: 5.2.11 Compensated Acceleration (0x82, 0x1C)
@@ -1173,7 +1045,7 @@ export declare class CompAccel extends Data {
  *
  * US Standard Atmosphere of 1976 at the altitude of the device.
  *
- * Probably supported by 3DM-CV5-45, 3DM-CX5-45 and 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+ * No device is certain to support it. Known only from the MicroStrain MIP SDK.
  *
  * It is valid only with a valid GNSS position.
  *
@@ -1211,9 +1083,7 @@ export declare class StandardAtmosphere extends Data {
  *
  * Altitude from the measured pressure, by the US Standard Atmosphere of 1976.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25,
- * 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR,
- * 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX5-25 and 3DM-GX5-45.
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * It needs a valid pressure. The model ends at a pressure of 0.0037 mbar, an altitude of 84852 m.
  *
@@ -1257,10 +1127,7 @@ export declare class DensityAltitude extends Data {
  *
  * Estimated hard iron offset of the magnetometer.
  *
- * Also called `magnetometer_offset`. Changed by `filter.EstimationControl` and `filter.MagCaptureAutoCalibration`.
- * Probably changed by `filter.HardIronOffsetNoise`. Flagged by `Gx5StatusFlags.RUN_MAG_HARD_IRON_EST_HIGH_WARNING` of
- * `Gx5StatusFlags`. Probably supported by 3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX5-25 and
- * 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+ * No device is certain to support it. Also called `magnetometer_offset`. Known only from the MicroStrain MIP SDK.
  *
  * The filter adds it to the stored offset of `3dm.MagHardIronOffset`.
  *
@@ -1282,10 +1149,7 @@ export declare class MagOffset extends Data {
  *
  * Estimated soft iron matrix of the magnetometer.
  *
- * Also called `magnetometer_matrix`. Changed by `filter.EstimationControl` and `filter.MagCaptureAutoCalibration`.
- * Probably changed by `filter.SoftIronMatrixNoise`. Flagged by `Gx5StatusFlags.RUN_MAG_SOFT_IRON_EST_HIGH_WARNING` of
- * `Gx5StatusFlags`. Probably supported by 3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX5-25 and
- * 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+ * No device is certain to support it. Also called `magnetometer_matrix`. Known only from the MicroStrain MIP SDK.
  *
  * The filter multiplies the stored matrix of `3dm.MagSoftIronMatrix` by it, from the right.
  *
@@ -1307,9 +1171,8 @@ export declare class MagMatrix extends Data {
  *
  * Standard deviation of the estimated hard iron offset.
  *
- * Also called `magnetometer_offset_uncertainty`. Probably changed by `filter.EstimationControl` and
- * `filter.HardIronOffsetNoise`. Probably supported by 3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45,
- * 3DM-GX5-25 and 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+ * No device is certain to support it. Also called `magnetometer_offset_uncertainty`. Known only from the MicroStrain
+ * MIP SDK.
  *
  * - mip-sdk-4: Magnetometer offset uncertainty (0x82,0x28)
  */
@@ -1329,9 +1192,8 @@ export declare class MagOffsetUncertainty extends Data {
  *
  * Standard deviation of the estimated soft iron matrix.
  *
- * Also called `magnetometer_matrix_uncertainty`. Probably changed by `filter.EstimationControl` and
- * `filter.SoftIronMatrixNoise`. Probably supported by 3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45,
- * 3DM-GX5-25 and 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+ * No device is certain to support it. Also called `magnetometer_matrix_uncertainty`. Known only from the MicroStrain
+ * MIP SDK.
  *
  * - mip-sdk-4: Magnetometer matrix uncertainty (0x82,0x29)
  */
@@ -1393,9 +1255,7 @@ export declare class MagResidualVector extends Data {
  *
  * Estimated error of the offset of the GNSS antenna.
  *
- * Changed by `filter.EstimationControl`. Probably changed by `filter.AntennaOffset`. Flagged by
- * `Gx5StatusFlags.RUN_ANTENNA_OFFSET_CORRECTION_EST_HIGH_WARNING` of `Gx5StatusFlags`. Not listed in any device
- * profile. Known only from the MicroStrain MIP SDK.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * The filter adds it to the stored offset of `filter.AntennaOffset`.
  *
@@ -1417,8 +1277,7 @@ export declare class AntennaOffsetCorrection extends Data {
  *
  * Standard deviation of the estimated error of the offset of the GNSS antenna.
  *
- * Probably changed by `filter.EstimationControl`. Not listed in any device profile. Known only from the MicroStrain MIP
- * SDK.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Antenna offset correction uncertainty (0x82,0x31)
  */
@@ -1438,8 +1297,7 @@ export declare class AntennaOffsetCorrectionUncertainty extends Data {
  *
  * Estimated clock error of one GNSS receiver.
  *
- * Flagged by `Cv7StatusFlags.GNSS_CLOCK_WARNING` of `Cv7StatusFlags`. Not listed in any device profile. Known only from
- * the MicroStrain MIP SDK.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Clock correction (0x82,0x32)
  */
@@ -1486,9 +1344,7 @@ export declare class ClockCorrectionUncertainty extends Data {
  *
  * Estimated error of the offset of one GNSS antenna.
  *
- * Changed by `filter.GnssAntennaCalibrationControl`. Probably changed by `filter.MultiAntennaOffset`. Flagged by
- * `Cv7StatusFlags.ANTENNA_LEVER_ARM_WARNING` of `Cv7StatusFlags`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
- * Refused by 3DM-CV7-AHRS.
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * The filter adds it to the stored offset.
  *
@@ -1512,8 +1368,7 @@ export declare class MultiAntennaOffsetCorrection extends Data {
  *
  * Standard deviation of the estimated error of the offset of one GNSS antenna.
  *
- * Probably changed by `filter.GnssAntennaCalibrationControl`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
- * 3DM-GQ7-GNSS/INS.
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Multi Antenna Offset Correction Uncertainty (0x82,0x35)
  */
@@ -1535,8 +1390,7 @@ export declare class MultiAntennaOffsetCorrectionUncertainty extends Data {
  *
  * Standard deviation of the estimated position.
  *
- * Also called `ecef_pos_uncertainty`. Probably changed by `filter.AccelNoise`. Supported by 3DM-CV7-GNSS/INS and
- * 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS. Refused by 3DM-GX3-25.
+ * Also called `ecef_pos_uncertainty`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: ECEF Position Uncertainty (0x82,0x36)
  */
@@ -1556,9 +1410,7 @@ export declare class EcefPositionUncertainty extends Data {
  *
  * Standard deviation of the estimated velocity.
  *
- * Also called `ecef_vel_uncertainty`. Probably changed by `filter.AccelNoise`, `filter.AutoZupt` and
- * `filter.CommandedZupt`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-INS,
- * 3DM-CX7-INS and 3DM-GV7-INS. Refused by 3DM-GX3-25.
+ * Also called `ecef_vel_uncertainty`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: ECEF Velocity Uncertainty (0x82,0x37)
  */
@@ -1578,10 +1430,7 @@ export declare class EcefVelocityUncertainty extends Data {
  *
  * Estimated position.
  *
- * Also called `ecef_pos`. Changed by `filter.ReferencePointLeverArm`. Probably changed by `filter.AntennaOffset`,
- * `filter.GnssSource`, `filter.InitializationConfig` and `filter.MultiAntennaOffset`. Flagged by
- * `Cv7StatusFlags.POSITION_WARNING` of `Cv7StatusFlags`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably
- * supported by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS. Refused by 3DM-GX3-25.
+ * Also called `ecef_pos`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: ECEF Position (0x82,0x40)
  */
@@ -1601,12 +1450,7 @@ export declare class EcefPosition extends Data {
  *
  * Estimated velocity.
  *
- * Also called `ecef_vel`. Changed by `filter.ReferencePointLeverArm`. Probably changed by `filter.AntennaOffset`,
- * `filter.GnssSource`, `filter.AutoZupt`, `filter.CommandedZupt`, `filter.KinematicConstraint`,
- * `filter.InitializationConfig`, `filter.MultiAntennaOffset`, `filter.SpeedLeverArm` and
- * `filter.WheeledVehicleConstraintControl`. Flagged by `Cv7StatusFlags.VELOCITY_WARNING` of `Cv7StatusFlags`. Supported
- * by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS. Refused by
- * 3DM-GX3-25.
+ * Also called `ecef_vel`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: ECEF Velocity (0x82,0x41)
  */
@@ -1626,9 +1470,7 @@ export declare class EcefVelocity extends Data {
  *
  * Estimated position relative to the point that `filter.RelativePositionConfig` sets.
  *
- * Also called `rel_pos_ned`. Changed by `filter.RelativePositionConfig` and `filter.ReferencePointLeverArm`. Flagged by
- * `Cv7StatusFlags.POSITION_WARNING` of `Cv7StatusFlags`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably
- * supported by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS.
+ * Also called `rel_pos_ned`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: NED Relative Position (0x82,0x42)
  */
@@ -1648,9 +1490,7 @@ export declare class NedRelativePosition extends Data {
  *
  * Use of the position measurements of one GNSS receiver by the filter.
  *
- * Also called `gnss_pos_aid_status`. Probably changed by `filter.GnssSource`. Supported by 3DM-CV7-GNSS/INS and
- * 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS. Refused by 3DM-CV7-AHRS, 3DM-GX3-25
- * and 3DM-GX5-25.
+ * Also called `gnss_pos_aid_status`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * Single precision resolves the time of week to 0.0625 s at the end of the week.
  *
@@ -1721,8 +1561,7 @@ export declare class HeadingAidingStatus extends Data {
  *
  * Use of one kind of aiding measurement in the last measurement interval.
  *
- * Changed by `filter.AidingMeasurementEnable`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported
- * by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS.
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * Single precision resolves the time of week to 0.0625 s at the end of the week.
  *
@@ -1745,7 +1584,7 @@ export declare class AidingMeasurementSummary extends Data {
  *
  * Estimated relative error of the odometer scale factor.
  *
- * Probably changed by `filter.SpeedLeverArm`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-GQ7-GNSS/INS.
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * Estimated scale factor = configured scale factor * (1 + error).
  *
@@ -1764,7 +1603,7 @@ export declare class OdometerScaleFactorError extends Data {
  *
  * Uncertainty of the estimated error of the odometer scale factor.
  *
- * Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-GQ7-GNSS/INS.
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Odometer Scale Factor Error Uncertainty (0x82,0x48)
  */
@@ -1784,8 +1623,7 @@ export declare class OdometerScaleFactorErrorUncertainty extends Data {
  *
  * Heading that two GNSS antennas give.
  *
- * Probably changed by `filter.MultiAntennaOffset`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Refused by
- * 3DM-CV7-AHRS and 3DM-GX5-25.
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * Single precision resolves the time of week to 0.0625 s at the end of the week.
  *
@@ -1821,8 +1659,7 @@ export declare class GnssDualAntennaStatus extends Data {
  *
  * Estimated error of a frame that `aiding.FrameConfig` defines; it is corrected for.
  *
- * Changed by `aiding.FrameConfig`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-CV7-INS. Probably
- * supported by 3DM-CX7-INS and 3DM-GV7-INS.
+ * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
  *
  * - 3dm-cv7-gnss-ins: Aiding Frame Configuration Error (0x82,0x50)
  */
@@ -1841,8 +1678,7 @@ export declare class AidingFrameConfigError extends Data {
  *
  * Uncertainty of the estimated error of a frame that `aiding.FrameConfig` defines.
  *
- * Probably changed by `aiding.FrameConfig`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS,
- * 3DM-CX7-INS and 3DM-GV7-INS.
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Aiding Frame Configuration Error Uncertainty (0x82,0x51)
  */

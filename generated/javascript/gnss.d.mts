@@ -141,7 +141,7 @@ export declare const SpartnConnection: Enumeration<SpartnConnection> & {
 /**
  * Receiver info response (0x0E,0x81).
  *
- * Answers `ReceiverInfo`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-GQ7-GNSS/INS.
+ * Answers `ReceiverInfo`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Receiver Info (0x0E,0x01)
  */
@@ -155,8 +155,7 @@ export declare class ReceiverInfoResponse extends Response {
 /**
  * Signal configuration response (0x0E,0x82).
  *
- * Also called `signal_configuration_response`. Answers `SignalConfig`. Supported by 3DM-CV7-GNSS/INS. Probably
- * supported by 3DM-GQ7-GNSS/INS.
+ * Also called `signal_configuration_response`. Answers `SignalConfig`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Signal Configuration (0x0E,0x02)
  * - 3dm-cv7-gnss-ins: GNSS
@@ -193,8 +192,8 @@ export declare class RtkConfigResponse extends Response {
 /**
  * RTK dongle configuration response (0x0E,0x90).
  *
- * Also called `rtk_dongle_configuration_response`. Answers `RtkDongleConfig`. Probably supported by 3DM-GQ7-GNSS/INS.
- * Known only from the MicroStrain MIP SDK.
+ * No device is certain to support it. Also called `rtk_dongle_configuration_response`. Answers `RtkDongleConfig`. Known
+ * only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: RTK dongle configuration (0x0E,0x10)
  */
@@ -240,7 +239,7 @@ export declare class SpartnConfigResponse extends Response {
  *
  * Gets the GNSS receivers of the device.
  *
- * Answered by `ReceiverInfoResponse`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-GQ7-GNSS/INS.
+ * Answered by `ReceiverInfoResponse`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Receiver Info (0x0E,0x01)
  */
@@ -255,8 +254,7 @@ export declare class ReceiverInfo extends Command<ReceiverInfoResponse> {
  *
  * Also called `signal_configuration`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
  * `SignalConfigResponse`. Probably changes `gnss_data.FixInfo`, `gnss_data.SatelliteStatus` and `gnss_data.Raw`.
- * Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-GQ7-GNSS/INS. Refused by 3DM-GX3-25. On the
- * 3DM-GQ7-GNSS/INS: firmware > 1.0.10.
+ * Supported by 3DM-CV7-GNSS/INS. On the 3DM-GQ7-GNSS/INS: firmware > 1.0.10.
  *
  * A device accepts certain combinations only. The 3DM-CV7-GNSS/INS needs GPS or Galileo, and rejects GPS L1 with BeiDou
  * L1 alone. For GPS and BeiDou it accepts none, L1, or L1 and L5; for Galileo none, or L1 and L5; for GLONASS none or
@@ -350,9 +348,9 @@ export declare class RtkConfig<R extends Response | undefined = undefined | RtkC
  *
  * Switches the communication with a connected RTK dongle on or off.
  *
- * Also called `rtk_dongle_configuration`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
- * `RtkDongleConfigResponse`. Probably changes `gnss_data.RtkCorrectionsStatus`. Probably supported by 3DM-GQ7-GNSS/INS.
- * Refused by 3DM-GX3-25. Known only from the MicroStrain MIP SDK.
+ * No device is certain to support it. Also called `rtk_dongle_configuration`. Functions: `write`, `read`, `save`,
+ * `load` and `default`. Answered by `RtkDongleConfigResponse`. Probably changes `gnss_data.RtkCorrectionsStatus`. Known
+ * only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: RTK dongle configuration (0x0E,0x10)
  */

@@ -661,10 +661,7 @@ export declare const BeidouIonoCorrectionFlags: Bitfield<BeidouIonoCorrectionFla
  * GNSS position as latitude, longitude and height.
  *
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
- * gnss_external_2 (0x95). Also called `pos_llh`. Probably changed by `3dm.GpsDynamicsMode` and `gnss.RtkConfig`.
- * Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV5-45, 3DM-CX5-35,
- * 3DM-CX5-45, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GV7-INS, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-45, 3DM-GX5-35, 3DM-GX5-45,
- * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Refused by 3DM-CV7-AHRS, 3DM-GX3-25 and 3DM-GX5-25.
+ * gnss_external_2 (0x95). Also called `pos_llh`. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS LLH Position (0x91,0x03)
  * - 3dm-cv7-gnss-ins: GNSS LLH Position (0x92,0x03)
@@ -710,7 +707,6 @@ export declare class LlhPosition extends Data {
  *
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
  * gnss_external_2 (0x95). Also called `pos_ecef`. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GQ7-GNSS/INS.
- * Probably supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX5-35 and 3DM-GX5-45.
  *
  * - 3dm-cv7-gnss-ins: GNSS ECEF Position (0x91,0x04)
  * - 3dm-cv7-gnss-ins: GNSS ECEF Position (0x92,0x04)
@@ -737,10 +733,7 @@ export declare class EcefPosition extends Data {
  * GNSS velocity in the local level frame.
  *
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
- * gnss_external_2 (0x95). Also called `vel_ned`. Probably changed by `3dm.GpsDynamicsMode`. Supported by
- * 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45,
- * 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GV7-INS, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and
- * 3DM-RQ1-45-ST. Refused by 3DM-GX3-25.
+ * gnss_external_2 (0x95). Also called `vel_ned`. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: NED Velocity (0x91,0x05)
  * - 3dm-cv7-gnss-ins: NED Velocity (0x92,0x05)
@@ -785,7 +778,7 @@ export declare class NedVelocity extends Data {
  *
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
  * gnss_external_2 (0x95). Also called `vel_ecef`. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS, 3DM-GQ7-GNSS/INS and
- * 3DM-GX5-35. Probably supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45 and 3DM-GX5-45.
+ * 3DM-GX5-35.
  *
  * - 3dm-gx5-35: 5.2.4 ECEF Velocity (0x81, 0x06)
  * - 3dm-cv7-gnss-ins: GNSS ECEF Velocity (0x91,0x06)
@@ -813,8 +806,7 @@ export declare class EcefVelocity extends Data {
  * Dilution of precision of the satellite geometry.
  *
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
- * gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS and 3DM-CV7-INS. Probably supported by 3DM-CV5-45, 3DM-CX5-35,
- * 3DM-CX5-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-35 and 3DM-GX5-45.
+ * gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
  *
  * - 3dm-cv7-gnss-ins: DOP (0x91,0x07)
  * - 3dm-cv7-gnss-ins: DOP (0x92,0x07)
@@ -845,8 +837,7 @@ export declare class Dop extends Data {
  * Coordinated universal time as the receiver knows it.
  *
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
- * gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS and 3DM-CV7-INS. Probably supported by 3DM-CV5-45, 3DM-CX5-35,
- * 3DM-CX5-45, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-INS, 3DM-GX5-35 and 3DM-GX5-45.
+ * gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
  *
  * - 3dm-cv7-gnss-ins: UTC Time (0x91,0x08)
  * - 3dm-cv7-gnss-ins: UTC Time (0x92,0x08)
@@ -880,10 +871,7 @@ export declare class UtcTime extends Data {
  * GPS time as the receiver knows it.
  *
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
- * gnss_external_2 (0x95). Flagged by `types.Gq7ContinuousBuiltInTest.GPS_TIME_FAULT` of
- * `types.Gq7ContinuousBuiltInTest`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV5-45, 3DM-CX5-35,
- * 3DM-CX5-45, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT
- * and 3DM-RQ1-45-ST.
+ * gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GPS Time (0x91,0x09)
  * - 3dm-cv7-gnss-ins: GPS Time (0x92,0x09)
@@ -906,9 +894,8 @@ export declare class GpsTime extends Data {
  *
  * Bias and drift of the receiver clock.
  *
- * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
- * gnss_external_2 (0x95). Probably supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX5-35 and 3DM-GX5-45. Known
- * only from the MicroStrain MIP SDK.
+ * No device is certain to support it. Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections
+ * (0x93), gnss_external (0x94) and gnss_external_2 (0x95). Known only from the MicroStrain MIP SDK.
  *
  * Clock info 2 replaces it, with more detail.
  *
@@ -935,21 +922,7 @@ export declare class ClockInfo extends Data {
  * Type of the position fix and what it is based on.
  *
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
- * gnss_external_2 (0x95). Probably changed by `3dm.ConstellationSettings`, `gnss.SignalConfig` and `gnss.RtkConfig`.
- * Flagged by `types.Cv7ContinuousBuiltInTest.GNSS_RECEIVER_1_STALL` of `types.Cv7ContinuousBuiltInTest`,
- * `types.Cv7ContinuousBuiltInTest.GNSS_RECEIVER_2_STALL` of `types.Cv7ContinuousBuiltInTest`,
- * `types.Cv7ContinuousBuiltInTest.RECEIVER_1_FAULT` of `types.Cv7ContinuousBuiltInTest`,
- * `types.Cv7ContinuousBuiltInTest.RECEIVER_1_NO_SOLUTION` of `types.Cv7ContinuousBuiltInTest`,
- * `types.Cv7ContinuousBuiltInTest.RECEIVER_2_FAULT` of `types.Cv7ContinuousBuiltInTest`,
- * `types.Cv7ContinuousBuiltInTest.RECEIVER_2_NO_SOLUTION` of `types.Cv7ContinuousBuiltInTest`,
- * `types.Gq7ContinuousBuiltInTest.RECEIVER_1_POWER_FAULT` of `types.Gq7ContinuousBuiltInTest`,
- * `types.Gq7ContinuousBuiltInTest.RECEIVER_1_FAULT` of `types.Gq7ContinuousBuiltInTest`,
- * `types.Gq7ContinuousBuiltInTest.RECEIVER_1_SOLUTION_FAULT` of `types.Gq7ContinuousBuiltInTest`,
- * `types.Gq7ContinuousBuiltInTest.RECEIVER_2_POWER_FAULT` of `types.Gq7ContinuousBuiltInTest`,
- * `types.Gq7ContinuousBuiltInTest.RECEIVER_2_FAULT` of `types.Gq7ContinuousBuiltInTest` and
- * `types.Gq7ContinuousBuiltInTest.RECEIVER_2_SOLUTION_FAULT` of `types.Gq7ContinuousBuiltInTest`. Supported by
- * 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45,
- * 3DM-CX7-INS, 3DM-GV7-INS, 3DM-GX5-35 and 3DM-GX5-45. Refused by 3DM-CV7-AHRS, 3DM-GX3-25 and 3DM-GX5-25.
+ * gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Fix Info (0x91,0x0B)
  * - 3dm-cv7-gnss-ins: Fix Info (0x92,0x0B)
@@ -975,9 +948,8 @@ export declare class FixInfo extends Data {
  * One satellite that is tracked.
  *
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
- * gnss_external_2 (0x95). Probably changed by `3dm.ConstellationSettings`. Supported by 3DM-GX5-45. Probably supported
- * by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45 and 3DM-GX5-35. Known only from the MicroStrain MIP SDK. Uncertain: Whether a
- * packet holds one of these fields or several.
+ * gnss_external_2 (0x95). Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK. Uncertain: Whether a packet
+ * holds one of these fields or several.
  *
  * Each satellite is sent as one field, in packets separate from other GNSS data.
  *
@@ -1012,12 +984,7 @@ export declare class SvInfo extends Data {
  * State of the receiver and of its antenna.
  *
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
- * gnss_external_2 (0x95). Also called `hw_status`. Flagged by `types.Gq7ContinuousBuiltInTest.ANTENNA_1_SHORTED` of
- * `types.Gq7ContinuousBuiltInTest`, `types.Gq7ContinuousBuiltInTest.ANTENNA_1_OPEN` of
- * `types.Gq7ContinuousBuiltInTest`, `types.Gq7ContinuousBuiltInTest.ANTENNA_2_SHORTED` of
- * `types.Gq7ContinuousBuiltInTest` and `types.Gq7ContinuousBuiltInTest.ANTENNA_2_OPEN` of
- * `types.Gq7ContinuousBuiltInTest`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Probably supported
- * by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45 and 3DM-GX5-35.
+ * gnss_external_2 (0x95). Also called `hw_status`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45.
  *
  * - 3dm-cv7-gnss-ins: GNSS Hardware Status (0x91,0x0D)
  * - 3dm-cv7-gnss-ins: GNSS Hardware Status (0x92,0x0D)
@@ -1041,9 +1008,8 @@ export declare class HardwareStatus extends Data {
  *
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
  * gnss_external_2 (0x95). Distinguished from `DgpsInfoSatellite` by the size of its data. Supported by 3DM-GX5-35 and
- * 3DM-GX5-45. Probably supported by 3DM-CV5-45, 3DM-CX5-35 and 3DM-CX5-45. Uncertain: Whether any device sends
- * `DgpsInfoSatellite`, the layout of the SDK, instead. Only this one agrees with the valid flags, which are the same in
- * all sources.
+ * 3DM-GX5-45. Uncertain: Whether any device sends `DgpsInfoSatellite`, the layout of the SDK, instead. Only this one
+ * agrees with the valid flags, which are the same in all sources.
  *
  * The sources contradict each other. This layout is in a manual of the 3DM-GX5-35, in MSCL and in the SDK of 2014.
  *
@@ -1112,8 +1078,8 @@ export declare class DgpsInfoSatellite extends Data {
  * Differential correction for one satellite.
  *
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
- * gnss_external_2 (0x95). Supported by 3DM-GX5-45. Probably supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45 and
- * 3DM-GX5-35. Known only from the MIP SDK of 2014, MicroStrain Communication Library and MicroStrain MIP SDK.
+ * gnss_external_2 (0x95). Supported by 3DM-GX5-45. Known only from the MIP SDK of 2014, MicroStrain Communication
+ * Library and MicroStrain MIP SDK.
  *
  * Each active satellite is sent as one field, all in one packet.
  *
@@ -1147,7 +1113,7 @@ export declare class DgpsChannel extends Data {
  * Bias and drift of the receiver clock.
  *
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
- * gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS and 3DM-CV7-INS. Probably supported by 3DM-GQ7-GNSS/INS.
+ * gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
  *
  * It supersedes clock info.
  *
@@ -1180,7 +1146,7 @@ export declare class ClockInfo2 extends Data {
  * Difference between GPS time and UTC.
  *
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
- * gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS and 3DM-CV7-INS. Probably supported by 3DM-GQ7-GNSS/INS.
+ * gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
  *
  * - 3dm-cv7-gnss-ins: GPS Leap Seconds (0x91,0x11)
  * - 3dm-cv7-gnss-ins: GPS Leap Seconds (0x92,0x11)
@@ -1199,8 +1165,7 @@ export declare class GpsLeapSeconds extends Data {
  * Status of the satellite based augmentation.
  *
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
- * gnss_external_2 (0x95). Probably changed by `3dm.GnssSbasSettings`. Supported by 3DM-CV7-GNSS/INS and
- * 3DM-GQ7-GNSS/INS. Refused by 3DM-CV7-AHRS and 3DM-GX5-25.
+ * gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: SBAS Info (0x91,0x12)
  * - 3dm-cv7-gnss-ins: SBAS Info (0x92,0x12)
@@ -1232,8 +1197,7 @@ export declare class SbasInfo extends Data {
  * SBAS correction for one satellite.
  *
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
- * gnss_external_2 (0x95). Probably changed by `3dm.GnssSbasSettings`. Not listed in any device profile. Known only from
- * the MicroStrain MIP SDK.
+ * gnss_external_2 (0x95). Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * An epoch is sent as one field for each satellite; `index` and `count` number the fields. For `udrei` 0 to 13, the
  * variances in m^2 are 0.0520, 0.0924, 0.1444, 0.2830, 0.4678, 0.8315, 1.2992, 1.8709, 2.5465, 3.3260, 5.1968, 20.7870,
@@ -1280,8 +1244,7 @@ export declare class SbasCorrection extends Data {
  * Jamming and spoofing that the receiver detects in one band.
  *
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
- * gnss_external_2 (0x95). Supported by 3DM-CV7-INS and 3DM-GQ7-GNSS/INS. Refused by 3DM-CV7-AHRS and 3DM-GX5-25. Known
- * only from the MicroStrain MIP SDK.
+ * gnss_external_2 (0x95). Supported by 3DM-CV7-INS and 3DM-GQ7-GNSS/INS. Known only from the MicroStrain MIP SDK.
  *
  * Version 4.0.0 of the SDK reserves the two bytes of `frequency`. Firmware of that time sends 0 there and leaves its
  * flag clear.
@@ -1339,8 +1302,7 @@ export declare class Heading extends Data {
  * Direction to one satellite, and its health.
  *
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
- * gnss_external_2 (0x95). Probably changed by `3dm.ConstellationSettings` and `gnss.SignalConfig`. Supported by
- * 3DM-CV7-GNSS/INS and 3DM-CV7-INS. Probably supported by 3DM-CX7-INS, 3DM-GQ7-GNSS/INS and 3DM-GV7-INS.
+ * gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
  *
  * An epoch is sent as one field for each satellite; `index` and `count` number the fields.
  *
@@ -1384,8 +1346,7 @@ export declare class SatelliteStatus extends Data {
  * Raw observation of one signal of one satellite.
  *
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
- * gnss_external_2 (0x95). Probably changed by `gnss.SignalConfig`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
- * 3DM-GQ7-GNSS/INS.
+ * gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS.
  *
  * An epoch is sent as one field for each signal; `index` and `count` number the fields. The greatest lock time depends
  * on the receiver.
@@ -1502,9 +1463,7 @@ export declare class BaseStationInfo extends Data {
  * Received corrections and their age.
  *
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
- * gnss_external_2 (0x95). Probably changed by `gnss.RtkDongleConfig` and `gnss.SpartnConfig`. Flagged by
- * `types.Gq7ContinuousBuiltInTest.RTCM_COMM_FAULT` of `types.Gq7ContinuousBuiltInTest`. Supported by 3DM-CV7-GNSS/INS
- * and 3DM-GQ7-GNSS/INS. Refused by 3DM-GX5-25.
+ * gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * - mip-sdk-4: Rtk Corrections Status (0x81,0x31)
  * - 3dm-cv7-gnss-ins: RTK Corrections Status (0x93,0x31)
@@ -1560,7 +1519,7 @@ export declare class RtkCorrectionsStatus extends Data {
  * Broadcast orbit and clock of one GPS satellite.
  *
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
- * gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-GQ7-GNSS/INS.
+ * gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS.
  *
  * `iodc` changes with the clock data; according to the manual, it rolls over at 4.
  *
@@ -1684,8 +1643,7 @@ export declare class GpsEphemeris extends Data {
  * Broadcast orbit and clock of one GLONASS satellite.
  *
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
- * gnss_external_2 (0x95). Also called `glo_ephemeris`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
- * 3DM-GQ7-GNSS/INS.
+ * gnss_external_2 (0x95). Also called `glo_ephemeris`. Supported by 3DM-CV7-GNSS/INS.
  *
  * The interface control document of GLONASS explains p and ft. A period of four years has 1461 days; no source states
  * how nt, a u8, counts them.
@@ -1782,7 +1740,7 @@ export declare class GlonassEphemeris extends Data {
  * Broadcast orbit and clock of one Galileo satellite.
  *
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
- * gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-GQ7-GNSS/INS.
+ * gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS.
  *
  * The layout is that of the GPS ephemeris. No source states what the two inter-signal corrections mean here. `iodc`
  * changes with the clock data; according to the manual, it rolls over at 4.
@@ -1910,7 +1868,7 @@ export declare class GalileoEphemeris extends Data {
  * Broadcast orbit and clock of one BeiDou satellite.
  *
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
- * gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-GQ7-GNSS/INS.
+ * gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS.
  *
  * The layout is that of the GPS ephemeris. No source states what the two inter-signal corrections mean here. `iodc`
  * changes with the clock data; according to the manual, it rolls over at 4.

@@ -69,7 +69,7 @@ export declare const LedAction: Enumeration<LedAction> & {
 /**
  * Get status flags response (0x0F,0x81).
  *
- * Answers `GetStatusFlags`. Probably supported by 3DM-RTK. Known only from the MicroStrain MIP SDK.
+ * No device is certain to support it. Answers `GetStatusFlags`. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Get status flags (0x0F,0x01)
  */
@@ -152,8 +152,8 @@ export declare class ConnectedDeviceTypeResponse extends Response {
 /**
  * Get activation code response (0x0F,0x87).
  *
- * Also called `get_act_code_response`. Answers `GetActivationCode`. Probably supported by 3DM-RTK. Known only from the
- * MicroStrain MIP SDK.
+ * No device is certain to support it. Also called `get_act_code_response`. Answers `GetActivationCode`. Known only from
+ * the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Get Act Code (0x0F,0x07)
  */
@@ -202,8 +202,7 @@ export declare class ServiceStatusResponse extends Response {
  *
  * Gets the state of the modem and of the corrections.
  *
- * Answered by `GetStatusFlagsResponse`. Flagged by `types.Gq7ContinuousBuiltInTest.RTK_DONGLE_FAULT` of
- * `types.Gq7ContinuousBuiltInTest`. Probably supported by 3DM-RTK. Known only from the MicroStrain MIP SDK.
+ * No device is certain to support it. Answered by `GetStatusFlagsResponse`. Known only from the MicroStrain MIP SDK.
  *
  * The word of the response has two forms, `types.RtkStatusFlags` and `types.RtkStatusFlagsLegacy`.
  *
@@ -298,8 +297,8 @@ export declare class ConnectedDeviceType<R extends Response | undefined = undefi
  *
  * Reads the code with which the modem is activated for its service.
  *
- * Also called `get_act_code`. Answered by `GetActivationCodeResponse`. Probably supported by 3DM-RTK. Known only from
- * the MicroStrain MIP SDK.
+ * No device is certain to support it. Also called `get_act_code`. Answered by `GetActivationCodeResponse`. Known only
+ * from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Get Act Code (0x0F,0x07)
  */

@@ -47,8 +47,7 @@ export declare const OdometerFlags: Bitfield<OdometerFlags> & {
  *
  * Raw acceleration in counts of the sensor, temperature compensated.
  *
- * Refused by 3DM-CV5-10, 3DM-GX5-15 and 3DM-GX5-45. Not listed in any device profile. Known only from the MIP SDK of
- * 2014 and MicroStrain MIP SDK.
+ * Not listed in any device profile. Known only from the MIP SDK of 2014 and MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Raw accel (0x80,0x01)
  * - mip-sdk-2014: Raw accel (0x80,0x01)
@@ -64,7 +63,7 @@ export declare class RawAccel extends Data {
  *
  * Raw angular rate in counts of the sensor, temperature compensated.
  *
- * Refused by 3DM-GX5-15. Not listed in any device profile. Known only from the MIP SDK of 2014 and MicroStrain MIP SDK.
+ * Not listed in any device profile. Known only from the MIP SDK of 2014 and MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Raw gyro (0x80,0x02)
  * - mip-sdk-2014: Raw gyro (0x80,0x02)
@@ -99,30 +98,8 @@ export declare class RawMag extends Data {
  *
  * Specific force, temperature compensated: about -1 g on z when level and at rest.
  *
- * Changed by `3dm.SensorToVehicleTransformEuler`, `3dm.SensorToVehicleTransformQuaternion`,
- * `3dm.SensorToVehicleTransformDcm`, `3dm.ImuSignalConditioning`, `3dm.AccelBias`, `3dm.ImuLowPassFilter`,
- * `3dm.LowPassFilter`, `filter.SensorToVehicleRotationEuler`, `filter.TareOrientation`,
- * `filter.SensorToVehicleRotationDcm` and `filter.SensorToVehicleRotationQuaternion`. Probably changed by
- * `3dm.SensorRange`. Flagged by `types.Cv7BuiltInTest.ACCEL_FAULT` of `types.Cv7BuiltInTest`,
- * `types.Cv7ContinuousBuiltInTest.IMU_CALIBRATION_ERROR_ACCEL` of `types.Cv7ContinuousBuiltInTest`,
- * `types.Cv7ContinuousBuiltInTest.ACCEL_GENERAL_FAULT` of `types.Cv7ContinuousBuiltInTest`,
- * `types.Cv7ContinuousBuiltInTest.ACCEL_OVER_RANGE` of `types.Cv7ContinuousBuiltInTest`,
- * `types.Cv7ContinuousBuiltInTest.ACCEL_SELF_TEST_FAIL` of `types.Cv7ContinuousBuiltInTest`,
- * `types.Cv7InertialContinuousBuiltInTest.IMU_CALIBRATION_ERROR_ACCEL` of `types.Cv7InertialContinuousBuiltInTest`,
- * `types.Cv7InertialContinuousBuiltInTest.ACCEL_GENERAL_FAULT` of `types.Cv7InertialContinuousBuiltInTest`,
- * `types.Cv7InertialContinuousBuiltInTest.ACCEL_OVER_RANGE` of `types.Cv7InertialContinuousBuiltInTest`,
- * `types.Cv7InertialContinuousBuiltInTest.ACCEL_SELF_TEST_FAIL` of `types.Cv7InertialContinuousBuiltInTest`,
- * `types.Gq7ContinuousBuiltInTest.IMU_CALIBRATION_ERROR_ACCEL` of `types.Gq7ContinuousBuiltInTest`,
- * `types.Gq7ContinuousBuiltInTest.ACCEL_GENERAL_FAULT` of `types.Gq7ContinuousBuiltInTest`,
- * `types.Gq7ContinuousBuiltInTest.ACCEL_OVER_RANGE` of `types.Gq7ContinuousBuiltInTest`,
- * `types.Gq7ContinuousBuiltInTest.ACCEL_SELF_TEST_FAIL` of `types.Gq7ContinuousBuiltInTest`, `OverrangeFlags.ACCEL_X`
- * of `OverrangeFlags`, `OverrangeFlags.ACCEL_Y` of `OverrangeFlags`, `OverrangeFlags.ACCEL_Z` of `OverrangeFlags` and
- * `filter_data.Gx5StatusFlags.RUN_IMU_UNAVAILABLE` of `filter_data.Gx5StatusFlags`. Supported by 3DM-CV7-AHRS,
- * 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CX5-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45. Probably supported
- * by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-10,
- * 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GV7-AHRS, 3DM-GV7-AR,
- * 3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10,
- * 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CX5-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35 and
+ * 3DM-GX5-45.
  *
  * Level and at rest, z reads −1 g: the opposite of the gravity vector. In the packet that both manuals show, z is
  * −0.998 g (0xBF7F7FE5) once its exchanged halves are put in order.
@@ -144,30 +121,8 @@ export declare class ScaledAccel extends Data {
  *
  * Measured angular rate, temperature compensated.
  *
- * Changed by `3dm.SensorToVehicleTransformEuler`, `3dm.SensorToVehicleTransformQuaternion`,
- * `3dm.SensorToVehicleTransformDcm`, `3dm.ImuSignalConditioning`, `3dm.GyroBias`, `3dm.CaptureGyroBias`,
- * `3dm.ImuLowPassFilter`, `3dm.LowPassFilter`, `filter.SensorToVehicleRotationEuler`, `filter.TareOrientation`,
- * `filter.SensorToVehicleRotationDcm` and `filter.SensorToVehicleRotationQuaternion`. Probably changed by
- * `3dm.SensorRange`. Flagged by `types.Cv7BuiltInTest.GYRO_FAULT` of `types.Cv7BuiltInTest`,
- * `types.Cv7ContinuousBuiltInTest.IMU_CALIBRATION_ERROR_GYRO` of `types.Cv7ContinuousBuiltInTest`,
- * `types.Cv7ContinuousBuiltInTest.GYRO_GENERAL_FAULT` of `types.Cv7ContinuousBuiltInTest`,
- * `types.Cv7ContinuousBuiltInTest.GYRO_OVER_RANGE` of `types.Cv7ContinuousBuiltInTest`,
- * `types.Cv7ContinuousBuiltInTest.GYRO_SELF_TEST_FAIL` of `types.Cv7ContinuousBuiltInTest`,
- * `types.Cv7InertialContinuousBuiltInTest.IMU_CALIBRATION_ERROR_GYRO` of `types.Cv7InertialContinuousBuiltInTest`,
- * `types.Cv7InertialContinuousBuiltInTest.GYRO_GENERAL_FAULT` of `types.Cv7InertialContinuousBuiltInTest`,
- * `types.Cv7InertialContinuousBuiltInTest.GYRO_OVER_RANGE` of `types.Cv7InertialContinuousBuiltInTest`,
- * `types.Cv7InertialContinuousBuiltInTest.GYRO_SELF_TEST_FAIL` of `types.Cv7InertialContinuousBuiltInTest`,
- * `types.Gq7ContinuousBuiltInTest.IMU_CALIBRATION_ERROR_GYRO` of `types.Gq7ContinuousBuiltInTest`,
- * `types.Gq7ContinuousBuiltInTest.GYRO_GENERAL_FAULT` of `types.Gq7ContinuousBuiltInTest`,
- * `types.Gq7ContinuousBuiltInTest.GYRO_OVER_RANGE` of `types.Gq7ContinuousBuiltInTest`,
- * `types.Gq7ContinuousBuiltInTest.GYRO_SELF_TEST_FAIL` of `types.Gq7ContinuousBuiltInTest`, `OverrangeFlags.GYRO_X` of
- * `OverrangeFlags`, `OverrangeFlags.GYRO_Y` of `OverrangeFlags`, `OverrangeFlags.GYRO_Z` of `OverrangeFlags` and
- * `filter_data.Gx5StatusFlags.RUN_IMU_UNAVAILABLE` of `filter_data.Gx5StatusFlags`. Supported by 3DM-CV7-AHRS,
- * 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CX5-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45. Probably supported
- * by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-10,
- * 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GV7-AHRS, 3DM-GV7-AR,
- * 3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10,
- * 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CX5-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35 and
+ * 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 5.1.2 Scaled Gyro Vector (0x80, 0x05)
  * - 3dm-cv7-gnss-ins: Scaled Gyro (0x80,0x05)
@@ -186,30 +141,7 @@ export declare class ScaledGyro extends Data {
  *
  * Measured magnetic field, temperature compensated.
  *
- * Changed by `3dm.SensorToVehicleTransformEuler`, `3dm.SensorToVehicleTransformQuaternion`,
- * `3dm.SensorToVehicleTransformDcm`, `3dm.MagHardIronOffset`, `3dm.MagSoftIronMatrix`, `3dm.ImuLowPassFilter`,
- * `3dm.LowPassFilter`, `filter.SensorToVehicleRotationEuler`, `filter.TareOrientation`,
- * `filter.MagCaptureAutoCalibration`, `filter.SensorToVehicleRotationDcm` and
- * `filter.SensorToVehicleRotationQuaternion`. Probably changed by `3dm.ImuSignalConditioning`. Flagged by
- * `types.Gx5BuiltInTest.MAG_FAULT` of `types.Gx5BuiltInTest`, `types.Cv7BuiltInTest.MAG_FAULT` of
- * `types.Cv7BuiltInTest`, `types.Cv7ContinuousBuiltInTest.IMU_CALIBRATION_ERROR_MAG` of
- * `types.Cv7ContinuousBuiltInTest`, `types.Cv7ContinuousBuiltInTest.MAG_GENERAL_FAULT` of
- * `types.Cv7ContinuousBuiltInTest`, `types.Cv7ContinuousBuiltInTest.MAG_OVER_RANGE` of
- * `types.Cv7ContinuousBuiltInTest`, `types.Cv7ContinuousBuiltInTest.MAG_SELF_TEST_FAIL` of
- * `types.Cv7ContinuousBuiltInTest`, `types.Cv7InertialContinuousBuiltInTest.IMU_CALIBRATION_ERROR_MAG` of
- * `types.Cv7InertialContinuousBuiltInTest`, `types.Cv7InertialContinuousBuiltInTest.MAG_GENERAL_FAULT` of
- * `types.Cv7InertialContinuousBuiltInTest`, `types.Cv7InertialContinuousBuiltInTest.MAG_OVER_RANGE` of
- * `types.Cv7InertialContinuousBuiltInTest`, `types.Cv7InertialContinuousBuiltInTest.MAG_SELF_TEST_FAIL` of
- * `types.Cv7InertialContinuousBuiltInTest`, `types.Gq7ContinuousBuiltInTest.IMU_CALIBRATION_ERROR_MAG` of
- * `types.Gq7ContinuousBuiltInTest`, `types.Gq7ContinuousBuiltInTest.MAG_GENERAL_FAULT` of
- * `types.Gq7ContinuousBuiltInTest`, `types.Gq7ContinuousBuiltInTest.MAG_OVER_RANGE` of
- * `types.Gq7ContinuousBuiltInTest`, `types.Gq7ContinuousBuiltInTest.MAG_SELF_TEST_FAIL` of
- * `types.Gq7ContinuousBuiltInTest`, `OverrangeFlags.MAG_X` of `OverrangeFlags`, `OverrangeFlags.MAG_Y` of
- * `OverrangeFlags` and `OverrangeFlags.MAG_Z` of `OverrangeFlags`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
- * 3DM-CV7-GNSS/INS, 3DM-CX5-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-35 and 3DM-GX5-45. Probably supported by 3DM-CL5-25,
- * 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ4-45,
- * 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25,
- * 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CX5-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-35 and 3DM-GX5-45.
  *
  * - 3dm-cv7-gnss-ins: Scaled Mag (0x80,0x06)
  */
@@ -224,14 +156,7 @@ export declare class ScaledMag extends Data {
  *
  * Time integral of the angular rate over the period that the message format sets.
  *
- * Changed by `3dm.SensorToVehicleTransformEuler`, `3dm.SensorToVehicleTransformQuaternion`,
- * `3dm.SensorToVehicleTransformDcm`, `3dm.ImuSignalConditioning`, `filter.SensorToVehicleRotationEuler`,
- * `filter.TareOrientation`, `filter.SensorToVehicleRotationDcm` and `filter.SensorToVehicleRotationQuaternion`.
- * Probably changed by `3dm.GyroBias`, `3dm.CaptureGyroBias` and `3dm.ConingScullingEnable`. Supported by
- * 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35. Probably supported by 3DM-CL5-10, 3DM-CL5-15,
- * 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-10,
- * 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR,
- * 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25 and 3DM-GX5-45.
+ * Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35.
  *
  * - 3dm-gx5-15: 5.1.4 Delta Theta Vector (0x80, 0x07)
  * - 3dm-cv7-gnss-ins: Delta Theta (0x80,0x07)
@@ -250,14 +175,7 @@ export declare class DeltaTheta extends Data {
  *
  * Time integral of the acceleration over the period that the message format sets.
  *
- * Changed by `3dm.SensorToVehicleTransformEuler`, `3dm.SensorToVehicleTransformQuaternion`,
- * `3dm.SensorToVehicleTransformDcm`, `3dm.ImuSignalConditioning`, `filter.SensorToVehicleRotationEuler`,
- * `filter.TareOrientation`, `filter.SensorToVehicleRotationDcm` and `filter.SensorToVehicleRotationQuaternion`.
- * Probably changed by `3dm.AccelBias` and `3dm.ConingScullingEnable`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS
- * and 3DM-GX5-15. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25,
- * 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45,
- * 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
- * 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35 and 3DM-GX5-45.
+ * Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
  *
  * Multiply by 9.80665 m/s^2 for a change of velocity in metres per second. It includes gravity. Divided by the period,
  * z is -1 g on a device that is level and at rest.
@@ -276,12 +194,7 @@ export declare class DeltaVelocity extends Data {
  *
  * Attitude from the complementary filter as a direction cosine matrix, relative to the NED frame.
  *
- * Changed by `3dm.SensorToVehicleTransformEuler`, `3dm.SensorToVehicleTransformQuaternion`,
- * `3dm.SensorToVehicleTransformDcm`, `3dm.ImuSignalConditioning` and `3dm.ComplementaryFilter`. Supported by
- * 3DM-CV7-GNSS/INS and 3DM-GX5-15. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
- * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR,
- * 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25,
- * 3DM-GX5-35 and 3DM-GX5-45.
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * `v_vehicle = m * v_ned`; the 3DM-GX5-15 uses the sensor frame in place of the vehicle frame.
  *
@@ -304,12 +217,7 @@ export declare class CompOrientationMatrix extends Data {
  *
  * Attitude from the complementary filter as a quaternion, relative to the NED frame.
  *
- * Changed by `3dm.SensorToVehicleTransformEuler`, `3dm.SensorToVehicleTransformQuaternion`,
- * `3dm.SensorToVehicleTransformDcm`, `3dm.ImuSignalConditioning` and `3dm.ComplementaryFilter`. Supported by
- * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15. Probably supported by 3DM-CL5-15,
- * 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45,
- * 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
- * 3DM-GX5-25, 3DM-GX5-35 and 3DM-GX5-45.
+ * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
  *
  * `v_vehicle = q^-1 * v_ned * q`; the 3DM-GX5-15 uses the sensor frame in place of the vehicle frame.
  *
@@ -332,10 +240,9 @@ export declare class CompQuaternion extends Data {
  *
  * Change of the attitude from the complementary filter as a matrix.
  *
- * Deprecated: the SDK marks it as deprecated and names no replacement. Probably changed by
- * `3dm.SensorToVehicleTransformEuler`, `3dm.SensorToVehicleTransformQuaternion` and `3dm.SensorToVehicleTransformDcm`.
- * Not listed in any device profile. Known only from the MIP SDK of 2014 and MicroStrain MIP SDK. Uncertain: The
- * interval of the change and the frames. The SDK and the SDK of 2014 state the name and the layout only.
+ * Deprecated: the SDK marks it as deprecated and names no replacement. Not listed in any device profile. Known only
+ * from the MIP SDK of 2014 and MicroStrain MIP SDK. Uncertain: The interval of the change and the frames. The SDK and
+ * the SDK of 2014 state the name and the layout only.
  *
  * - mip-sdk-4: Comp Orientation Update Matrix (0x80,0x0B)
  * - mip-sdk-2014: Orientation Update Matrix (0x80,0x0B)
@@ -351,12 +258,7 @@ export declare class CompOrientationUpdateMatrix extends Data {
  *
  * Attitude from the complementary filter as Euler angles, relative to the NED frame.
  *
- * Changed by `3dm.SensorToVehicleTransformEuler`, `3dm.SensorToVehicleTransformQuaternion`,
- * `3dm.SensorToVehicleTransformDcm`, `3dm.ImuSignalConditioning` and `3dm.ComplementaryFilter`. Supported by
- * 3DM-CV7-GNSS/INS and 3DM-GX5-15. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
- * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR,
- * 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25,
- * 3DM-GX5-35 and 3DM-GX5-45. Uncertain: The ranges of the angles. Uncertain: which no source states.
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. Uncertain: The ranges of the angles. Uncertain: which no source states.
  *
  * The rotations are in the order yaw, pitch, roll (3-2-1).
  *
@@ -471,9 +373,7 @@ export declare class PpsTimestampWithFlags extends Data {
  *
  * Estimate of the geomagnetic field by the complementary filter, free of short disturbances.
  *
- * Probably changed by `3dm.ComplementaryFilter`. Supported by 3DM-GX5-15. Probably supported by 3DM-CL5-15, 3DM-CL5-25,
- * 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25,
- * 3DM-GX4-45, 3DM-GX5-25, 3DM-GX5-35 and 3DM-GX5-45.
+ * Supported by 3DM-GX5-15.
  *
  * Without magnetic disturbance it equals the measured magnetic field, as long as that is in the sensor frame, too,
  * which a sensor-to-vehicle transformation changes. A lasting disturbance is not compensated.
@@ -494,9 +394,7 @@ export declare class NorthVector extends Data {
  *
  * Estimate of the vertical (up) by the complementary filter, free of linear acceleration.
  *
- * Probably changed by `3dm.ComplementaryFilter`. Supported by 3DM-GX5-15 and 3DM-GX5-35. Probably supported by
- * 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45,
- * 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45.
+ * Supported by 3DM-GX5-15 and 3DM-GX5-35.
  *
  * At rest it equals the measured acceleration, as long as that is in the sensor frame, too, which a sensor-to-vehicle
  * transformation changes.
@@ -519,10 +417,7 @@ export declare class UpVector extends Data {
  *
  * GPS time of the sensor data.
  *
- * Changed by `base.GpsTimeUpdate`. Probably changed by `3dm.PpsSourceControl`. Supported by 3DM-CV7-GNSS/INS,
- * 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10,
- * 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15,
- * 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25 and 3DM-GX5-45.
+ * Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35.
  *
  * Without a PPS the time runs on the internal clock and jumps when the PPS returns. The fraction of the time of week is
  * the time since the last pulse. Without external synchronization it is the internal system time. Where the device has
@@ -561,9 +456,7 @@ export declare class GpsTimestamp extends Data {
  *
  * Temperatures since the last power-on or reset.
  *
- * Also called `temperature_abs`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by
- * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
- * 3DM-GV7-INS.
+ * Also called `temperature_abs`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * The values come from the inertial sensors, alone or together with sensors on the board.
  *
@@ -599,21 +492,7 @@ export declare class RawPressure extends Data {
  *
  * Measured ambient pressure, temperature compensated.
  *
- * Changed by `3dm.ImuLowPassFilter` and `3dm.LowPassFilter`. Flagged by `types.Gx5BuiltInTest.PRESSURE_SENSOR_FAULT` of
- * `types.Gx5BuiltInTest`, `types.Cv7BuiltInTest.PRESSURE_SENSOR_FAULT` of `types.Cv7BuiltInTest`,
- * `types.Cv7ContinuousBuiltInTest.PRESSURE_SENSOR_GENERAL_FAULT` of `types.Cv7ContinuousBuiltInTest`,
- * `types.Cv7ContinuousBuiltInTest.PRESSURE_SENSOR_OVER_RANGE` of `types.Cv7ContinuousBuiltInTest`,
- * `types.Cv7ContinuousBuiltInTest.PRESSURE_SENSOR_SELF_TEST_FAIL` of `types.Cv7ContinuousBuiltInTest`,
- * `types.Cv7InertialContinuousBuiltInTest.PRESSURE_SENSOR_GENERAL_FAULT` of `types.Cv7InertialContinuousBuiltInTest`,
- * `types.Cv7InertialContinuousBuiltInTest.PRESSURE_SENSOR_OVER_RANGE` of `types.Cv7InertialContinuousBuiltInTest`,
- * `types.Cv7InertialContinuousBuiltInTest.PRESSURE_SENSOR_SELF_TEST_FAIL` of `types.Cv7InertialContinuousBuiltInTest`,
- * `types.Gq7ContinuousBuiltInTest.PRESSURE_SENSOR_GENERAL_FAULT` of `types.Gq7ContinuousBuiltInTest`,
- * `types.Gq7ContinuousBuiltInTest.PRESSURE_SENSOR_OVER_RANGE` of `types.Gq7ContinuousBuiltInTest`,
- * `types.Gq7ContinuousBuiltInTest.PRESSURE_SENSOR_SELF_TEST_FAIL` of `types.Gq7ContinuousBuiltInTest` and
- * `OverrangeFlags.PRESSURE` of `OverrangeFlags`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
- * 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25,
- * 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
- * 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45.
+ * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35.
  *
  * - 3dm-gx5-15: 5.1.3 Scaled Ambient Pressure (0x80, 0x17)
  * - 3dm-cv7-gnss-ins: Scaled Pressure (0x80,0x17)
@@ -629,9 +508,7 @@ export declare class ScaledPressure extends Data {
  *
  * Sensor axes that are near or outside their range.
  *
- * Probably changed by `3dm.SensorRange`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
- * Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
- * Refused by 3DM-GX5-25.
+ * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Overrange Status (0x80,0x18)
  */
@@ -646,7 +523,7 @@ export declare class OverrangeStatus extends Data {
  *
  * Speed measured by the wheel encoder.
  *
- * Also called `odometer_data`. Changed by `3dm.OdometerConfig`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * Also called `odometer_data`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Odometer Data (0x80,0x40)
  */

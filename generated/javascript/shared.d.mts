@@ -41,8 +41,7 @@ export declare const ExternalTimeDeltaFlags: Bitfield<ExternalTimeDeltaFlags> & 
  *
  * The event trigger that caused the packet.
  *
- * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS,
- * 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+ * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
  *
  * Put it first in the format of event messages, to distinguish their packets from scheduled ones.
  *
@@ -96,9 +95,7 @@ export declare class DeltaTicks extends Data {
  *
  * External time of the data as GPS time of week and week number.
  *
- * Changed by `base.GpsTimeUpdate`. Probably changed by `3dm.PpsSourceControl`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
- * 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
- * 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+ * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * In event messages it is the time of the trigger. It becomes valid after the PPS is locked and `base.GpsTimeUpdate`
  * has set the time of week and the week number. With an internal GNSS receiver as PPS source, the device usually sets
@@ -127,8 +124,7 @@ export declare class GpsTimestamp extends Data {
  *
  * External time since this field was last sent in the same set and event instance.
  *
- * Supported by 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-INS, 3DM-CX7-AHRS,
- * 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+ * Supported by 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
  *
  * It is the same as `ExternalTimeDelta`, in other units. Sending either restarts the counter that both share, so use
  * only one of them.
@@ -146,8 +142,7 @@ export declare class DeltaTime extends Data {
  *
  * Time of the data by the internal reference clock.
  *
- * Supported by 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-INS, 3DM-CX7-AHRS,
- * 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+ * Supported by 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
  *
  * The clock starts at power-on, only moves forward and never jumps; the value is always valid. In event messages it is
  * the time of the trigger.
@@ -165,8 +160,7 @@ export declare class ReferenceTimestamp extends Data {
  *
  * Reference time since this field was last sent in the same set and event instance.
  *
- * Supported by 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-INS, 3DM-CX7-AHRS,
- * 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+ * Supported by 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
  *
  * The value is always valid.
  *
@@ -183,9 +177,7 @@ export declare class ReferenceTimeDelta extends Data {
  *
  * Time of the data in the external clock domain.
  *
- * Changed by `base.GpsTimeUpdate`. Probably changed by `3dm.PpsSourceControl`. Supported by 3DM-CV7-AR and
- * 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
- * 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+ * Supported by 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
  *
  * It is `GpsTimestamp` in nanoseconds. In event messages it is the time of the trigger. It becomes valid when the
  * external clock is synchronized through the PPS. Its epoch is that of the time that you send with
@@ -210,8 +202,7 @@ export declare class ExternalTimestamp extends Data {
  *
  * External time since this field was last sent in the same set and event instance.
  *
- * Supported by 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-INS, 3DM-CX7-AHRS,
- * 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+ * Supported by 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
  *
  * It is the same as `DeltaTime`, in other units. Sending either restarts the counter that both share, so use only one
  * of them.

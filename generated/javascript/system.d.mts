@@ -60,10 +60,7 @@ export declare class InterfaceControlResponse extends Response {
 /**
  * Communication mode response (0x7F,0x90).
  *
- * Answers `CommMode`. Supported by 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45. Probably supported by 3DM-CL5-15, 3DM-CL5-25,
- * 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-35,
- * 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-25, 3DM-RQ1-45-LT, 3DM-RQ1-45-ST, 3DM-RQ1-IMU
- * and 3DM-RTK.
+ * Answers `CommMode`. Supported by 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10)
  */
@@ -118,9 +115,7 @@ export declare class InterfaceControl<R extends Response | undefined = undefined
  * Switches the port between the device and one of its internal sensors.
  *
  * For advanced use. Functions: `write`, `read`, `save`, `load` and `default`. Answered by `CommModeResponse`. Supported
- * by 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25,
- * 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15,
- * 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-25, 3DM-RQ1-45-LT, 3DM-RQ1-45-ST, 3DM-RQ1-IMU and 3DM-RTK.
+ * by 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
  *
  * The acknowledge is sent in the old mode, just before the switch. In a direct mode only this command and
  * `3dm.DeviceStatus` of the device itself are answered.

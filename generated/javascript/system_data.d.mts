@@ -27,9 +27,7 @@ export declare const GpioPinStates: Bitfield<GpioPinStates> & {
  *
  * Flags of the tests that run all the time.
  *
- * Supported by 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-INS,
- * 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS. On the 3DM-GQ7-GNSS/INS: firmware >
- * 1.0.10.
+ * Supported by 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. On the 3DM-GQ7-GNSS/INS: firmware > 1.0.10.
  *
  * The field is long; stream it at a low rate or poll it. A fault is reported even if it has passed by the time of the
  * next message, because its flag remains until it is sent. Each stream and each event action keeps its own copy of the
@@ -55,9 +53,7 @@ export declare class BuiltInTest extends Data {
  *
  * Synchronization of the device time with the pulse per second.
  *
- * Changed by `3dm.PpsSourceControl`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by
- * 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS. On
- * the 3DM-GQ7-GNSS/INS: firmware > 1.0.10.
+ * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS. On the 3DM-GQ7-GNSS/INS: firmware > 1.0.10.
  *
  * - 3dm-cv7-gnss-ins: Time Sync Status (0xA0,0x02)
  */
@@ -74,9 +70,7 @@ export declare class TimeSyncStatus extends Data {
  *
  * Levels of all user GPIO pins.
  *
- * Changed by `3dm.GpioState`. Probably changed by `3dm.GpioConfig`. Supported by 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
- * Probably supported by 3DM-CV7-AHRS, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
- * 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS. On the 3DM-GQ7-GNSS/INS: firmware > 1.0.10.
+ * Supported by 3DM-CV7-AR and 3DM-CV7-GNSS/INS. On the 3DM-GQ7-GNSS/INS: firmware > 1.0.10.
  *
  * A pulse that is shorter than the period at which the field is sent is missed. The pins are sampled within one base
  * period of this set. Levels are guaranteed to be valid only for pins that `3dm.GpioConfig` configures for the GPIO
@@ -95,7 +89,7 @@ export declare class GpioState extends Data {
  *
  * Voltage at one GPIO pin.
  *
- * Probably changed by `3dm.GpioConfig`. Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * Only for pins that are configured as analog inputs.
  *

@@ -864,6 +864,10 @@ types:
       - id: watchdog_reset
         type: b1
         doc: The watchdog has reset the processor; cleared by the first commanded test.
+    instances:
+      number:
+        value: "(watchdog_reset ? 1 : 0) + (unused_1 * 2) + (imu_comm_fault ? 256 : 0) + (mag_fault ? 512 : 0) + (pressure_sensor_fault ? 1024 : 0) + (unused_11 * 2048) + (solution_fault ? 16777216 : 0) + (unused_25 * 33554432)"
+        doc: All bits as a number.
   cv7_built_in_test:
     -kind: bits
     doc: Result of the commanded built-in test of the 3DM-CV7-GNSS/INS.
@@ -912,6 +916,10 @@ types:
       - id: general_hardware_fault
         type: b1
         doc: A critical part, such as the oscillator, has failed.
+    instances:
+      number:
+        value: "(general_hardware_fault ? 1 : 0) + (general_firmware_fault ? 2 : 0) + (timing_overload ? 4 : 0) + (buffer_overrun ? 8 : 0) + (unused_4 * 16) + (accel_fault ? 4096 : 0) + (gyro_fault ? 8192 : 0) + (mag_fault ? 16384 : 0) + (pressure_sensor_fault ? 32768 : 0) + (unused_16 * 65536) + (calibration_error ? 262144 : 0) + (general_imu_fault ? 524288 : 0) + (unused_20 * 1048576) + (filter_solution_fault ? 4194304 : 0) + (general_filter_fault ? 8388608 : 0) + (unused_24 * 16777216)"
+        doc: All bits as a number.
   cv7_continuous_built_in_test:
     -kind: bytes
     meta:
@@ -1075,7 +1083,7 @@ types:
         value: "(filter_major_cycle_fault ? 1 : 0) + (filter_minor_cycle_fault ? 2 : 0) + (filter_data_rate_error ? 4 : 0) + (filter_process_stall ? 8 : 0)"
         doc: Set if any filter fault (bits 20-23) is set.
       gnss_subsystem_fault:
-        value: "(gnss_main_process_fault ? 1 : 0) + (gnss_receiver_1_stall ? 2 : 0) + (gnss_receiver_2_stall ? 4 : 0) + ((unused_27 & 1) << 3)"
+        value: "(gnss_main_process_fault ? 1 : 0) + (gnss_receiver_1_stall ? 2 : 0) + (gnss_receiver_2_stall ? 4 : 0) + ((unused_27 & 1) * 8)"
         doc: Set if any GNSS fault (bits 24-27) is set.
   cv7_inertial_continuous_built_in_test:
     -kind: bytes
@@ -1403,6 +1411,10 @@ types:
       - id: active
         type: b1
         doc: Active now, by its condition or by a test mode.
+    instances:
+      number:
+        value: "(active ? 1 : 0) + (enabled ? 2 : 0) + (test ? 4 : 0) + (unused_3 * 8)"
+        doc: All bits as a number.
   gpio_pin_mode:
     -kind: bits
     doc: Electrical options of a GPIO pin; which are allowed depends on device, pin, feature and behavior.
@@ -1418,6 +1430,10 @@ types:
       - id: open_drain
         type: b1
         doc: The output drives low or floats. It usually needs a pull-up.
+    instances:
+      number:
+        value: "(open_drain ? 1 : 0) + (pulldown ? 2 : 0) + (pullup ? 4 : 0) + (unused_3 * 8)"
+        doc: All bits as a number.
   rtk_status_flags:
     -kind: bits
     doc: "State of the modem and of the corrections. Models of another kind send `rtk_status_flags_legacy`."
@@ -1457,6 +1473,10 @@ types:
       - id: modem_state
         type: b4
         doc: State of the modem.
+    instances:
+      number:
+        value: "modem_state + (connection_type * 16) + (rssi * 256) + (signal_quality * 65536) + (tower_change_indicator * 1048576) + (nmea_timeout ? 16777216 : 0) + (server_timeout ? 33554432 : 0) + (corrections_timeout ? 67108864 : 0) + (device_out_of_range ? 134217728 : 0) + (corrections_unavailable ? 268435456 : 0) + (unused_29 ? 536870912 : 0) + (version * 1073741824)"
+        doc: All bits as a number.
   rtk_status_flags_legacy:
     -kind: bits
     doc: State of the modem and of the corrections, in its older form.
@@ -1491,6 +1511,10 @@ types:
       - id: controller_state
         type: b3
         doc: State of the controller.
+    instances:
+      number:
+        value: "controller_state + (platform_state * 8) + (controller_status_code * 256) + (platform_status_code * 2048) + (reset_code * 16384) + (signal_quality * 65536) + (rssi * 1048576) + (rsrp * 67108864) + (rsrq * 268435456) + (sinr * 1073741824)"
+        doc: All bits as a number.
   sensor_gps_timestamp_flags:
     -kind: bits
     doc: State of the GPS time of sensor data.
@@ -1512,6 +1536,10 @@ types:
       - id: pps_valid
         type: b1
         doc: The PPS signal is present.
+    instances:
+      number:
+        value: "(pps_valid ? 1 : 0) + (time_refresh ? 2 : 0) + (time_initialized ? 4 : 0) + (tow_valid ? 8 : 0) + (week_number_valid ? 16 : 0) + (unused_5 * 32)"
+        doc: All bits as a number.
   gx5_sensor_gps_timestamp_flags:
     -kind: bits
     doc: State of the GPS time of sensor data on the 3DM-GX5-15, which has no bits for the validity of the values.
@@ -1527,6 +1555,10 @@ types:
       - id: pps_valid
         type: b1
         doc: The PPS signal is present; without it, the internal clock drives the time.
+    instances:
+      number:
+        value: "(pps_valid ? 1 : 0) + (time_refresh ? 2 : 0) + (time_initialized ? 4 : 0) + (unused_3 * 8)"
+        doc: All bits as a number.
   mip_3dm_constellation_options:
     -kind: bits
     doc: Options of a constellation.
@@ -1536,6 +1568,10 @@ types:
       - id: l1saif
         type: b1
         doc: The L1-SAIF signal; QZSS only.
+    instances:
+      number:
+        value: "(l1saif ? 1 : 0) + (unused_1 * 2)"
+        doc: All bits as a number.
   mip_3dm_sbas_options:
     -kind: bits
     doc: Use of SBAS.
@@ -1551,6 +1587,10 @@ types:
       - id: enable_ranging
         type: b1
         doc: SBAS pseudoranges are used in the position solution.
+    instances:
+      number:
+        value: "(enable_ranging ? 1 : 0) + (enable_corrections ? 2 : 0) + (apply_integrity ? 4 : 0) + (unused_3 * 8)"
+        doc: All bits as a number.
   mip_3dm_data_conditioning_flags:
     -kind: bits
     doc: Processing steps of 3-series devices.
@@ -1591,6 +1631,10 @@ types:
       - id: orientation_calculation
         type: b1
         doc: Computes the orientation.
+    instances:
+      number:
+        value: "(orientation_calculation ? 1 : 0) + (coning_sculling ? 2 : 0) + (unused_2 * 4) + (little_endian_floats ? 16 : 0) + (nan_suppressed ? 32 : 0) + (finite_size_correction ? 64 : 0) + (unused_7 ? 128 : 0) + (disable_mag ? 256 : 0) + (mag_low_power ? 512 : 0) + (disable_north_compensation ? 1024 : 0) + (disable_up_compensation ? 2048 : 0) + (quaternion_calculation ? 4096 : 0) + (unused_13 * 8192)"
+        doc: All bits as a number.
   filter_estimated_states:
     -kind: bits
     doc: States that the filter estimates.
@@ -1618,6 +1662,10 @@ types:
       - id: gyro_bias
         type: b1
         doc: Estimate the gyroscope bias (recommended).
+    instances:
+      number:
+        value: "(gyro_bias ? 1 : 0) + (accel_bias ? 2 : 0) + (gyro_scale_factor ? 4 : 0) + (accel_scale_factor ? 8 : 0) + (antenna_offset ? 16 : 0) + (auto_hard_iron ? 32 : 0) + (auto_soft_iron ? 64 : 0) + (unused_7 * 128)"
+        doc: All bits as a number.
   filter_tare_axes:
     -kind: bits
     doc: Axes to tare; 0 resets all axes.
@@ -1633,6 +1681,10 @@ types:
       - id: roll
         type: b1
         doc: The present roll becomes zero.
+    instances:
+      number:
+        value: "(roll ? 1 : 0) + (pitch ? 2 : 0) + (yaw ? 4 : 0) + (unused_3 * 8)"
+        doc: All bits as a number.
   filter_measurement_flags:
     -kind: bits
     doc: Measurements that the filter uses.
@@ -1645,6 +1697,10 @@ types:
       - id: accel
         type: b1
         doc: Accelerometer measurements.
+    instances:
+      number:
+        value: "(accel ? 1 : 0) + (mag ? 2 : 0) + (unused_2 * 4)"
+        doc: All bits as a number.
   filter_heading_alignment:
     -kind: bits
     doc: Methods by which the device may determine its initial heading.
@@ -1663,6 +1719,10 @@ types:
       - id: dual_antenna
         type: b1
         doc: From the baseline between two GNSS antennas.
+    instances:
+      number:
+        value: "(dual_antenna ? 1 : 0) + (kinematic ? 2 : 0) + (mag ? 4 : 0) + (external ? 8 : 0) + (unused_4 * 16)"
+        doc: All bits as a number.
   gnss_gps_signals:
     -kind: bits
     doc: GPS signals that are enabled.
@@ -1676,6 +1736,10 @@ types:
       - id: l1ca
         type: b1
         doc: L1 C/A.
+    instances:
+      number:
+        value: "(l1ca ? 1 : 0) + (l2c ? 2 : 0) + (l5 ? 4 : 0) + (unused_3 * 8)"
+        doc: All bits as a number.
   gnss_glonass_signals:
     -kind: bits
     doc: GLONASS signals that are enabled.
@@ -1686,6 +1750,10 @@ types:
         type: b1
       - id: l1of
         type: b1
+    instances:
+      number:
+        value: "(l1of ? 1 : 0) + (l2of ? 2 : 0) + (unused_2 * 4)"
+        doc: All bits as a number.
   gnss_galileo_signals:
     -kind: bits
     doc: Galileo signals that are enabled.
@@ -1698,6 +1766,10 @@ types:
         type: b1
       - id: e1
         type: b1
+    instances:
+      number:
+        value: "(e1 ? 1 : 0) + (e5b ? 2 : 0) + (e5a ? 4 : 0) + (unused_3 * 8)"
+        doc: All bits as a number.
   gnss_beidou_signals:
     -kind: bits
     doc: BeiDou signals that are enabled.
@@ -1710,6 +1782,10 @@ types:
         type: b1
       - id: b1
         type: b1
+    instances:
+      number:
+        value: "(b1 ? 1 : 0) + (b2 ? 2 : 0) + (b2a ? 4 : 0) + (unused_3 * 8)"
+        doc: All bits as a number.
   rtk_service_flags:
     -kind: bits
     doc: State of the correction service.
@@ -1722,6 +1798,10 @@ types:
       - id: throttle
         type: b1
         doc: The server limits the rate.
+    instances:
+      number:
+        value: "(throttle ? 1 : 0) + (corrections_unavailable ? 2 : 0) + (unused_2 * 4)"
+        doc: All bits as a number.
   aiding_axis_flags:
     -kind: bits
     doc: Valid axes of a measurement; the others are ignored.
@@ -1737,6 +1817,10 @@ types:
       - id: x
         type: b1
         doc: First axis.
+    instances:
+      number:
+        value: "(x ? 1 : 0) + (y ? 2 : 0) + (z ? 4 : 0) + (unused_3 * 8)"
+        doc: All bits as a number.
   aiding_llh_axis_flags:
     -kind: bits
     doc: Valid coordinates of a position; the others are ignored.
@@ -1752,6 +1836,10 @@ types:
       - id: latitude
         type: b1
         doc: Latitude and its uncertainty are valid.
+    instances:
+      number:
+        value: "(latitude ? 1 : 0) + (longitude ? 2 : 0) + (height ? 4 : 0) + (unused_3 * 8)"
+        doc: All bits as a number.
   system_comm_protocols:
     -kind: bits
     doc: Protocols of a port.
@@ -1778,6 +1866,10 @@ types:
         type: b7
       - id: mip
         type: b1
+    instances:
+      number:
+        value: "(mip ? 1 : 0) + (unused_1 * 2) + (nmea ? 256 : 0) + (rtcm ? 512 : 0) + (unused_10 * 1024) + (spartn ? 16777216 : 0) + (unused_25 * 33554432) + (sbf ? 536870912 : 0) + (unused_30 * 1073741824)"
+        doc: All bits as a number.
   sensor_overrange_flags:
     -kind: bits
     doc: Sensor axes that were near or outside their range.
@@ -1820,6 +1912,10 @@ types:
       - id: accel_x
         type: b1
         doc: The accelerometer x axis is near or outside its range.
+    instances:
+      number:
+        value: "(accel_x ? 1 : 0) + (accel_y ? 2 : 0) + (accel_z ? 4 : 0) + (unused_3 ? 8 : 0) + (gyro_x ? 16 : 0) + (gyro_y ? 32 : 0) + (gyro_z ? 64 : 0) + (unused_7 ? 128 : 0) + (mag_x ? 256 : 0) + (mag_y ? 512 : 0) + (mag_z ? 1024 : 0) + (unused_11 ? 2048 : 0) + (pressure ? 4096 : 0) + (unused_13 * 8192)"
+        doc: All bits as a number.
   sensor_odometer_flags:
     -kind: bits
     doc: Validity of the odometer values.
@@ -1829,6 +1925,10 @@ types:
       - id: odometer
         type: b1
         doc: Set if an odometer is configured; its values are then valid.
+    instances:
+      number:
+        value: "(odometer ? 1 : 0) + (unused_1 * 2)"
+        doc: All bits as a number.
   gnss_data_llh_position_flags:
     -kind: bits
     doc: Valid parts of the position.
@@ -1851,6 +1951,9 @@ types:
         type: b1
         doc: "`latitude` and `longitude` are valid."
     instances:
+      number:
+        value: "(lat_lon ? 1 : 0) + (ellipsoid_height ? 2 : 0) + (msl_height ? 4 : 0) + (horizontal_accuracy ? 8 : 0) + (vertical_accuracy ? 16 : 0) + (unused_5 * 32)"
+        doc: All bits as a number.
       flags:
         value: "(lat_lon ? 1 : 0) + (ellipsoid_height ? 2 : 0) + (msl_height ? 4 : 0) + (horizontal_accuracy ? 8 : 0) + (vertical_accuracy ? 16 : 0)"
         doc: All values are valid.
@@ -1867,6 +1970,9 @@ types:
         type: b1
         doc: "`position` is valid."
     instances:
+      number:
+        value: "(position ? 1 : 0) + (position_accuracy ? 2 : 0) + (unused_2 * 4)"
+        doc: All bits as a number.
       flags:
         value: "(position ? 1 : 0) + (position_accuracy ? 2 : 0)"
         doc: All values are valid.
@@ -1895,6 +2001,9 @@ types:
         type: b1
         doc: "`velocity` is valid."
     instances:
+      number:
+        value: "(velocity ? 1 : 0) + (speed_3d ? 2 : 0) + (ground_speed ? 4 : 0) + (heading ? 8 : 0) + (speed_accuracy ? 16 : 0) + (heading_accuracy ? 32 : 0) + (unused_6 * 64)"
+        doc: All bits as a number.
       flags:
         value: "(velocity ? 1 : 0) + (speed_3d ? 2 : 0) + (ground_speed ? 4 : 0) + (heading ? 8 : 0) + (speed_accuracy ? 16 : 0) + (heading_accuracy ? 32 : 0)"
         doc: All values are valid.
@@ -1911,6 +2020,9 @@ types:
         type: b1
         doc: "`velocity` is valid."
     instances:
+      number:
+        value: "(velocity ? 1 : 0) + (velocity_accuracy ? 2 : 0) + (unused_2 * 4)"
+        doc: All bits as a number.
       flags:
         value: "(velocity ? 1 : 0) + (velocity_accuracy ? 2 : 0)"
         doc: All values are valid.
@@ -1942,6 +2054,9 @@ types:
         type: b1
         doc: "`gdop` is valid."
     instances:
+      number:
+        value: "(gdop ? 1 : 0) + (pdop ? 2 : 0) + (hdop ? 4 : 0) + (vdop ? 8 : 0) + (tdop ? 16 : 0) + (ndop ? 32 : 0) + (edop ? 64 : 0) + (unused_7 * 128)"
+        doc: All bits as a number.
       flags:
         value: "(gdop ? 1 : 0) + (pdop ? 2 : 0) + (hdop ? 4 : 0) + (vdop ? 8 : 0) + (tdop ? 16 : 0) + (ndop ? 32 : 0) + (edop ? 64 : 0)"
         doc: All values are valid.
@@ -1958,6 +2073,9 @@ types:
         type: b1
         doc: Date and time come from GNSS.
     instances:
+      number:
+        value: "(gnss_date_time ? 1 : 0) + (leap_seconds_known ? 2 : 0) + (unused_2 * 4)"
+        doc: All bits as a number.
       flags:
         value: "(gnss_date_time ? 1 : 0) + (leap_seconds_known ? 2 : 0)"
         doc: All values are valid.
@@ -1974,6 +2092,9 @@ types:
         type: b1
         doc: "`tow` is valid."
     instances:
+      number:
+        value: "(tow ? 1 : 0) + (week_number ? 2 : 0) + (unused_2 * 4)"
+        doc: All bits as a number.
       flags:
         value: "(tow ? 1 : 0) + (week_number ? 2 : 0)"
         doc: All values are valid.
@@ -1993,6 +2114,9 @@ types:
         type: b1
         doc: "`bias` is valid."
     instances:
+      number:
+        value: "(bias ? 1 : 0) + (drift ? 2 : 0) + (accuracy_estimate ? 4 : 0) + (unused_3 * 8)"
+        doc: All bits as a number.
       flags:
         value: "(bias ? 1 : 0) + (drift ? 2 : 0) + (accuracy_estimate ? 4 : 0)"
         doc: All values are valid.
@@ -2008,6 +2132,10 @@ types:
       - id: sbas_used
         type: b1
         doc: SBAS corrections were used in the fix.
+    instances:
+      number:
+        value: "(sbas_used ? 1 : 0) + (dgnss_used ? 2 : 0) + (unused_2 * 4)"
+        doc: All bits as a number.
   gnss_data_fix_info_flags:
     -kind: bits
     doc: Valid parts of the fix information.
@@ -2024,6 +2152,9 @@ types:
         type: b1
         doc: "`fix_type` is valid."
     instances:
+      number:
+        value: "(fix_type ? 1 : 0) + (num_sv ? 2 : 0) + (fix_flags ? 4 : 0) + (unused_3 * 8)"
+        doc: All bits as a number.
       flags:
         value: "(fix_type ? 1 : 0) + (num_sv ? 2 : 0) + (fix_flags ? 4 : 0)"
         doc: All values are valid.
@@ -2039,6 +2170,10 @@ types:
       - id: used_for_navigation
         type: b1
         doc: The position fix uses it.
+    instances:
+      number:
+        value: "(used_for_navigation ? 1 : 0) + (healthy ? 2 : 0) + (unused_2 * 4)"
+        doc: All bits as a number.
   gnss_data_sv_info_flags:
     -kind: bits
     doc: Valid parts of the satellite info.
@@ -2064,6 +2199,9 @@ types:
         type: b1
         doc: "`channel` is valid."
     instances:
+      number:
+        value: "(channel ? 1 : 0) + (satellite_id ? 2 : 0) + (carrier_noise_ratio ? 4 : 0) + (azimuth ? 8 : 0) + (elevation ? 16 : 0) + (sv_flags ? 32 : 0) + (unused_6 * 64)"
+        doc: All bits as a number.
       flags:
         value: "(channel ? 1 : 0) + (satellite_id ? 2 : 0) + (carrier_noise_ratio ? 4 : 0) + (azimuth ? 8 : 0) + (elevation ? 16 : 0) + (sv_flags ? 32 : 0)"
         doc: All values are valid.
@@ -2083,6 +2221,9 @@ types:
         type: b1
         doc: "`receiver_state` is valid."
     instances:
+      number:
+        value: "(sensor_state ? 1 : 0) + (antenna_state ? 2 : 0) + (antenna_power ? 4 : 0) + (unused_3 * 8)"
+        doc: All bits as a number.
       flags:
         value: "(sensor_state ? 1 : 0) + (antenna_state ? 2 : 0) + (antenna_power ? 4 : 0)"
         doc: All values are valid.
@@ -2105,6 +2246,9 @@ types:
         type: b1
         doc: "`age` is valid."
     instances:
+      number:
+        value: "(age ? 1 : 0) + (base_station_id ? 2 : 0) + (base_station_status ? 4 : 0) + (num_channels ? 8 : 0) + (unused_4 * 16)"
+        doc: All bits as a number.
       flags:
         value: "(age ? 1 : 0) + (base_station_id ? 2 : 0) + (base_station_status ? 4 : 0) + (num_channels ? 8 : 0)"
         doc: All values are valid.
@@ -2127,6 +2271,9 @@ types:
         type: b1
         doc: "`satellite_id` is valid."
     instances:
+      number:
+        value: "(satellite_id ? 1 : 0) + (age ? 2 : 0) + (range_correction ? 4 : 0) + (range_rate_correction ? 8 : 0) + (unused_4 * 16)"
+        doc: All bits as a number.
       flags:
         value: "(satellite_id ? 1 : 0) + (age ? 2 : 0) + (range_correction ? 4 : 0) + (range_rate_correction ? 8 : 0)"
         doc: All values are valid.
@@ -2149,6 +2296,9 @@ types:
         type: b1
         doc: "`bias` is valid."
     instances:
+      number:
+        value: "(bias ? 1 : 0) + (drift ? 2 : 0) + (bias_accuracy ? 4 : 0) + (drift_accuracy ? 8 : 0) + (unused_4 * 16)"
+        doc: All bits as a number.
       flags:
         value: "(bias ? 1 : 0) + (drift ? 2 : 0) + (bias_accuracy ? 4 : 0) + (drift_accuracy ? 8 : 0)"
         doc: All values are valid.
@@ -2163,6 +2313,10 @@ types:
         doc: "`leap_seconds` is valid."
       - id: unused_0
         type: b1
+    instances:
+      number:
+        value: "(unused_0 ? 1 : 0) + (leap_seconds ? 2 : 0) + (unused_2 * 4)"
+        doc: All bits as a number.
   gnss_data_sbas_status:
     -kind: bits
     doc: Services of an SBAS system.
@@ -2181,6 +2335,10 @@ types:
       - id: range_available
         type: b1
         doc: Ranging is available.
+    instances:
+      number:
+        value: "(range_available ? 1 : 0) + (corrections_available ? 2 : 0) + (integrity_available ? 4 : 0) + (test_mode ? 8 : 0) + (unused_4 * 16)"
+        doc: All bits as a number.
   gnss_data_sbas_info_flags:
     -kind: bits
     doc: Valid parts of the SBAS status.
@@ -2206,6 +2364,9 @@ types:
         type: b1
         doc: "`tow` is valid."
     instances:
+      number:
+        value: "(tow ? 1 : 0) + (week_number ? 2 : 0) + (sbas_system ? 4 : 0) + (sbas_id ? 8 : 0) + (count ? 16 : 0) + (sbas_status ? 32 : 0) + (unused_6 * 64)"
+        doc: All bits as a number.
       flags:
         value: "(tow ? 1 : 0) + (week_number ? 2 : 0) + (sbas_system ? 4 : 0) + (sbas_id ? 8 : 0) + (count ? 16 : 0) + (sbas_status ? 32 : 0)"
         doc: All values are valid.
@@ -2225,6 +2386,9 @@ types:
         type: b1
         doc: "`udrei` is valid."
     instances:
+      number:
+        value: "(udrei ? 1 : 0) + (pseudorange_correction ? 2 : 0) + (iono_correction ? 4 : 0) + (unused_3 * 8)"
+        doc: All bits as a number.
       flags:
         value: "(udrei ? 1 : 0) + (pseudorange_correction ? 2 : 0) + (iono_correction ? 4 : 0)"
         doc: All values are valid.
@@ -2247,6 +2411,9 @@ types:
         type: b1
         doc: "`rf_band` is valid."
     instances:
+      number:
+        value: "(rf_band ? 1 : 0) + (jamming_state ? 2 : 0) + (spoofing_state ? 4 : 0) + (frequency ? 8 : 0) + (unused_4 * 16)"
+        doc: All bits as a number.
       flags:
         value: "(rf_band ? 1 : 0) + (jamming_state ? 2 : 0) + (spoofing_state ? 4 : 0) + (frequency ? 8 : 0)"
         doc: All values are valid.
@@ -2266,6 +2433,9 @@ types:
         type: b1
         doc: "`heading` is valid."
     instances:
+      number:
+        value: "(heading ? 1 : 0) + (uncertainty ? 2 : 0) + (fix_type ? 4 : 0) + (unused_3 * 8)"
+        doc: All bits as a number.
       flags:
         value: "(heading ? 1 : 0) + (uncertainty ? 2 : 0) + (fix_type ? 4 : 0)"
         doc: All values are valid.
@@ -2297,6 +2467,9 @@ types:
         type: b1
         doc: "`tow` is valid."
     instances:
+      number:
+        value: "(tow ? 1 : 0) + (week_number ? 2 : 0) + (gnss_id ? 4 : 0) + (satellite_id ? 8 : 0) + (elevation ? 16 : 0) + (azimuth ? 32 : 0) + (health ? 64 : 0) + (unused_7 * 128)"
+        doc: All bits as a number.
       flags:
         value: "(tow ? 1 : 0) + (week_number ? 2 : 0) + (gnss_id ? 4 : 0) + (satellite_id ? 8 : 0) + (elevation ? 16 : 0) + (azimuth ? 32 : 0) + (health ? 64 : 0)"
         doc: All values are valid.
@@ -2353,6 +2526,9 @@ types:
         type: b1
         doc: "`tow` is valid."
     instances:
+      number:
+        value: "(tow ? 1 : 0) + (week_number ? 2 : 0) + (receiver_id ? 4 : 0) + (tracking_channel ? 8 : 0) + (gnss_id ? 16 : 0) + (satellite_id ? 32 : 0) + (signal_id ? 64 : 0) + (signal_strength ? 128 : 0) + (quality ? 256 : 0) + (pseudorange ? 512 : 0) + (carrier_phase ? 1024 : 0) + (doppler ? 2048 : 0) + (range_uncertainty ? 4096 : 0) + (carrier_phase_uncertainty ? 8192 : 0) + (doppler_uncertainty ? 16384 : 0) + (lock_time ? 32768 : 0)"
+        doc: All bits as a number.
       flags:
         value: "(tow ? 1 : 0) + (week_number ? 2 : 0) + (receiver_id ? 4 : 0) + (tracking_channel ? 8 : 0) + (gnss_id ? 16 : 0) + (satellite_id ? 32 : 0) + (signal_id ? 64 : 0) + (signal_strength ? 128 : 0) + (quality ? 256 : 0) + (pseudorange ? 512 : 0) + (carrier_phase ? 1024 : 0) + (doppler ? 2048 : 0) + (range_uncertainty ? 4096 : 0) + (carrier_phase_uncertainty ? 8192 : 0) + (doppler_uncertainty ? 16384 : 0) + (lock_time ? 32768 : 0)"
         doc: All values are valid.
@@ -2387,6 +2563,9 @@ types:
         type: b1
         doc: GPS is supported.
     instances:
+      number:
+        value: "(gps ? 1 : 0) + (glonass ? 2 : 0) + (galileo ? 4 : 0) + (beidou ? 8 : 0) + (reference_station ? 16 : 0) + (single_receiver ? 32 : 0) + (quarter_cycle_bit1 ? 64 : 0) + (quarter_cycle_bit2 ? 128 : 0) + (unused_8 * 256)"
+        doc: All bits as a number.
       quarter_cycle_bits:
         value: "(quarter_cycle_bit1 ? 1 : 0) + (quarter_cycle_bit2 ? 2 : 0)"
         doc: Quarter cycle indicator.
@@ -2415,6 +2594,9 @@ types:
         type: b1
         doc: "`tow` is valid."
     instances:
+      number:
+        value: "(tow ? 1 : 0) + (week_number ? 2 : 0) + (ecef_position ? 4 : 0) + (height ? 8 : 0) + (station_id ? 16 : 0) + (indicators ? 32 : 0) + (unused_6 * 64)"
+        doc: All bits as a number.
       flags:
         value: "(tow ? 1 : 0) + (week_number ? 2 : 0) + (ecef_position ? 4 : 0) + (height ? 8 : 0) + (station_id ? 16 : 0) + (indicators ? 32 : 0)"
         doc: All values are valid.
@@ -2451,6 +2633,10 @@ types:
       - id: antenna_location_received
         type: b1
         doc: "The position of the base station's antenna has arrived."
+    instances:
+      number:
+        value: "(antenna_location_received ? 1 : 0) + (antenna_description_received ? 2 : 0) + (gps_received ? 4 : 0) + (glonass_received ? 8 : 0) + (galileo_received ? 16 : 0) + (beidou_received ? 32 : 0) + (using_gps_msm_messages ? 64 : 0) + (using_glonass_msm_messages ? 128 : 0) + (dongle_status_read_failed ? 256 : 0) + (unused_9 * 512)"
+        doc: All bits as a number.
   gnss_data_rtk_corrections_status_flags:
     -kind: bits
     doc: Valid values.
@@ -2482,6 +2668,9 @@ types:
         type: b1
         doc: "`tow` is valid."
     instances:
+      number:
+        value: "(tow ? 1 : 0) + (week_number ? 2 : 0) + (epoch_status ? 4 : 0) + (dongle_status ? 8 : 0) + (gps_latency ? 16 : 0) + (glonass_latency ? 32 : 0) + (galileo_latency ? 64 : 0) + (beidou_latency ? 128 : 0) + (unused_8 * 256)"
+        doc: All bits as a number.
       flags:
         value: "(tow ? 1 : 0) + (week_number ? 2 : 0) + (epoch_status ? 4 : 0) + (dongle_status ? 8 : 0) + (gps_latency ? 16 : 0) + (glonass_latency ? 32 : 0) + (galileo_latency ? 64 : 0) + (beidou_latency ? 128 : 0)"
         doc: All values are valid.
@@ -2501,6 +2690,9 @@ types:
         type: b1
         doc: The ephemeris is valid.
     instances:
+      number:
+        value: "(ephemeris ? 1 : 0) + (modern_data ? 2 : 0) + (isc_l5 ? 4 : 0) + (unused_3 * 8)"
+        doc: All bits as a number.
       flags:
         value: "(ephemeris ? 1 : 0) + (modern_data ? 2 : 0) + (isc_l5 ? 4 : 0)"
         doc: All values are valid.
@@ -2514,6 +2706,9 @@ types:
         type: b1
         doc: The ephemeris is valid.
     instances:
+      number:
+        value: "(ephemeris ? 1 : 0) + (unused_1 * 2)"
+        doc: All bits as a number.
       flags:
         value: "ephemeris"
         doc: All of them.
@@ -2536,6 +2731,9 @@ types:
         type: b1
         doc: "`tow` is valid."
     instances:
+      number:
+        value: "(tow ? 1 : 0) + (week_number ? 2 : 0) + (alpha ? 4 : 0) + (beta ? 8 : 0) + (unused_4 * 16)"
+        doc: All bits as a number.
       flags:
         value: "(tow ? 1 : 0) + (week_number ? 2 : 0) + (alpha ? 4 : 0) + (beta ? 8 : 0)"
         doc: All values are valid.
@@ -2558,6 +2756,9 @@ types:
         type: b1
         doc: "`tow` is valid."
     instances:
+      number:
+        value: "(tow ? 1 : 0) + (week_number ? 2 : 0) + (alpha ? 4 : 0) + (disturbance_flags ? 8 : 0) + (unused_4 * 16)"
+        doc: All bits as a number.
       flags:
         value: "(tow ? 1 : 0) + (week_number ? 2 : 0) + (alpha ? 4 : 0) + (disturbance_flags ? 8 : 0)"
         doc: All values are valid.
@@ -2583,6 +2784,9 @@ types:
         type: b1
         doc: "`tow` is valid."
     instances:
+      number:
+        value: "(tow ? 1 : 0) + (week_number ? 2 : 0) + (alpha ? 4 : 0) + (beta ? 8 : 0) + (alpha_correction ? 16 : 0) + (unused_5 * 32)"
+        doc: All bits as a number.
       flags:
         value: "(tow ? 1 : 0) + (week_number ? 2 : 0) + (alpha ? 4 : 0) + (beta ? 8 : 0) + (alpha_correction ? 16 : 0)"
         doc: All values are valid.
@@ -2595,6 +2799,10 @@ types:
       - id: valid
         type: b1
         doc: All values of the field are valid.
+    instances:
+      number:
+        value: "(valid ? 1 : 0) + (unused_1 * 2)"
+        doc: All bits as a number.
   filter_data_heading_source_flags:
     -kind: bits
     doc: Sources of heading updates; 0 if heading updates are disabled.
@@ -2610,6 +2818,10 @@ types:
       - id: mag
         type: b1
         doc: The magnetometer.
+    instances:
+      number:
+        value: "(mag ? 1 : 0) + (gnss_velocity ? 2 : 0) + (external ? 4 : 0) + (unused_3 * 8)"
+        doc: All bits as a number.
   filter_data_gnss_aiding_status:
     -kind: bits
     doc: Use of one GNSS receiver by the filter.
@@ -2662,6 +2874,10 @@ types:
       - id: tight_coupling
         type: b1
         doc: Raw ranges of the receiver are used.
+    instances:
+      number:
+        value: "(tight_coupling ? 1 : 0) + (differential ? 2 : 0) + (integer_fix ? 4 : 0) + (gps_l1 ? 8 : 0) + (gps_l2 ? 16 : 0) + (gps_l5 ? 32 : 0) + (glonass_l1 ? 64 : 0) + (glonass_l2 ? 128 : 0) + (galileo_e1 ? 256 : 0) + (galileo_e5 ? 512 : 0) + (galileo_e6 ? 1024 : 0) + (beidou_b1 ? 2048 : 0) + (beidou_b2 ? 4096 : 0) + (beidou_b3 ? 8192 : 0) + (no_fix ? 16384 : 0) + (config_error ? 32768 : 0)"
+        doc: All bits as a number.
   filter_data_aiding_measurement_indicator:
     -kind: bits
     doc: Use of an aiding measurement by the filter.
@@ -2686,6 +2902,10 @@ types:
       - id: enabled
         type: b1
         doc: The measurement is enabled.
+    instances:
+      number:
+        value: "(enabled ? 1 : 0) + (used ? 2 : 0) + (residual_high_warning ? 4 : 0) + (sample_time_warning ? 8 : 0) + (config_error ? 16 : 0) + (max_measurements_exceeded ? 32 : 0) + (unused_6 * 64)"
+        doc: All bits as a number.
   filter_data_dual_antenna_status_flags:
     -kind: bits
     doc: Inputs available to the heading solution of two antennas.
@@ -2701,6 +2921,10 @@ types:
       - id: receiver_1_data_valid
         type: b1
         doc: Data of receiver 1 is valid.
+    instances:
+      number:
+        value: "(receiver_1_data_valid ? 1 : 0) + (receiver_2_data_valid ? 2 : 0) + (antenna_offsets_valid ? 4 : 0) + (unused_3 * 8)"
+        doc: All bits as a number.
   filter_data_gx5_status_flags:
     -kind: bits
     doc: "Problems of the filter of a 5-series device. The `init` bits apply in filter state `init`, the others while the filter runs."
@@ -2753,6 +2977,9 @@ types:
         type: b1
         doc: No inertial data.
     instances:
+      number:
+        value: "(run_imu_unavailable ? 1 : 0) + (run_gps_unavailable ? 2 : 0) + (unused_2 ? 4 : 0) + (run_matrix_singularity ? 8 : 0) + (run_position_covariance_warning ? 16 : 0) + (run_velocity_covariance_warning ? 32 : 0) + (run_attitude_covariance_warning ? 64 : 0) + (run_nan_in_solution_warning ? 128 : 0) + (run_gyro_bias_est_high_warning ? 256 : 0) + (run_accel_bias_est_high_warning ? 512 : 0) + (run_gyro_scale_factor_est_high_warning ? 1024 : 0) + (run_accel_scale_factor_est_high_warning ? 2048 : 0) + (run_mag_bias_est_high_warning ? 4096 : 0) + (run_antenna_offset_correction_est_high_warning ? 8192 : 0) + (run_mag_hard_iron_est_high_warning ? 16384 : 0) + (run_mag_soft_iron_est_high_warning ? 32768 : 0)"
+        doc: All bits as a number.
       init_no_attitude:
         value: "run_mag_bias_est_high_warning"
         doc: The attitude is not initialized.
@@ -2799,6 +3026,10 @@ types:
         type: b2
         enum: filter_data_filter_condition
         doc: Convergence of the estimates.
+    instances:
+      number:
+        value: "filter_condition.to_i + (roll_pitch_warning ? 4 : 0) + (heading_warning ? 8 : 0) + (position_warning ? 16 : 0) + (velocity_warning ? 32 : 0) + (imu_bias_warning ? 64 : 0) + (gnss_clock_warning ? 128 : 0) + (antenna_lever_arm_warning ? 256 : 0) + (mounting_transform_warning ? 512 : 0) + (time_sync_warning ? 1024 : 0) + (unused_11 ? 2048 : 0) + (solution_error * 4096)"
+        doc: All bits as a number.
   displacement_data_timestamp_flags:
     -kind: bits
     doc: Validity of the time of displacement data.
@@ -2808,6 +3039,10 @@ types:
       - id: time
         type: b1
         doc: "The clock has been set; `time` is valid."
+    instances:
+      number:
+        value: "(time ? 1 : 0) + (unused_1 * 2)"
+        doc: All bits as a number.
   system_data_gpio_pin_states:
     -kind: bits
     doc: Level of each GPIO pin, set for high. Bits of pins that do not exist read 0.
@@ -2826,6 +3061,10 @@ types:
       - id: pin_1
         type: b1
         doc: GPIO pin 1 is high.
+    instances:
+      number:
+        value: "(pin_1 ? 1 : 0) + (pin_2 ? 2 : 0) + (pin_3 ? 4 : 0) + (pin_4 ? 8 : 0) + (unused_4 * 16)"
+        doc: All bits as a number.
   shared_gps_timestamp_flags:
     -kind: bits
     doc: Valid parts of the GPS time.
@@ -2839,6 +3078,9 @@ types:
         type: b1
         doc: The whole seconds of the time of week have been set.
     instances:
+      number:
+        value: "(tow ? 1 : 0) + (week_number ? 2 : 0) + (unused_2 * 4)"
+        doc: All bits as a number.
       time_valid:
         value: "(tow ? 1 : 0) + (week_number ? 2 : 0)"
         doc: Both are set.
@@ -2851,6 +3093,10 @@ types:
       - id: nanoseconds
         type: b1
         doc: The time is valid.
+    instances:
+      number:
+        value: "(nanoseconds ? 1 : 0) + (unused_1 * 2)"
+        doc: All bits as a number.
   shared_external_time_delta_flags:
     -kind: bits
     doc: Validity of the difference of external time.
@@ -2860,6 +3106,10 @@ types:
       - id: dt_nanos
         type: b1
         doc: The difference is valid.
+    instances:
+      number:
+        value: "(dt_nanos ? 1 : 0) + (unused_1 * 2)"
+        doc: All bits as a number.
   event_trigger_gpio:
     doc: A trigger on a GPIO pin.
     seq:

@@ -15,7 +15,7 @@ import pytest
 from mipgen import model as m
 from mipgen.facts import describe
 from mipgen.targets.c import calls, members, names
-from mipgen.targets.c.comments import ELSEWHERE, UNSURE, Comments, comment, reference
+from mipgen.targets.c.comments import ELSEWHERE, Comments, comment, reference
 from support import ROOT, SPECS, heavy, model, need
 
 both = pytest.mark.parametrize("spec", sorted(SPECS))
@@ -106,11 +106,7 @@ def wanted(of: m.Model) -> Iterator[tuple[str, list[str]]]:
     """Where a comment is, and what it must hold."""
     for f in (of.protocol.acknowledge, *of.fields):
         name = names.field_name(f)
-        elsewhere = ("perhaps", "refused", "affected", "flags")  # in profiles.h, and with what affects or flags it
-        facts = [x for x in describe.field(f, of) if x.topic not in elsewhere]
-        yield name, [f.title, prose(f.description, of), *said(facts), *describe.sources(f)]
-        if of.devices_of(f, certain=False) and not of.devices_of(f):
-            yield name, [UNSURE]
+        yield name, [f.title, prose(f.description, of), *said(describe.in_code(f, of)), *describe.sources(f)]
         one = f.set and len(f.occurrences) == 1
         place = f"(0x{f.set:02X},0x{f.descriptor:02X})" if one else f"0x{f.descriptor:02X}"
         yield name, [f"{f.role} {place}.", *in_full(f)]

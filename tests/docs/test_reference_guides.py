@@ -18,7 +18,18 @@ from mipgen.model.guides import Guide, Sequence
 from mipgen.targets.markdown.snippets import LANGUAGES
 from reference import Manual, cells, path_of, prose, small, tables, words
 from support import BUILD, SPECS, need
-from test_reference_programs import C_HEAD, PY_HEAD, needs_cpp, reply, run, rust_bytes, said_in_cpp, said_in_rust
+from test_reference_programs import (
+    C_HEAD,
+    PY_HEAD,
+    needs_cpp,
+    reply,
+    run,
+    rust_bytes,
+    said_in_cpp,
+    said_in_javascript,
+    said_in_rust,
+    with_node,
+)
 
 Play = tuple[str, Guide, Sequence]
 
@@ -294,3 +305,14 @@ def test_guides_in_rust(manual: Manual, request: pytest.FixtureRequest) -> None:
         calls.append(f'{play[0]}(table("{play[0]}", &[{answers}])).unwrap(); eprintln!("{play[0]} done");')
     spec = request.node.callspec.params["manual"]
     check(manual, said_in_rust(spec, "guides", functions, calls))
+
+
+@with_node
+@small
+def test_guides_in_javascript(manual: Manual, generated: Path, tmp_path: Path) -> None:
+    programs, answers = [], questions(manual)
+    for play in plays(manual):
+        needs, body = program(manual, play, "javascript")
+        answers |= {s.packet.hex(): s.answer.hex() for s in play[2].steps}
+        programs.append((play[0], "\n".join([*needs, "", body]), ["device"]))
+    check(manual, said_in_javascript(generated, tmp_path, programs, answers))

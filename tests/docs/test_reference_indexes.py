@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+import shutil
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -12,7 +13,9 @@ from pathlib import Path
 import pytest
 from mipgen import model as m
 from reference import LINK, Manual, manual_of, number, places, tables, words
-from support import SPECS
+from support import SPECS, heavy, need
+
+with_node = heavy("node") if shutil.which("node") is None else lambda test: test
 
 ANCHORED = re.compile(r"\]\([^)]*?#([\w.]+)\)")
 
@@ -126,7 +129,9 @@ def test_by_the_names_of_the_vendor(manual: Manual) -> None:
     letters_in_order(manual, "vendor", [words(row["Vendor's name"]) for row in found])
 
 
-@pytest.mark.parametrize("name", ["descriptors", "names", "types", "units", "vendor", "c", "python", "rust"])
+@pytest.mark.parametrize(
+    "name", ["descriptors", "names", "types", "units", "vendor", "c", "python", "rust", "javascript"]
+)
 def test_size_and_links(manual: Manual, name: str) -> None:
     """A page is no larger than a browser shows at once; it can be reached from the start and the navigation."""
     assert len(manual.page(f"indexes/{name}.md")) < 600_000
@@ -150,9 +155,10 @@ def symbols(manual: Manual, language: str) -> dict[str, tuple[str, list[str]]]:
 def test_every_type_and_field_has_symbols(manual: Manual) -> None:
     of = manual.model
     every = [*manual.fields, *of.all_types, of.protocol.function_selector]
-    for language in ("c", "python", "rust"):
+    absent = {"c": m.Vector, "javascript": (m.Vector, m.Struct)}  # arrays and objects have no name in programs
+    for language in ("c", "python", "rust", "javascript"):
         shown = [to for to, _ in symbols(manual, language).values()]
-        wanted = [anchor(t) for t in every if language != "c" or not isinstance(t, m.Vector)]
+        wanted = [anchor(t) for t in every if not isinstance(t, absent.get(language, ()))]
         assert sorted(shown) == sorted(wanted), language
 
 
@@ -243,3 +249,33 @@ def test_symbols_of_rust(spec: str) -> None:
         text = texts[name.split("::")[1]]
         for other in others:
             assert re.search(rf"\b{other.rpartition('::')[2]}\b", text), other
+
+
+EXPORTED = """
+import fs from "node:fs";
+const asked = JSON.parse(fs.readFileSync(0, "utf8"));
+const modules = {};
+for (const [name] of asked) modules[name.split(".")[0]] ??= await import(name.split(".")[0]);
+const listed = new Map(asked.map(([name, others]) => {
+    const [module, cls] = name.split(".");
+    return [modules[module][cls], others.map((one) => one.split("."))];
+}));
+const all = Object.values(modules).flatMap((module) => Object.values(module));
+const unlisted = all.filter((thing) => (thing.nameOf || thing.namesOf || thing.NAME) && !listed.has(thing));
+const absent = [...listed].filter(([thing, others]) => !thing || others.some(([, one]) => thing[one] === undefined));
+console.log(listed.size, unlisted.length, absent.length);
+"""
+
+
+@pytest.mark.parametrize("spec", sorted(SPECS))
+@with_node
+def test_symbols_of_javascript(spec: str, tmp_path: Path) -> None:
+    """All that the modules export and that is a field or has names for numbers; what is listed with it is there."""
+    found = [(name, others) for name, (_, others) in symbols(manual_of(spec), "javascript").items()]
+    (tmp_path / "node_modules").mkdir()
+    (tmp_path / "node_modules/mip-protocol").symlink_to(SPECS[spec][1] / "javascript")
+    (tmp_path / "look_up.mjs").write_text(EXPORTED)
+    done = subprocess.run(
+        [need("node"), tmp_path / "look_up.mjs"], input=json.dumps(found), capture_output=True, text=True, check=False
+    )
+    assert (done.returncode, done.stdout) == (0, f"{len(found)} 0 0\n"), done.stderr

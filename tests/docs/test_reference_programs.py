@@ -20,6 +20,7 @@ from support import SPECS, heavy, mypy, need
 
 ACKNOWLEDGE = 0xF1
 
+with_node = heavy("node") if shutil.which("node") is None else lambda test: test
 needs_cpp = heavy("g++") if shutil.which("g++") is None else lambda test: test
 
 
@@ -50,6 +51,12 @@ def reply(manual: Manual, packet: bytes) -> bytes:
     samples = manual.samples
     answers = [(r.layouts[0].descriptor, samples.data(r.layouts[0])) for r in samples.replies(f, call)]
     return codec.build(manual.model, packet[2], [(ACKNOWLEDGE, bytes([descriptor, 0])), *answers])
+
+
+def questions(manual: Manual) -> dict[str, str]:
+    """Packets of all commands, any of which a device may be asked for once, and their answers."""
+    packets = [manual.samples.packet(f, c) for f in asked(manual) if f.role == m.COMMAND for c in f.calls]
+    return {p.hex(): reply(manual, p).hex() for p in packets}
 
 
 def sample(manual: Manual, f: m.Field) -> bytes:
@@ -315,10 +322,7 @@ def test_programs_in_python(manual: Manual, generated: Path, tmp_path: Path) -> 
     )
     path = tmp_path / "programs.py"
     path.write_text("\n\n".join([PY_HEAD, *functions, main]), "utf-8")
-    for setting in (x for x in asked(manual) if x.role == m.COMMAND):  # it may be asked for once
-        for c in setting.calls:
-            packet = manual.samples.packet(setting, c)
-            answers.setdefault(packet.hex(), reply(manual, packet).hex())
+    answers = {**questions(manual), **answers}
     (tmp_path / "answers.json").write_text(json.dumps(answers))
     done = subprocess.run(
         [sys.executable, path, tmp_path / "answers.json"],
@@ -402,3 +406,90 @@ def test_programs_in_rust(manual: Manual, request: pytest.FixtureRequest) -> Non
             calls += [f"if {name}(Packet::new({rust_bytes(p)}){refused}" for p in broken(manual, f)]
     spec = request.node.callspec.params["manual"]
     check(manual, said_in_rust(spec, "reference", functions, calls))
+
+
+# --------------------------------------------------------------------------- JavaScript
+
+JS_HEAD = """
+import fs from "node:fs";
+import { Device, fromHex, MipError, Packet, toHex } from "mip-protocol";
+let name = "";
+const said = (...words) => process.stderr.write(`${name} ${words.join(" ")}\\n`);
+const answers = JSON.parse(fs.readFileSync("answers.json", "utf8"));
+/** A device that gives these answers. */
+async function opened() {
+    const waiting = [];
+    let wake = () => {};
+    const port = {
+        async *bytes() {
+            for (;;) {
+                if (waiting.length) yield waiting.shift();
+                else await new Promise((resolve) => { wake = resolve; });
+                if (waiting.at(-1) === null) return;
+            }
+        },
+        async write(bytes) {
+            said(toHex(bytes));
+            waiting.push(fromHex(answers[toHex(bytes)]));
+            wake();
+        },
+        async close() {
+            waiting.push(null);
+            wake();
+        },
+    };
+    return Device.open(async () => port);
+}
+/** Has one packet, as a device that was closed then. */
+const source = (hex) => ({
+    async *fields(kind) {
+        yield* Packet.from(fromHex(hex)).findAll(kind);
+    },
+});
+async function attempt(program, device) {
+    try {
+        await program(device);
+        said("done");
+    } catch (error) {
+        if (!(error instanceof MipError)) throw error;
+        said("refused");
+    }
+}
+const device = await opened();
+"""
+
+
+def said_in_javascript(
+    generated: Path, where: Path, programs: list[tuple[str, str, list[str]]], answers: dict[str, str]
+) -> str:
+    """What programs write, each with its name, its text, and the devices that it is given."""
+    (where / "answers.json").write_text(json.dumps(answers))
+    (where / "node_modules").mkdir(exist_ok=True)
+    (where / "node_modules/mip-protocol").symlink_to(generated / "javascript")
+    main = [JS_HEAD]
+    for i, (name, text, devices) in enumerate(programs):
+        needs, _, body = text.partition("\n\n")
+        inner = textwrap.indent(body, "    ")
+        (where / f"program_{i}.mjs").write_text(f"{needs}\nexport async function program(device) {{\n{inner}\n}}\n")
+        main.append(f'name = "{name}";')
+        main += [f'await attempt((await import("./program_{i}.mjs")).program, {device});' for device in devices]
+    main.append("await device.close();")
+    (where / "main.mjs").write_text("\n".join(main), "utf-8")
+    done = subprocess.run([need("node"), "main.mjs"], cwd=where, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr[-4000:]
+    return done.stderr
+
+
+@with_node
+@small
+def test_programs_in_javascript(manual: Manual, generated: Path, tmp_path: Path) -> None:
+    programs, answers = [], {}
+    for f in asked(manual):
+        needs, body = program(manual, f, "javascript")
+        if f.role == m.COMMAND:
+            answers.update({p.hex(): reply(manual, p).hex() for p in ready(manual, f)})
+            given = ["device"]
+        else:
+            given = [f'source("{p.hex()}")' for p in (sample(manual, f), *broken(manual, f))]
+        programs.append((f.full_name, "\n".join([*needs, "", body]), given))
+    check(manual, said_in_javascript(generated, tmp_path, programs, {**questions(manual), **answers}))

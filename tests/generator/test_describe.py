@@ -379,3 +379,16 @@ def test_numbers_with_units() -> None:
     units = (("3", "m"), ("2412", "week"), ("253", "byte"), ("1", "byte"), ("0, 1", "byte"), ("2", "1"), ("7", None))
     said = [describe.measured(number, unit, real) for number, unit in units]
     assert said == ["3 m", "week 2412", "253 bytes", "1 byte", "0, 1 bytes", "2", "7"]
+
+
+def test_comments_in_code_leave_out_what_is_longer_than_all_else() -> None:
+    def left_out(name: str) -> tuple[list[str], list[str]]:
+        f = INVENTED.field(name)
+        assert f is not None
+        whole, code = ([plain(x.sentence) for x in of(f, INVENTED)] for of in (describe.field, describe.in_code))
+        return [x for x in whole if x not in code], [x for x in code if x not in whole]
+
+    assert left_out("tools.capture_bias") == (["Flagged by <sensor> of <model_a_faults>."], [])
+    assert left_out("tools.ping") == (["Probably supported by <Old 2>."], [])
+    only = next(f for f in INVENTED.fields if INVENTED.devices_of(f, False) and not INVENTED.devices_of(f))
+    assert left_out(only.full_name)[1] == ["No device is certain to support it."]

@@ -97,6 +97,7 @@ def test_heavy_tests_need_more(machine: Path) -> None:
         "valgrind",
         "arduino-builder",
         "doxygen",
+        "cppcheck",
         "node",
         "chromium",
         "npm",

@@ -5,15 +5,16 @@ from __future__ import annotations
 import random
 import re
 import shutil
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 from mipgen import model as m
 from mipgen.base import reads
 from mipgen.base.reads import Memo, kept
 from mipgen.emit import discovery, output, render
-from mipgen.emit.slices import NAMES, PLAN, Anew, Slice, Slices, _plain
+from mipgen.emit.slices import NAMES, PLAN, Anew, Pieces, Slice, Slices, _plain
 from mipgen.read.problems import SpecError
 from mipgen.resolve.load import load_model
 from support import SEED, SPECS, heavy, rounds
@@ -136,6 +137,46 @@ def test_another_shape_makes_all_again_that_reads_the_part(tmp_path: Path) -> No
     runs.check(runs.run())
     kept = {(name, path) for name in TARGETS for path in first[name] - runs.made[name]}
     assert kept == set()
+
+
+def test_two_edits_of_different_targets_make_only_what_shows_each(tmp_path: Path) -> None:
+    """Nothing of C shows the first edit; C is still that of the run before."""
+    runs = Runs(SPECS["invented"][0], tmp_path)
+    runs.run()
+    runs.replace("guides/1_first.yaml", "answer: Ask it, and listen", "answer: Ask it and listen")
+    runs.run()
+    assert not runs.made["c"] and runs.made["markdown"]
+    runs.replace("sets/tools.yaml", "Commands of every shape.", "Commands of each shape.")
+    runs.run()
+    assert runs.made["c"] - {PLAN} == {"src/mip/tools.h"}
+
+
+def test_of_a_file_that_is_made_again_only_pieces_that_show_an_edit_are(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    runs = Runs(SPECS["invented"][0], tmp_path)
+    runs.run()
+    made: list[str] = []
+    text = Pieces.text
+
+    def noted(self: Pieces, name: str, place: int, make: Callable[..., str], *arguments: Any) -> str:
+        def once(thing: Any, *more: str) -> str:
+            made.append(f"{name.rpartition(' ')[0]} {getattr(thing, 'name', '')}")
+            return make(thing, *more)
+
+        return text(self, name, place, once, *arguments)
+
+    monkeypatch.setattr(Pieces, "text", noted)
+    runs.replace("sets/measurements.yaml", "description: Specific force.", "description: Of two springs.")
+    runs.check(runs.run())
+    assert {"header accel", "line accel", "field accel"} <= set(made) and {x.split()[1] for x in made} == {"accel"}
+    made.clear()
+    runs.replace("sets/measurements.yaml", "description: Of two springs.", "description: Specific force.")
+    with monkeypatch.context() as lost:
+        lost.setattr(Slice, "_stored", lambda *_: None)
+        model = runs.run()
+    assert len(set(made)) > 10
+    runs.check(model)
 
 
 def test_a_file_that_was_edited_is_made_again(tmp_path: Path) -> None:

@@ -16,7 +16,7 @@ for (const [name, calls] of Object.entries(JSON.parse(fs.readFileSync(process.ar
     const field = protocol.field(name);
     const values = calls?.map((one) => (typeof one === "object" && one !== null ? one : typicalValues(protocol, field, one ?? undefined)));
     found[name] = Object.fromEntries(
-        ["c", "python", "rust"].map((language) => {
+        ["c", "cpp", "python", "rust", "javascript"].map((language) => {
             try {
                 return [language, programOf(protocol, language, field, values)];
             } catch (error) {

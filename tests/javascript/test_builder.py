@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import random
 import urllib.parse
 from collections.abc import Iterator
@@ -15,6 +16,7 @@ from mipgen import model as m
 from mipgen.facts.sample_values import SampleValues
 from mipgen.lower import codec
 from mipgen.targets.c import api as c
+from mipgen.targets.javascript import api as javascript
 from mipgen.targets.python import api as python
 from mipgen.targets.rust import api as rust
 from support import all_fields, driver, encode_request, heavy, model, set_of
@@ -110,8 +112,10 @@ def test_source_code(page: browser.Page) -> None:
     assert f is not None
     assert built(page, f, 1, {})["sources"] == {
         "c": "static const uint8_t packet[] = {0x75, 0x65, 0x01, 0x02, 0x02, 0x01, 0xE0, 0xC6};",
+        "cpp": "constexpr std::array<std::uint8_t, 8> packet{0x75, 0x65, 0x01, 0x02, 0x02, 0x01, 0xE0, 0xC6};",
         "python": r'packet = b"\x75\x65\x01\x02\x02\x01\xe0\xc6"',
         "rust": "const PACKET: [u8; 8] = [0x75, 0x65, 0x01, 0x02, 0x02, 0x01, 0xE0, 0xC6];",
+        "javascript": "const packet = Uint8Array.of(0x75, 0x65, 0x01, 0x02, 0x02, 0x01, 0xE0, 0xC6);",
     }
 
 
@@ -172,6 +176,9 @@ def address(page: browser.Page) -> str:
     return text
 
 
+PROGRAMS = (c.Programs, c.CppPrograms, python.Programs, rust.Programs, javascript.Programs)
+
+
 def programs(page: browser.Page) -> list[str]:
     found: list[str] = page.run("texts('[data-program]')")
     return found
@@ -195,10 +202,10 @@ def test_it_begins_with_what_the_page_of_the_field_shows(own: browser.Page) -> N
         start(own, name)
         assert packet(own) == samples.packet(f)
         if f.role == m.DATA:
-            assert programs(own) == [x.Programs(samples).data(f) for x in (c, python, rust)]
+            assert programs(own) == [x(samples).data(f) for x in PROGRAMS]
     start(own, "3dm.message_format")
     for text in ("mip_call_3dm_message_format_write(device, 0x80, 2, descriptors)", "0x80,", "{.descriptor = 0x04, "):
-        assert text in programs(own)[0] + programs(own)[1]
+        assert text in programs(own)[0] + programs(own)[2]
     assert own.run("texts('.mip-meant')") == ["Sensor data", "Scaled accel", "Scaled gyro"]
 
 
@@ -240,7 +247,7 @@ def test_several_fields(own: browser.Page) -> None:
     assert packet(own) == codec.build(of, 1, [(1, b""), (6, b""), (2, b"")])
     own.run("document.querySelector('[aria-label=\"Remove: field 1\"]').click()")
     assert packet(own) == codec.build(of, 1, [(6, b""), (2, b"")])
-    assert len(programs(own)) == 6
+    assert len(programs(own)) == 2 * len(PROGRAMS)
     own.run("const add = document.querySelector('#mip-add'); add.value = 'pps'; add.dispatchEvent(new Event('input'))")
     offered = own.run("[...document.querySelectorAll('.mip-forms .mip-hits li')].map((one) => one.dataset.field)")
     assert not [name for name in offered if name.startswith("3dm")], "of another set"
@@ -403,9 +410,14 @@ def test_numbers_without_a_name(own: browser.Page) -> None:
     own.run("put('.mip-form > p:nth-of-type(3) select', 'other')")
     own.run("put('.mip-form > p:nth-of-type(3) input', '0x21')")
     assert packet(own)[-3] == 0x21
-    for text, wanted in zip(
-        programs(own), ("(enum mip_filter_dynamics_mode)33", "DynamicsMode(33)", "DynamicsMode(33)")
-    ):
+    forms = (
+        "(enum mip_filter_dynamics_mode)33",
+        "static_cast<mip::filter::dynamics_mode>(33)",
+        "filter.DynamicsMode(33)",
+        "DynamicsMode(33)",
+        "{ mode: 33 }",
+    )
+    for text, wanted in zip(programs(own), forms, strict=True):
         assert wanted in text
 
 
@@ -417,3 +429,60 @@ def test_the_layout_of_the_answer(own: browser.Page) -> None:
     assert own.run("texts('.mip-output li td:first-child')") == [p.name for p in r.parameters]
     shown = bytes.fromhex(own.run("document.querySelector('.mip-output li code').textContent"))
     assert [d for d, _ in codec.split(of, shown)] == [0xF1, r.descriptor]
+
+
+def test_rates_in_hz_become_decimations(own: browser.Page) -> None:
+    """On a device whose base rate is known; what the port must carry stays in view."""
+    start(own, "3dm.message_format")
+    assert own.run("document.querySelector('.mip-hertz')") is None
+    assert own.run("document.querySelector('.mip-totals').hidden")
+    own.run("put('#mip-device', '3dm-cv7-gnss-ins')")
+    rates = "[...document.querySelectorAll('.mip-hertz')].map((one) => one.value)"
+    assert own.run(rates) == ["100", "100"]
+    own.run("put('.mip-hertz', '300')")
+    assert packet(own)[9:12] == bytes((4, 0, 3))  # scaled_accel at a third of 1000 Hz
+    own.run("document.querySelector('.mip-hertz').dispatchEvent(new Event('change'))")
+    assert own.run(rates) == ["333.333", "100"]
+    need = (6 + 14) * 1000 / 3 + 14 * 100
+    wanted = f"These rates need {math.ceil(need)} bytes/s; over a UART at least {math.ceil(10 * need)} Bd."
+    assert own.run("document.querySelector('.mip-totals').textContent") == wanted
+    own.run("document.querySelector('.mip-hertz').closest('p').querySelector('input').value = '2'")
+    own.run(
+        "document.querySelector('.mip-hertz').closest('p').querySelector('input').dispatchEvent(new Event('input'))"
+    )
+    assert own.run(rates) == ["500", "100"] and packet(own)[11] == 2
+    own.size(1400)
+    own.run("window.scrollTo(0, document.body.scrollHeight)")
+    top = own.run("document.querySelector('.mip-totals').getBoundingClientRect().top")
+    assert 0 <= top < 900
+    own.run("put('#mip-device', '')")
+    assert own.run("document.querySelector('.mip-hertz')") is None
+    assert own.run("document.querySelector('.mip-totals').hidden")
+
+
+def clipboard(page: browser.Page) -> str:
+    text: str = page.run("navigator.clipboard.readText()")
+    return text
+
+
+@pytest.mark.parametrize("way", ["the clipboard", "a selection"])
+def test_everything_can_be_copied(own: browser.Page, way: str) -> None:
+    """Bytes, text and each program, also where a page may not write to the clipboard itself."""
+    own.call("Emulation.setFocusEmulationEnabled", enabled=True)
+    own.browser.call("Browser.grantPermissions", permissions=["clipboardReadWrite", "clipboardSanitizedWrite"])
+    start(own, "3dm.pps_source_control")
+    if way == "a selection":
+        own.run("navigator.clipboard.writeText = () => Promise.reject(new Error('not allowed')); 0")
+    buttons = "[...document.querySelectorAll('.mip-output .mip-copy')]"
+    shown = [packet(own).hex(" ").upper(), *own.run("texts('[data-language]')"), *programs(own)]
+    assert len(shown) == 1 + 2 * len(PROGRAMS)
+    copied = []
+    for i in range(own.run(f"{buttons}.length")):
+        click = f"(() => {{ window.button = {buttons}[{i}]; window.button.click(); }})()"
+        own.call("Runtime.evaluate", expression=click, userGesture=True)
+        own.run("new Promise((done) => setTimeout(done, 50))")
+        assert own.run("window.button.textContent") == "Copied"
+        copied.append(clipboard(own))
+    assert {*shown} <= {*copied} and all(copied)
+    values = [text for text in copied if "GPIO" in text.upper() and text not in shown]
+    assert values, copied

@@ -18,6 +18,7 @@ from mipgen import model as m
 from mipgen.facts.sample_values import SampleValues
 from mipgen.lower import codec
 from mipgen.targets.c import api as c
+from mipgen.targets.javascript import api as javascript
 from mipgen.targets.python import api as python
 from mipgen.targets.rust import api as rust
 from random_values import drawn
@@ -57,8 +58,9 @@ def test_typical_values_of_every_command_and_field(spec: str, tmp_path: Path) ->
 
 def wanted(f: m.Field, samples: SampleValues) -> dict[str, str]:
     """What the generator writes in each language."""
-    each = {"c": c.Programs(samples), "python": python.Programs(samples), "rust": rust.Programs(samples)}
-    return {language: of.command(f) if f.role == m.COMMAND else of.data(f) for language, of in each.items()}
+    each = {"c": c, "python": python, "rust": rust, "javascript": javascript}
+    writers = {language: api.Programs(samples) for language, api in each.items()} | {"cpp": c.CppPrograms(samples)}
+    return {language: of.command(f) if f.role == m.COMMAND else of.data(f) for language, of in writers.items()}
 
 
 # --------------------------------------------------------------------------- other values
@@ -138,13 +140,17 @@ def test_other_values(spec: str, tmp_path: Path) -> None:
         found = programs(spec, {name: [values] for name, (_, values) in chosen.items()}, tmp_path)
         for name, (f, values) in chosen.items():
             assert found[name] == wanted(f, Given(of, values)), name
-            bodies.append((f, values, found[name]["python"]))
+            bodies.append((f, values, found[name]))
             seen += 1
     assert seen > (200 if spec == "real" else 20)
     run_python(spec, bodies)
+    run_javascript(spec, bodies, tmp_path)
 
 
-def run_python(spec: str, bodies: list[tuple[m.Field, codec.Values, str]]) -> None:
+Bodies = list[tuple[m.Field, codec.Values, dict[str, str]]]
+
+
+def run_python(spec: str, bodies: Bodies) -> None:
     """What the programs send is what the reference codec encodes."""
     script = [
         "class Device:",
@@ -152,16 +158,68 @@ def run_python(spec: str, bodies: list[tuple[m.Field, codec.Values, str]]) -> No
         "        print(command.encode().hex())",
         "device = Device()",
     ]
-    for _, _, text in bodies:
-        script.append(text.replace("print(response)", ""))
+    for _, _, texts in bodies:
+        script.append(texts["python"].replace("print(response)", ""))
     environment = {**os.environ, "PYTHONPATH": str(SPECS[spec][1] / "python")}
     done = subprocess.run(
         [sys.executable, "-"], input="\n".join(script), capture_output=True, text=True, env=environment, check=False
     )
     assert done.returncode == 0, done.stderr[-2000:]
-    sent = done.stdout.split("\n")
-    for (f, values, text), data in zip(bodies, sent, strict=False):
-        assert data == codec.encode(f, values).hex(), (f.full_name, text)
+    same(bodies, "python", done.stdout)
+
+
+def same(bodies: Bodies, language: str, output: str) -> None:
+    sent = output.splitlines()
+    assert len(sent) == len(bodies)
+    for (f, values, texts), data in zip(bodies, sent, strict=True):
+        assert data == codec.encode(f, values).hex(), (f.full_name, texts[language])
+
+
+def run_javascript(spec: str, bodies: Bodies, folder: Path) -> None:
+    """The same of programs in JavaScript, each of which is a module."""
+    (folder / "node_modules").mkdir()
+    (folder / "node_modules/mip-protocol").symlink_to(SPECS[spec][1] / "javascript")
+    script = [
+        'import { toHex } from "mip-protocol";',
+        "const request = async (command) => console.log(toHex(command.encode()));",
+        "globalThis.device = { request };",
+    ]
+    for i, (_, _, texts) in enumerate(bodies):
+        (folder / f"{i}.mjs").write_text(texts["javascript"].replace("console.log(response);", ""), "utf-8")
+        script.append(f'await import("./{i}.mjs");')
+    (folder / "all.mjs").write_text("\n".join(script), "utf-8")
+    done = subprocess.run([need("node"), folder / "all.mjs"], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr[-2000:]
+    same(bodies, "javascript", done.stdout)
+
+
+@heavy("g++")
+@pytest.mark.parametrize("spec", sorted(SPECS))
+def test_other_values_compile(spec: str, tmp_path: Path) -> None:
+    """In C and C++."""
+    chosen = {f.full_name: [values] for f, values in others(model(spec), 3)}
+    found = programs(spec, chosen, tmp_path)
+    includes = f"-I{SPECS[spec][1]}/c/src"
+    for language, ending, device in (("c", "c", "struct mip_device *device"), ("cpp", "cpp", "mip::device<> &device")):
+        heads, functions = {f'#include "mip/device.{"h" if language == "c" else "hpp"}"'}, []
+        for i, texts in enumerate(found.values()):
+            head, _, body = texts[language].partition("\n")
+            heads.add(head)
+            functions.append(f"void f_{i}({device});\nvoid f_{i}({device}) {{{body}\n}}")
+        source = tmp_path / f"programs.{ending}"
+        source.write_text("\n".join([*sorted(heads), *functions]), "utf-8")
+        flags = ["-std=c99"] if language == "c" else ["-std=c++20", "-Wno-unused"]
+        command = [
+            need("cc" if language == "c" else "g++"),
+            *flags,
+            "-fsyntax-only",
+            "-Wall",
+            "-Werror",
+            includes,
+            source,
+        ]
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
+        assert done.returncode == 0, done.stderr[:4000]
 
 
 def spoiled(parameters: tuple[m.Parameter, ...], values: codec.Values) -> tuple[str, codec.Values] | None:

@@ -43,7 +43,7 @@ def test_every_fact_of_a_field_is_declared(spec: str) -> None:
     of, seen = model(spec), 0
     for f in of.fields:
         comment, body = declared(spec, f)
-        wanted = [f.title, *sentences(describe.field(f, of), names.home(f)), *describe.sources(f)]
+        wanted = [f.title, *sentences(describe.in_code(f, of), names.home(f)), *describe.sources(f)]
         missing = [s for s in wanted if s not in comment]
         for p in f.parameters:
             found = sentences(describe.parameter(p, f, of), names.home(f))

@@ -7,15 +7,19 @@ import math
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
+from pathlib import Path
 
 import browser
 import pytest
-from mip_protocol import Parser, mip_3dm, sensor
+from mip_protocol import Parser, sensor
+from mip_tools.configuration import parsed, talk
+from mip_tools.configuration.settings import ends_talk
 from mip_tools.simulator import Faults, LivePort, VirtualDevice
 from mip_tools.simulator.fault_kinds import parse_faults
 from mip_tools.simulator.motion import parse_motion
 from mip_tools.web.server import Server
-from support import heavy
+from settings_files import pulled, pushed, told
+from support import heavy, model
 from workbench import workbench
 
 pytestmark = heavy("Chromium")
@@ -191,30 +195,130 @@ def test_a_recording_has_what_the_device_sent(page: browser.Page) -> None:
         assert parser.skipped == 0 and sum(p.set == sensor.ScaledAccel.SET for p in packets) > 100
 
 
-def test_settings_go_to_a_file_and_come_back(page: browser.Page) -> None:
+def key(page: browser.Page, name: str, code: int, text: str = "") -> None:
+    page.call("Input.dispatchKeyEvent", type="keyDown", key=name, code=name, windowsVirtualKeyCode=code, text=text)
+    page.call("Input.dispatchKeyEvent", type="keyUp", key=name, code=name, windowsVirtualKeyCode=code)
+
+
+#: What has the focus: what it is called, and whether it can be seen that it has it.
+FOCUS = """(() => {
+    const it = document.activeElement;
+    const name = it.ariaLabel || it.labels?.[0]?.textContent || it.textContent;
+    const { outlineStyle, boxShadow } = getComputedStyle(it);
+    return [name.trim().slice(0, 40), outlineStyle !== "none" || boxShadow !== "none", it.offsetParent !== null];
+})()"""
+
+
+def tabbed(page: browser.Page, until: str) -> list[str]:
+    """The names of what Tab leads to, up to one; each can be seen, and that it has the focus."""
+    names: list[str] = []
+    while until not in names:
+        key(page, "Tab", 9)
+        name, outlined, visible = page.run(FOCUS)
+        assert name and outlined and visible and name not in names[-1:], (names, name)
+        names.append(name)
+        assert len(names) < 60, names
+    return names
+
+
+def test_by_keyboard_alone(page: browser.Page) -> None:
+    """Connect, stream, stop and disconnect; the order of Tab is that of the page."""
     with served() as at:
+        opened(page, f"serve={at.server.address}&streams=sensor.scaled_accel@100")
+        page.call("Emulation.setFocusEmulationEnabled", enabled=True)
+        page.run("document.querySelector('#tool').tabIndex = -1; document.querySelector('#tool').focus()")
+        assert tabbed(page, "Connect")[-2:] == ["or the address that mip serve prints", "Connect"]
+        key(page, "Enter", 13, "\r")
+        page.run("until(() => /^Connected to/.test(text('.mip-status')))")
+        page.run("until(() => !document.querySelector('.mip-totals button').disabled)")
+        page.run("document.querySelector('.mip-status').tabIndex = -1; document.querySelector('.mip-status').focus()")
+        assert tabbed(page, "Record")[-3:] == ["Start", "Stop", "Record"]
+        page.run("document.querySelector('.mip-status').focus()")
+        assert tabbed(page, "Start")[0] == "Disconnect"
+        key(page, "Enter", 13, "\r")
+        page.run("until(() => document.querySelectorAll('.mip-each > .mip-reading').length === 1)")
+        assert tabbed(page, "plot")[:2] == ["Stop", "Record"]
+        page.run("document.querySelector('.mip-status').focus()")
+        tabbed(page, "Stop")
+        key(page, " ", 32, " ")
+        page.run("until(() => /device is idle/.test(document.querySelector('#tool').innerText), 5)")
+        page.run("document.querySelector('.mip-status').focus()")
+        names = tabbed(page, "Settings")
+        assert [name for name in names if name in ("Streams", "plot", "Commands", "Settings")] == [
+            "Streams",
+            "plot",
+            "Commands",
+            "Settings",
+        ], names
+        page.run("document.querySelector('.mip-status').focus()")
+        tabbed(page, "Disconnect")
+        key(page, "Enter", 13, "\r")
+        page.run("until(() => text('.mip-status') === 'Not connected.')")
+
+
+def load(page: browser.Page, text: str) -> str:
+    """What the page says when it is given a file."""
+    page.run(
+        "(() => { const input = document.querySelector('#mip-settings'); const held = new DataTransfer();"
+        f" held.items.add(new File([{json.dumps(text)}], 'settings.yaml')); input.files = held.files;"
+        " input.dispatchEvent(new Event('change')); })()"
+    )
+    page.run("until(() => /already as|failed:/.test(text('[data-what=settings]')), 60)")
+    said: str = page.run("document.querySelector('[data-what=settings]').innerText")
+    page.run("document.querySelector('[data-what=settings]').replaceChildren()")
+    return said
+
+
+def test_settings_go_from_the_page_to_the_command_and_back(page: browser.Page, tmp_path: Path) -> None:
+    """Many settings: read by the page and written by `mip config`, and the other way round."""
+    found = model("real").device(DEVICE)
+    assert found is not None
+    path = tmp_path / "settings.yaml"
+    with served() as at:
+        assert len(told(found, at.device, 0)) > 40
+        wanted = pulled(at.device)
         connected(page, at)
         page.run("fold('Settings'); press('Save to a file'); until(() => saved.length)")
-        held = json.loads(page.run("saved[0].text()"))
-        names = {one["command"] for one in held["settings"]}
-        assert held["device"] == DEVICE and {"3dm.message_format", "3dm.gpio_config", "filter.antenna_offset"} <= names
-        assert len(held["settings"]) > 80
-        link = at.ports[-1]._link
-        changed = mip_3dm.PpsSourceControl.write(mip_3dm.PpsSource.GENERATED)
-        with at.ports[-1]._wake:
-            link.write(bytes(changed.packet()))
-        load = (
-            "(() => {{ const input = document.querySelector('#mip-settings'); const held = new DataTransfer();"
-            " held.items.add(new File([{}], 'x.json')); input.files = held.files;"
-            " input.dispatchEvent(new Event('change')); }})()"
-        )
-        page.run(load.format(json.dumps(json.dumps(held))))
-        page.run("until(() => /already as/.test(document.body.innerText))")
-        said = page.run("document.body.innerText")
-        assert f"{len(held['settings']) - 1} already as in the file" in said
-        assert "1 written, until the next power-off: 3dm.pps_source_control" in said
-        page.run(load.format(json.dumps("no file of this page")))
-        page.run("until(() => /failed: the file is not one/.test(document.body.innerText))")
+        path.write_text(page.run("saved[0].text()"))
+        held = parsed.parsed(path).held
+        path_of_command = tmp_path / "command.yaml"
+        path_of_command.write_text(wanted)
+        theirs = parsed.parsed(path_of_command).held
+        assert [*held.keys() ^ theirs.keys()] == []
+        assert not [place for place in held if talk.differs(held[place], theirs[place])]
+    other = VirtualDevice(DEVICE)
+    done = pushed(other, path)
+    assert len(done.written) > 30 and not done.refused and not done.different
+    assert pulled(other) == wanted
+
+    with served() as at:
+        connected(page, at)
+        page.run("fold('Settings')")
+        said = load(page, wanted)
+        assert "written, until the next power-off" in said and "rejected" not in said and "otherwise" not in said
+        ends = [place for place in theirs if ends_talk(place)]
+        now = pulled(at.device)
+        path.write_text(now)
+        mine = parsed.parsed(path).held
+        assert {p for p in mine if talk.differs(mine[p], theirs[p])} <= {*ends}
+        assert f"{len(theirs)} already as in the file" in load(page, now)
+
+
+def test_a_file_that_is_wrong_changes_nothing(page: browser.Page) -> None:
+    with served() as at:
+        before = pulled(at.device)
+        connected(page, at)
+        page.run("fold('Settings')")
+        for text, wanted in (
+            ("no file of settings", "this is no file of settings"),
+            (before.replace("source: receiver_1", "source: receiver_9"), "did you mean 'receiver_2' or 'receiver_1'?"),
+            (before.replace(f"model: {DEVICE}", "model: 3dm-gx5-45"), "the file has the settings of a 3dm-gx5-45"),
+            (before.replace("settings:\n", "settings: &all\n"), "not YAML that is read here: '&'"),
+        ):
+            assert text != before
+            said = load(page, text)
+            assert said.startswith("Writing the settings failed: ") and wanted in said, said
+        assert pulled(at.device) == before
 
 
 def test_unplugged_and_plugged_in_again(page: browser.Page) -> None:

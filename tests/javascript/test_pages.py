@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import urllib.parse
 from collections.abc import Iterator
 
 import browser
@@ -87,3 +88,72 @@ def test_axe_finds_nothing(page: browser.Page, name: str, scheme: str) -> None:
         " `${id}: ${nodes.slice(0, 3).map((node) => node.html.slice(0, 160)).join(' | ')}`))"
     )
     assert found == []
+
+
+#: Fills in an input, or chooses.
+PUT = """
+window.put = (selector, value) => {
+    const it = document.querySelector(selector);
+    it.value = value;
+    it.dispatchEvent(new Event("input", { bubbles: true }));
+    it.dispatchEvent(new Event("change", { bubbles: true }));
+};
+0
+"""
+
+#: Tool -> what a user does there, and what the address has then.
+ACTS = {
+    "inspector": (
+        "put('#mip-bytes', '75 65 0C 04 04 28 01 04 1B 55'); put('#mip-device', '3dm-cv7-gnss-ins')",
+        "bytes=75",
+    ),
+    "finder": ("put('#mip-find', 'lever arm')", "find=lever"),
+    "builder": (
+        "put('#mip-device', '3dm-cv7-gnss-ins'); put('#mip-field', '3dm.message_format');"
+        " document.querySelector('.mip-hits button').click();"
+        " put('.mip-hertz', '250'); put('#mip-field', '')",
+        "packet=75650C0B",
+    ),
+    "bandwidth": (
+        "put('#mip-stream-device', '3dm-cv7-gnss-ins');"
+        " document.querySelector('[id=\"mip-stream-sensor.scaled_accel\"]').click();"
+        " document.querySelector('[data-set=sensor]').open = true;"
+        " put('[aria-label=\"Rate of Scaled accel in Hz\"]', '250')",
+        "streams=sensor.scaled_accel@250",
+    ),
+    "live": ("put('#mip-serve', 'ws://127.0.0.1:9/abc'); document.querySelector('form button').click()", "serve=ws"),
+}
+
+#: What somebody sees.
+SEEN = """[
+    [...document.querySelectorAll("#tool :is(input, select, textarea)")].map((one) => [one.id, one.value, one.checked]),
+    document.querySelector("#tool").innerText.replace(/Not connected.*/s, ""),
+]"""
+
+
+@pytest.fixture(scope="module")
+def other() -> Iterator[browser.Page]:
+    """Another browser, with a profile of its own."""
+    with browser.page() as opened:
+        yield opened
+
+
+@pytest.mark.parametrize("tool", sorted(ACTS))
+def test_a_link_opens_the_same_in_another_browser(page: browser.Page, other: browser.Page, tool: str) -> None:
+    acts, wanted = ACTS[tool]
+    for one in (page, other):
+        one.size(1400)
+        one.open("about:blank")
+    page.open(workbench("real") / f"{tool}.html")
+    page.run(PUT)
+    page.run(f"(() => {{ {acts} }})()")
+    page.run("new Promise((done) => setTimeout(done, 800))")  # the address follows
+    link = page.run("location.href")
+    assert wanted in urllib.parse.unquote(link), link
+    other.open(link)
+    other.run("new Promise((done) => setTimeout(done, 300))")
+    seen, again = page.run(SEEN), other.run(SEEN)
+    search = {"mip-field", "mip-add"}  # what is typed there is not kept, but what is chosen
+    assert [x for x in again[0] if x[0] not in search] == [x for x in seen[0] if x[0] not in search]
+    assert again[1] == seen[1]
+    page.complaints.clear()  # nothing listens at the address that the live view was given

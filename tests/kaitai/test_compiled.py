@@ -39,12 +39,16 @@ from support import (
     heavy,
     locked,
     model,
+    need,
+    nightly,
     set_of,
 )
 
 pytestmark = heavy(kaitai.TARGET.needs)
 
 HERE = Path(__file__).parent
+#: The version of the compiler, and of the run-time libraries.
+KAITAI = "0.11"
 
 specs = pytest.mark.parametrize("spec", sorted(SPECS))
 languages = pytest.mark.parametrize("language", COMPILED)
@@ -183,12 +187,33 @@ def test_streams(spec: str) -> None:
 def test_cpp_counts_the_same(spec: str, tmp_path: Path) -> None:
     """What the compiler makes for C++ compiles, with a run-time library of ours, and finds the same in a stream."""
     compiled(file(spec).parent, spec, "python")
-    of, out = model(spec), locked_cpp(spec)
+    counts_the_same(spec, tmp_path / "log", locked_cpp(spec) / "count")
+
+
+@nightly("Maven and a Java compiler")
+@specs
+def test_java_counts_the_same(spec: str, tmp_path: Path) -> None:
+    """With the run-time library of Maven Central."""
+    out = compiled(file(spec).parent, spec, "python").parent
+    environment = {**os.environ, "KAITAI_MODULES": str(out / "modules")}
+    subprocess.run(["node", HERE / "compile.cjs", file(spec), "java", tmp_path], check=True, env=environment)
+    library = f"io.kaitai:kaitai-struct-runtime:{KAITAI}"
+    copy = ["dependency:copy", f"-Dartifact={library}", f"-DoutputDirectory={tmp_path}", "-Dmdep.stripVersion=true"]
+    subprocess.run([need("mvn"), "-q", *copy], check=True, cwd=tmp_path)
+    path = f"{tmp_path}:{tmp_path / 'kaitai-struct-runtime.jar'}"
+    sources = [tmp_path / "Mip.java", HERE / "java/Count.java"]
+    subprocess.run([need("javac"), "-nowarn", "-cp", path, "-d", tmp_path, *sources], check=True)
+    counts_the_same(spec, tmp_path / "log", need("java"), "-cp", path, "Count")
+
+
+def counts_the_same(spec: str, log: Path, *command: Path | str) -> None:
+    """Packets, bytes between them, fields, unknown and wrong ones, as Python finds them."""
+    of = model(spec)
     packets = [bytes.fromhex(p) for p in random_packets(spec)] + [e.packet for e in of.examples]
     packets += [codec.build(of, 0x80, [(0xC7, b"unknown")]), codec.build(of, e_set(of), [(short(of).descriptor, b"")])]
     stream = b"noise".join(packets)
-    (tmp_path / "log").write_bytes(stream)
-    done = subprocess.run([str(out / "count"), str(tmp_path / "log")], capture_output=True, text=True, timeout=100)
+    log.write_bytes(stream)
+    done = subprocess.run([*map(str, command), str(log)], capture_output=True, text=True, timeout=100)
     assert done.returncode == 0, done.stderr
     parts = compiled_python(spec).from_bytes(stream).parts
     fields = [f for p in parts if p.is_packet for f in p.packet.payload.fields]
@@ -252,6 +277,7 @@ def test_every_bit_is_in_its_place(spec: str) -> None:
                 data = number.to_bytes(t.size, "big" if t.scalar else "little")
                 got = getattr(cls(KaitaiStream(BytesIO(data))), member(b.name))
                 assert int(got) == (number & b.mask) >> b.first, (t.name, b.name, number)
+                assert t.scalar is None or cls(KaitaiStream(BytesIO(data))).number == number, (t.name, number)
                 asked += 1
     assert asked
 

@@ -54,6 +54,20 @@ def test_a_packet_begins_with_the_sync_bytes(spec: str) -> None:
     assert f"sync == 0x{first:02x}{second:02x} " in re.sub(r"\s+", " ", file(spec).read_text("utf-8")).lower()
 
 
+def test_what_a_count_must_obey() -> None:
+    """What is between the counter and its array has its own bytes, without which nothing is counted."""
+    known = ksy(file("invented"))["types"]
+    assert {
+        (kind, a["id"]): a["valid"]["expr"]
+        for kind in ("tools_path", "tools_formats")
+        for a in known[kind]["seq"]
+        if "expr" in a.get("valid", {})
+    } == {
+        ("tools_path", "num_points"): "_ <= 62 and _ * 4 <= _io.size - _io.pos",
+        ("tools_formats", "num_segments"): "_io.size - _io.pos < 1 or (_ <= 25 and _ * 10 + 1 <= _io.size - _io.pos)",
+    }
+
+
 @specs
 def test_what_is_referred_to_exists(spec: str) -> None:
     tree = ksy(file(spec))

@@ -5,7 +5,7 @@
     make prove COUNT=10 SEED=3              the core and ten layouts drawn by the seed
 
 A proof depends on its harness, the sources that it includes and the prover. A result is kept in build/prove/ under the
-hash of these, and a complete run writes the tables of docs/proofs.md.
+hash of these without their comments, and a complete run writes the tables of docs/proofs.md.
 """
 
 from __future__ import annotations
@@ -14,6 +14,7 @@ import argparse
 import hashlib
 import json
 import random
+import re
 import resource
 import shutil
 import subprocess
@@ -155,8 +156,12 @@ def prover() -> str | None:
 def key(proof: Proof, sources: Path, cbmc: str) -> str:
     digest = hashlib.sha256(repr((proof.function, proof.options, version(cbmc))).encode())
     for path in (HERE / proof.harness, *(sources / "mip" / name for name in proof.sources)):
-        digest.update(path.read_bytes())
+        digest.update(without_comments(path.read_text("utf-8")).encode())
     return digest.hexdigest()[:24]
+
+
+def without_comments(source: str) -> str:
+    return " ".join(re.sub(r"/\*.*?\*/", " ", source, flags=re.S).split())
 
 
 def version(cbmc: str, known: dict[str, str] = {}) -> str:  # noqa: B006

@@ -52,7 +52,7 @@ def texts(of: m.Model) -> Iterator[tuple[str, str, str]]:
     """Module, name in it, and a text that must be there."""
     for f in all_fields(of):
         yield from _about(f, [f"{f.title} ({docs.descriptors(f)}).", *_prose(f.description, f, of)])
-        yield from _about(f, _sentences(describe.field(f, of), f))
+        yield from _about(f, _sentences(describe.in_code(f, of), f))
         yield from _about(f, describe.sources(f))
         yield from _parameters(f, of)
     for t in (*of.all_types, of.protocol.function_selector):

@@ -70,7 +70,7 @@ def test_fields_and_structures_know_what_they_mean(spec: str) -> None:
     for r in records(of):
         info = kind(package, r).INFO
         assert info.type is kind(package, r)
-        said(info, r.description, describe.field(r, of) if isinstance(r, m.Field) else describe.type(r, of), r, of)
+        said(info, r.description, describe.in_code(r, of) if isinstance(r, m.Field) else describe.type(r, of), r, of)
         assert info.sources == tuple(describe.sources(r))
         assert [p.name for p in info.parameters] == [p.name for p in r.parameters]
         assert [p.name for p in info.members] == [p.name for p in r.parameters if not p.derived]

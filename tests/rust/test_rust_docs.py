@@ -108,7 +108,7 @@ class Expected:
     def field(self, f: m.Field) -> Iterator[tuple[Item, str]]:
         item = (names.home(f), names.type_name(f.name), "")
         texts = [self.prose(f.description, item[0]), *describe.sources(f)]
-        texts += [said(fact.sentence, item[0]) for fact in describe.field(f, self.model)]
+        texts += [said(fact.sentence, item[0]) for fact in describe.in_code(f, self.model)]
         key = f"0x{f.descriptor:02X}" if len(f.occurrences) > 1 else f"0x{f.set:02X},0x{f.descriptor:02X}"
         yield from ((item, text) for text in (f"{f.title} ({key})", *texts))
 

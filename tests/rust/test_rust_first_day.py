@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+import json
 import os
 import re
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 from crates import WORK, passes, project, rendered
 from mipgen.targets.rust import session
 from support import PATIENCE, PYTHONPATH, heavy, model, simulated
 from test_rust import HERE
-from test_rust_examples import EXAMPLES, programs, ran
+from test_rust_examples import EXAMPLES, crate, programs, ran
+from virtual import test_reopen as reopen
 
 CV7, GX5 = "3dm-cv7-gnss-ins", "3dm-gx5-15"
 #: A line of the example.
@@ -121,7 +124,7 @@ fn main() {
 @heavy(EXAMPLES)
 def test_a_log(tmp_path: object) -> None:
     """Also with an end that is not whole, and a packet behind it; nothing is waited for."""
-    from test_rust_examples import ACCEL, crate
+    from test_rust_examples import ACCEL
     from test_rust_examples import LOG as log
 
     example = crate() / "examples/read_log.rs"
@@ -138,3 +141,20 @@ def test_a_log(tmp_path: object) -> None:
         [WORK / "target/debug/examples/read_log", f"file:{path}"], capture_output=True, text=True, timeout=PATIENCE
     )
     assert done.stdout.splitlines() == ["4 46", *["port: a log accepts no commands"] * 2], done.stdout + done.stderr
+
+
+@heavy(EXAMPLES)
+def test_a_port_is_opened_again(tmp_path: Path) -> None:
+    """A terminal, a hundred times, under a stream."""
+    example = crate() / "examples/pulled.rs"
+    programs()
+    example.write_text((reopen.HERE / "pulled.rs").read_text())
+    try:
+        passes(crate(), "build", "--quiet", "--locked", "--example", "pulled", "--features", "open")
+    finally:
+        example.unlink()
+    with reopen.pulled(tmp_path, [f"pty:{tmp_path}/port"]) as (place,):
+        command = [WORK / "target/debug/examples/pulled", f"serial:{place}", str(reopen.PULLS)]
+        done = subprocess.run(command, capture_output=True, text=True, timeout=PATIENCE)
+    assert done.returncode == 0, done.stderr
+    reopen.checked(json.loads(done.stdout))

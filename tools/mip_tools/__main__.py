@@ -11,7 +11,7 @@ from difflib import get_close_matches
 from typing import Any
 
 from . import __version__, binding
-from .commands import COMMANDS, PACKAGE, loaded, without_package
+from .commands import COMMANDS, DEFINITIONS, PACKAGE, loaded, without_package
 from .errors import Failure, Misuse, NoBinding
 
 EPILOG = """\
@@ -104,6 +104,11 @@ def _run(given: list[str]) -> int:
         PACKAGE,
         metavar="NAME",
         help=f"the generated package to work on, or its folder (default: ${binding.VARIABLE}, else {binding.USUAL})",
+    )
+    parser.add_argument(
+        DEFINITIONS,
+        metavar="FILE",
+        help="a mip.json, from which the package is made in memory, so that nothing need be generated",
     )
     if given and not given[0].startswith("-") and given[0] not in COMMANDS:
         near = get_close_matches(given[0], COMMANDS, n=2)

@@ -1,8 +1,9 @@
 """The generated package that the tools work on, and everything that they use of it.
 
 It is `mip_protocol` unless `use`, `mip --package` or the environment variable `MIP_PACKAGE` names
-another one. The rest of the tools imports what it needs of a specification from here, by name; each
-module of the package is imported when something of it is first used.
+another one, or a `mip.json`, from which the package is then made. The rest of the tools imports what
+it needs of a specification from here, by name; each module of the package is imported when something
+of it is first used.
 """
 
 from __future__ import annotations
@@ -17,10 +18,13 @@ from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
+from . import definitions
 from .errors import NoBinding
 
 USUAL = "mip_protocol"
 VARIABLE = "MIP_PACKAGE"
+#: How the name of a file of definitions ends.
+DEFINITIONS = ".json"
 
 #: What distinguishes a generated package from any other folder.
 _MARK = "reflection"
@@ -30,7 +34,7 @@ _wanted: str | None = None
 
 
 def use(package: str) -> None:
-    """Chooses the generated package: its name, its folder, or the folder that contains it.
+    """Chooses the generated package: its name, its folder, or the folder that contains it; or a `mip.json`.
 
     Call it before anything else of the tools is imported. Raises NoBinding.
     """
@@ -51,11 +55,15 @@ def name() -> str:
 def wanted() -> str:
     """What another process must `use` to have the same package."""
     given = _wanted or os.environ.get(VARIABLE) or USUAL
-    return str(Path(given).resolve()) if Path(given).is_dir() and given != name() else given
+    return str(Path(given).resolve()) if Path(given).exists() and given != name() else given
 
 
 def _found() -> str:
     wanted = _wanted or os.environ.get(VARIABLE) or USUAL
+    return _defined(Path(wanted)) if wanted.endswith(DEFINITIONS) else _generated(wanted)
+
+
+def _generated(wanted: str) -> str:
     if all(word.isidentifier() for word in wanted.split(".")) and _importable(wanted):
         if not _importable(f"{wanted}.{_MARK}"):
             raise NoBinding(f"{wanted} is not a package that mipgen has generated")
@@ -66,6 +74,13 @@ def _found() -> str:
         remedy = f"name yours with --package NAME, {VARIABLE}=NAME or mip_tools.use(NAME)"
         raise NoBinding(f"{USUAL} is not installed; install the generated Python package, or {remedy}")
     raise NoBinding(f"{wanted} is neither an installed package nor a folder; install it, or name its folder")
+
+
+def _defined(file: Path) -> str:
+    """The package that is made from a file; its runtime is that of an installed one."""
+    before = os.environ.get(VARIABLE) or USUAL
+    runtime = USUAL if before.endswith(DEFINITIONS) else before
+    return definitions.load(file, import_module(_generated(runtime)))
 
 
 def _importable(module: str) -> bool:
@@ -100,6 +115,9 @@ def module(home: str) -> ModuleType:
 @cache
 def data(file: str) -> dict[str, Any]:
     """A file of the package with facts for tools, in JSON."""
+    made = definitions.simulation(name()) if file == "simulation.json" else None
+    if made is not None:
+        return made
     try:
         text = resources.files(name()).joinpath(file).read_text("utf-8")
     except FileNotFoundError:
@@ -132,16 +150,16 @@ _USED = {
     "protocol": "VERSION AckCode Acknowledge FunctionSelector",
     "reflection": "info items",
     "registry": "MODULES all_types types",
-    "text": "meant shortest",
+    "text": "meant named shortest",
     "timestamps": "MOST REACH SECOND from_date headers moments moments_of utc",
 }
 #: Modules that they use as such.
-_MODULES = ("lookup", "reflection", "registry", "timestamps")
+_MODULES = ("lookup", "reflection", "registry", "timestamps", "wire")
 _HOMES = {name: home for home, names in _USED.items() for name in names.split()}
 
 # For type checkers, any generated package is like this one.
 if TYPE_CHECKING:
-    from mip_protocol import lookup, reflection, registry, timestamps
+    from mip_protocol import lookup, reflection, registry, timestamps, wire
     from mip_protocol._clocks import CLOCKS, LEAP_SECONDS
     from mip_protocol._index import FAMILIES, FIELDS, SETS
     from mip_protocol._session import session
@@ -175,7 +193,7 @@ if TYPE_CHECKING:
     from mip_protocol.protocol import VERSION, AckCode, Acknowledge, FunctionSelector
     from mip_protocol.reflection import info, items
     from mip_protocol.registry import MODULES, all_types, types
-    from mip_protocol.text import meant, shortest
+    from mip_protocol.text import meant, named, shortest
     from mip_protocol.timestamps import MOST, REACH, SECOND, from_date, headers, moments, moments_of, utc
 else:
 

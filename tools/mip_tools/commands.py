@@ -1,4 +1,4 @@
-"""The commands of `mip`, and the option that all of them have."""
+"""The commands of `mip`, and the options that all of them have."""
 
 from __future__ import annotations
 
@@ -29,7 +29,10 @@ COMMANDS = {
     "completion": ("cli.completion", "print a script for completion in a shell"),
 }
 
-PACKAGE = "--package"
+PACKAGE, DEFINITIONS = "--package", "--definitions"
+
+#: Option that chooses the package -> what it needs.
+WHICH = {PACKAGE: "the name or the folder of a generated package", DEFINITIONS: "a mip.json"}
 
 
 def loaded(command: str) -> Any:
@@ -38,17 +41,20 @@ def loaded(command: str) -> Any:
 
 
 def without_package(words: list[str]) -> tuple[str | None, list[str]]:
-    """What `--package` names, before or behind the command, and the other words. Raises Misuse."""
+    """What `--package` or `--definitions` names, before or behind the command, and the other words. Raises Misuse."""
     end = words.index("--") if "--" in words else len(words)
     for i, word in enumerate(words[:end]):
         option, equals, value = word.partition("=")
-        if option == PACKAGE:
+        if option in WHICH:
             if not equals:
                 value = next(iter(words[i + 1 : end]), "")
             if not value:
-                raise Misuse(f"{PACKAGE} needs the name or the folder of a generated package")
-            return value, words[:i] + words[i + (1 if equals else 2) :]
+                raise Misuse(f"{option} needs {WHICH[option]}")
+            rest = words[:i] + words[i + (1 if equals else 2) :]
+            if without_package(rest)[0] is not None:
+                raise Misuse(f"{PACKAGE} and {DEFINITIONS} are given twice, or both; the tools use one package")
+            return value, rest
     return None, words
 
 
-__all__ = ["COMMANDS", "PACKAGE", "loaded", "without_package"]
+__all__ = ["COMMANDS", "DEFINITIONS", "PACKAGE", "loaded", "without_package"]

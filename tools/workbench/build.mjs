@@ -279,7 +279,9 @@ export function sourceOf(bytes, language) {
     const plain = `\\x${toHex(bytes, "\\x")}`;
     return {
         c: `static const uint8_t packet[] = {${list}};`,
+        cpp: `constexpr std::array<std::uint8_t, ${bytes.length}> packet{${list}};`,
         python: `packet = b"${plain}"`,
         rust: `const PACKET: [u8; ${bytes.length}] = [${list}];`,
+        javascript: `const packet = Uint8Array.of(${list});`,
     }[language];
 }

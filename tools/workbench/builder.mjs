@@ -10,6 +10,7 @@ import { bytesOfText } from "./pasted.mjs";
 import { picker } from "./picker.mjs";
 import { built, report } from "./report.mjs";
 import { linkRows } from "./ruler.mjs";
+import { formatNeed, needText } from "./stream.mjs";
 import { hexByte } from "./words.mjs";
 
 /**
@@ -49,6 +50,7 @@ export function builder(root, protocol, options = {}) {
         },
     });
     const problem = element("p", { class: "mip-wrong", role: "status" }, start.problem);
+    const totals = element("p", { class: "mip-totals mip-need", role: "status", hidden: true });
     const forms = element("div", { class: "mip-forms" });
     const output = element("div", { class: "mip-output", "aria-live": "polite" });
     const outcome = element("div", { class: "mip-outcome", role: "status" });
@@ -58,6 +60,9 @@ export function builder(root, protocol, options = {}) {
         if (!state.entries.length) return;
         const packet = built(protocol, state);
         output.replaceChildren(...report(protocol, state, packet, to));
+        const need = formatNeed(protocol, state.device?.id, state.entries);
+        totals.hidden = !need;
+        if (need) totals.textContent = `These rates need ${needText(need)}`;
         if (started && packet.bytes) shared.set({ packet: toHex(packet.bytes).toUpperCase() });
     };
     const layOut = () => {
@@ -97,6 +102,7 @@ export function builder(root, protocol, options = {}) {
             device && element("p", {}, element("label", { for: "mip-device" }, "Device "), device.control),
             note,
             search.root,
+            totals,
             element("div", { class: "mip-columns" }, forms, output),
         ].filter(Boolean),
     );

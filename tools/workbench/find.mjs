@@ -32,7 +32,7 @@ export function indexOf(protocol) {
 
 /**
  * The fields that a text may mean, the best first, at most `limit` of them. A text is a descriptor in any form ("0x0D13",
- * "82 10", "(0x82,0x10)", "0x82"), a name, a symbol of C, Python or Rust, of a value too, a name of the vendor, or words.
+ * "82 10", "(0x82,0x10)", "0x82"), a name, a symbol of a binding, of a value too, a name of the vendor, or words.
  * `rank` is 0 at most if the text is a descriptor, a name, a symbol or a keyword of the field.
  */
 export function find(index, text, limit = 20) {
@@ -202,7 +202,7 @@ function entryOf(protocol, field, commands, vendorWords) {
     const also = field.also ?? [];
     const keywords = field.keywords ?? [];
     const symbols = Object.values(field.symbols);
-    const short = symbols.map((symbol) => symbol.replace(/^\w+_protocol(\.|::)/, ""));
+    const short = symbols.map((symbol) => symbol.replace(/^\w+[_-]protocol(\.|::|\/)/, ""));
     const names = [
         field.name,
         ...places.map((place) => place.name),

@@ -31,7 +31,7 @@ export function finder(root, protocol, options = {}) {
                 output.querySelector("a[href]")?.click();
             },
         },
-        element("label", { for: "mip-find" }, "A descriptor (0x0D13, 82 10), a name, a symbol of C, Python or Rust, or words"),
+        element("label", { for: "mip-find" }, "A descriptor (0x0D13, 82 10), a name, a symbol of a binding, or words"),
         input,
     );
     root.replaceChildren(form, output);

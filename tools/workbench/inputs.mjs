@@ -1,8 +1,9 @@
 // Inputs for the values of parameters, of every kind that the specification has; they change the values as they are typed.
 
-import { bitsNumber, enumValue, maskOf, measuredHere, namedType, parameterOf, unitOf } from "mip-protocol/tools";
+import { bitsNumber, decimation, enumValue, maskOf, measuredHere, namedType, parameterOf, unitOf } from "mip-protocol/tools";
 import { initialValue } from "./build.mjs";
 import { element } from "./dom.mjs";
+import { baseOf } from "./stream.mjs";
 import { choicesOf, decimal, hexLiteral } from "./words.mjs";
 
 let lastInput = 0; // for ids
@@ -82,6 +83,8 @@ function scalarInput(context, op, parameter, note) {
         control.addEventListener("input", () => set(control.checked ? 1 : 0));
         return labelled(name, control, note);
     }
+    const rate = name === "decimation" && rateInput(context, set);
+    if (rate) return labelled(name, ...rate, note);
     if (!parameter.shown) return labelled(name, numberInput(values[name], kind, size, set), note);
     return labelled(name, ...hexInput(context, parameter, values[name], size, set), note);
 }
@@ -136,6 +139,31 @@ function hexInput(context, parameter, value, size, set) {
 
 function hexOf(value, size) {
     return typeof value === "string" || Number.isNaN(value) ? String(value) : hexLiteral(value, size);
+}
+
+/** A decimation, and the rate in Hz that it makes on the chosen device; undefined where the base rate is not known. */
+function rateInput({ protocol, device, values, outer }, set) {
+    const { base } = baseOf(protocol, device, outer);
+    if (!base) return undefined;
+    const number = element("input", { value: String(values.decimation), spellcheck: "false" });
+    const rate = element("input", { inputmode: "decimal", spellcheck: "false", "aria-label": "Rate in Hz", class: "mip-hertz" });
+    const tell = () => {
+        const hertz = base / values.decimation;
+        rate.value = Number.isFinite(hertz) ? String(Number(hertz.toPrecision(6))) : "";
+    };
+    number.addEventListener("input", () => {
+        set(numberOfText(number.value, "unsigned"));
+        tell();
+    });
+    rate.addEventListener("input", () => {
+        const wanted = Number(rate.value);
+        if (!(wanted > 0)) return;
+        number.value = String(decimation(base, wanted));
+        set(Number(number.value));
+    });
+    rate.addEventListener("change", tell); // the nearest that there is
+    tell();
+    return [number, " = ", rate, " Hz"];
 }
 
 /** The switches of a record that a parameter selects. */

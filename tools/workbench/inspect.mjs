@@ -19,6 +19,7 @@ import {
     valueAt,
 } from "mip-protocol/tools";
 import { bytesOfText } from "./pasted.mjs";
+import { baseOf } from "./stream.mjs";
 import { choicesOf, hexByte, pathText, shown } from "./words.mjs";
 
 /**
@@ -136,10 +137,7 @@ export function inspectData(protocol, { set, descriptor, field, data }, device) 
 
 /** The rate in Hz of a field in a message format, if the base rate of the device is known. */
 function rateText(protocol, device, decimation, outer) {
-    const where = outer?.parameter.fields_of;
-    const set = protocol.model.sets.find(({ number, name }) => (outer?.values[where] ?? where) === number || name === where);
-    const rates = protocol.model.devices.find(({ id }) => id === device)?.base_rates;
-    const base = rates?.find((rate) => rate.set === set?.name)?.hertz;
+    const { base } = baseOf(protocol, device, outer);
     return base && decimation ? `${Number((base / decimation).toPrecision(6))} Hz on the chosen device` : undefined;
 }
 

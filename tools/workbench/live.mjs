@@ -2,17 +2,18 @@
 
 import { registry } from "mip-protocol/registry";
 import { openSerial } from "mip-protocol/serial";
-import { buildPacket, fromHex, MipError, Packet } from "mip-protocol/tools";
+import { buildPacket, MipError } from "mip-protocol/tools";
 import { openWebSocket } from "mip-protocol/websocket";
 import { State } from "./address.mjs";
 import { builder } from "./builder.mjs";
-import { deviceOf, element, links, profileNote } from "./dom.mjs";
+import { count, deviceOf, element, links, profileNote } from "./dom.mjs";
 import { drawAttitude, drawPlot } from "./draw.mjs";
 import { deviceWithNumber, inspectBytes, inspectData } from "./inspect.mjs";
 import { transaction } from "./inspector.mjs";
 import { anglesOf, Readings, rotationOf } from "./readings.mjs";
-import { pull, push, settingsIn } from "./settings.mjs";
-import { needOf } from "./stream.mjs";
+import { pull, push } from "./settings.mjs";
+import { settingsIn, textOf } from "./settings_text.mjs";
+import { needOf, needText } from "./stream.mjs";
 import { streamChooser } from "./streams.mjs";
 import { flagText } from "./words.mjs";
 
@@ -35,7 +36,7 @@ const LIMITS = [
     "A recording is kept by the browser until you stop it, and then saved as a file. For hours of data, use mip record.",
     "In a tab that is hidden, data is still received and recorded, but plots stand still.",
     "Baud rates, protocols of ports and the communication mode are not restored from a file, because the connection may end. " +
-        "mip config can do that, and its files have names in place of packets.",
+        "mip config push can do that with the same file.",
     "On a page from https://, Safari does not connect to mip serve; open the workbench from disk instead.",
 ];
 
@@ -50,6 +51,7 @@ class Live {
     #state;
     #parts;
     #device;
+    #about = { model: "", firmware: "" }; // of the device
     #open; // opens the same port again
     #readings;
     #recording;
@@ -107,8 +109,8 @@ class Live {
             counts: element("p", { class: "mip-note" }),
             record: button("Record", this.#record),
             recorded: element("span", { role: "status" }),
-            load: element("input", { type: "file", id: "mip-settings", accept: ".json,application/json" }),
-            progress: element("p", { role: "status" }),
+            load: element("input", { type: "file", id: "mip-settings", accept: ".yaml,.yml,.json" }),
+            progress: element("p", { role: "status", "data-what": "settings" }),
         };
         parts.picture.append(element("h3", {}, "Attitude"), parts.attitude, parts.angles);
         this.#parts = parts;
@@ -170,8 +172,8 @@ class Live {
                 element(
                     "p",
                     { class: "mip-note" },
-                    "A file has the settings that the device reports, each as the packet that writes it. Loading writes what differs, " +
-                        "and saves nothing in flash memory: for that, send a command with the function save.",
+                    "The file is that of mip config. Loading checks all of it, writes what differs, and saves nothing in flash memory: " +
+                        "for that, send a command with the function save.",
                 ),
                 parts.progress,
             ]),
@@ -213,12 +215,12 @@ class Live {
 
     #tellNeed() {
         const problem = this.#chooser?.problem();
-        const { bytes, baud } = problem || !this.#chooser ? { bytes: 0 } : needOf(this.#chooser.chosen());
-        this.#parts.start.disabled = !bytes;
+        const need = problem || !this.#chooser ? { bytes: 0 } : needOf(this.#chooser.chosen());
+        this.#parts.start.disabled = !need.bytes;
         this.#parts.need.textContent = problem
             ? `${problem.field.title} needs ${problem.problem()}.`
-            : bytes
-              ? `${Math.ceil(bytes)} bytes/s; over a UART at least ${Math.ceil(baud)} Bd.`
+            : need.bytes
+              ? needText(need)
               : "Choose fields.";
     }
 
@@ -275,7 +277,12 @@ class Live {
             const response = await device.identify();
             const [part] = inspectBytes(this.#protocol, response.packet().bytes);
             const rows = part.fields[0].rows;
-            known = deviceWithNumber(this.#protocol, rows.find(({ path }) => path.endsWith("model_number"))?.value ?? "");
+            const told = (name) => rows.find(({ path }) => path.endsWith(name))?.value ?? "";
+            known = deviceWithNumber(this.#protocol, told("model_number"));
+            this.#about = {
+                model: known?.id ?? String(told("model_name")).trim(),
+                firmware: versionText(Number(told("firmware_version"))),
+            };
             this.#parts.identity.replaceChildren(identityList(rows, known), ...[profileNote(known)].filter(Boolean));
             this.#say(element("span", { class: "mip-right" }, `Connected to ${known?.title ?? "a device that is not known here"}.`));
         } catch (error) {
@@ -340,6 +347,7 @@ class Live {
     async #start() {
         const { outcome } = this.#parts;
         const said = [];
+        this.#readings.restart();
         try {
             for (const fields of this.#chooser.chosen().filter((some) => some.length)) {
                 const set = fields[0].set.number;
@@ -432,7 +440,9 @@ class Live {
             progress.replaceChildren(...[await act(tell)].flat());
         } catch (error) {
             if (!(error instanceof MipError)) throw error;
-            progress.replaceChildren(element("span", { class: "mip-wrong" }, `${what} failed: ${error.message}.`));
+            const [first, ...more] = error.message.split("\n");
+            const lines = more.map((line) => element("span", {}, element("br", {}), line));
+            progress.replaceChildren(element("span", { class: "mip-wrong" }, `${what} failed: ${first}`, lines));
         }
         if (streaming && this.#device) await this.#start();
     }
@@ -441,8 +451,9 @@ class Live {
         const known = deviceOf(this.#protocol, this.#state.get("device"));
         return this.#talk("Reading the settings", async (tell) => {
             const settings = await pull(this.#protocol, known, (packet) => this.#ask(packet), tell);
-            const text = JSON.stringify({ device: known?.id, date: new Date().toISOString().slice(0, 10), settings }, undefined, 1);
-            download(new Blob([text], { type: "application/json" }), `${known?.id ?? "device"}-settings.json`);
+            const about = { ...this.#about, date: new Date().toISOString().slice(0, 10) };
+            const text = textOf(this.#protocol, known, about, settings);
+            download(new Blob([text], { type: "application/yaml" }), `${known?.id ?? "device"}-settings.yaml`);
             return `${settings.length} settings saved to a file.`;
         });
     }
@@ -453,18 +464,24 @@ class Live {
         if (!file || !this.#device) return;
         const text = await file.text();
         await this.#talk("Writing the settings", async (tell) => {
-            const settings = settingsIn(this.#protocol, text, (packet) => Packet.from(fromHex(packet)));
-            const { written, same, refused, left } = await push(this.#protocol, settings, (packet) => this.#ask(packet), tell);
-            const said = (names, words) =>
-                names.length > 0 &&
-                element("li", {}, `${names.length} ${words}`, names.length ? `: ${[...new Set(names)].join(", ")}` : "");
+            const known = deviceOf(this.#protocol, this.#state.get("device"));
+            const { model, settings } = settingsIn(this.#protocol, text, known);
+            const { model: own } = this.#about;
+            if (model !== own) {
+                const remedy = `write "model: ${own}" in the file, to check it for this device`;
+                throw new MipError("format", `the file has the settings of a ${model}, and this is a ${own}; ${remedy}`);
+            }
+            const done = await push(this.#protocol, settings, (packet) => this.#ask(packet), tell);
+            const said = (of, words) =>
+                of.length > 0 && element("li", {}, `${of.length} ${words}: ${[...new Set(of.map(({ field }) => field.name))].join(", ")}`);
             return element(
                 "ul",
                 {},
-                element("li", {}, `${same.length} already as in the file`),
-                said(written, "written, until the next power-off"),
-                said(refused, "rejected by the device"),
-                said(left, "left out, because the connection may end"),
+                element("li", {}, `${done.same.length} already as in the file`),
+                said(done.written, "written, until the next power-off"),
+                said(done.refused, "rejected by the device"),
+                said(done.different, "written, and read back otherwise"),
+                said(done.left, "left out, because the connection may end"),
             );
         });
     }
@@ -496,8 +513,10 @@ class Live {
         if (!this.#device) return;
         const now = Date.now() / 1000;
         const { skipped, dropped } = this.#device;
-        const parts = [`${this.#readings.packets} packets`, skipped && `${skipped} bytes outside packets`, dropped && `${dropped} dropped`];
-        this.#parts.counts.textContent = this.#readings.packets ? parts.filter(Boolean).join(", ") : "Nothing has arrived yet.";
+        const { packets, lost } = this.#readings;
+        const missing = lost && `${count(lost, "sample")} missing by the clock of the device`;
+        const parts = [count(packets, "packet"), missing, skipped && `${skipped} bytes outside packets`, dropped && `${dropped} dropped`];
+        this.#parts.counts.textContent = packets ? parts.filter(Boolean).join(", ") : "Nothing has arrived yet.";
         if (this.#recording) this.#parts.recorded.textContent = `${this.#recording.size} bytes`;
         for (const [key, reading] of this.#readings.fields) {
             let shown = this.#shown.get(key);
@@ -576,6 +595,11 @@ class Live {
 /** A part of the page that can be folded. */
 function folded(title, children, attributes = {}) {
     return element("details", { class: "mip-section", ...attributes }, element("summary", {}, element("h2", {}, title)), children);
+}
+
+/** A firmware version as the vendor writes it: 1202 is 1.2.02. */
+function versionText(number) {
+    return `${Math.floor(number / 1000)}.${Math.floor(number / 100) % 10}.${String(number % 100).padStart(2, "0")}`;
 }
 
 function portsOf(protocol) {

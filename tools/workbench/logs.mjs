@@ -1,5 +1,6 @@
 // A log in the inspector: what is in a file of any size, and its packets page by page.
 
+import { GAP } from "./clocks.mjs";
 import { copyButton, count, element, table } from "./dom.mjs";
 import { inspectBytes } from "./inspect.mjs";
 import { survey } from "./survey.mjs";
@@ -97,18 +98,19 @@ function logReport(protocol, file, found, show, device, close) {
                 ),
                 `What is in ${file.name}`,
             ),
-        found.fields.some(({ rate }) => rate) &&
+        found.fields.some(({ rhythm }) => rhythm.rate) &&
             element(
                 "p",
                 { class: "mip-note" },
-                "Rates and gaps are by the timestamps of the device; a gap is more than 1.6 usual intervals.",
+                `Rates and gaps are by the timestamps of the device; a gap is more than ${GAP} usual intervals. `,
+                "Fields without a rate are not regular, or have no timestamps.",
             ),
         found.gaps.length > 0 && gapList(found.gaps),
         found.packets > 0 && pages(protocol, file, found, show, device),
     ].filter(Boolean);
 }
 
-function cellsOf({ set, descriptor, field, name, count: times, rate, gaps, lost }) {
+function cellsOf({ set, descriptor, field, name, count: times, rhythm: { rate, gaps, lost } }) {
     return [
         field ? `${field.title} · ${name}` : "unknown",
         `${hexByte(set)},${hexByte(descriptor)}`,

@@ -1,6 +1,7 @@
 // What a device sends: the latest values, their rates, and the last seconds of those that are plotted.
 
 import { decodeData, MipError, nameIn, partsOf } from "mip-protocol/tools";
+import { Clocks, Rhythm } from "./clocks.mjs";
 
 /** Seconds that a plot shows. */
 export const SPAN = 10;
@@ -13,14 +14,27 @@ export class Readings {
     fields = new Map();
     packets = 0;
     #protocol;
+    #clocks;
 
     constructor(protocol) {
         this.#protocol = protocol;
+        this.#clocks = new Clocks(protocol);
+    }
+
+    /** How many samples did not arrive, of all fields. */
+    get lost() {
+        return [...this.fields.values()].reduce((sum, { rhythm }) => sum + rhythm.lost, 0);
+    }
+
+    /** The streams begin anew: what was not sent meanwhile is not missing. */
+    restart() {
+        for (const reading of this.fields.values()) reading.rhythm = new Rhythm();
     }
 
     /** Takes a packet of data, which has the `time` of its arrival. */
     take(packet) {
         this.packets++;
+        const time = this.#clocks.timeOf(packet);
         packet.walk((at, end) => {
             const key = packet.set * 256 + packet.bytes[at + 1];
             const data = packet.bytes.subarray(at + 2, end);
@@ -31,6 +45,7 @@ export class Readings {
             }
             reading.data = data;
             reading.count++;
+            reading.rhythm.add(time);
             reading.times.push(packet.time);
             if (reading.times.length > 4096) reading.times.splice(0, 2048);
             if (reading.plotted) reading.sample(packet.time);
@@ -47,6 +62,7 @@ class Reading {
     #protocol;
     plotted = false;
     count = 0;
+    rhythm = new Rhythm();
     data;
     times = [];
     /** Path of a number -> [[time, value], …] of the last seconds. */
@@ -71,8 +87,9 @@ class Reading {
         }
     }
 
-    /** Arrivals per second. */
+    /** Hz by the clock of the device; without a rhythm by it, arrivals per second. */
     rate(now) {
+        if (this.rhythm.rate) return this.rhythm.rate;
         const first = this.times.findIndex((time) => time > now - WINDOW);
         const some = first < 0 ? [] : this.times.slice(first);
         return some.length > 1 ? (some.length - 1) / (some.at(-1) - some[0] || WINDOW) : some.length / WINDOW;

@@ -70,7 +70,7 @@ function programs(protocol, field, values) {
     const given =
         field.role === "command"
             ? "Each assumes an open `device`."
-            : "C has a `field` of a packet, Python an open `device`, Rust a `packet`.";
+            : "C and C++ have a `field` of a packet, Rust a `packet`, Python and JavaScript an open `device`.";
     return [
         element("h3", {}, field.role === "command" ? "To send it" : "To read it"),
         element("p", {}, given.replaceAll("`", "")),

@@ -1,7 +1,7 @@
 // The settings of a device as a file: which there are, and how they are read and written, one command after another.
 
-import { buildPacket, decodeData, FIRST_DATA_SET, MipError, nameIn, SHARED_SET, toHex } from "mip-protocol/tools";
-import { certaintyOn } from "./build.mjs";
+import { decodeData, FIRST_DATA_SET, MipError, namedType, sameBytes, SHARED_SET } from "mip-protocol/tools";
+import { certaintyOn, packetOf } from "./build.mjs";
 
 /** Effects of settings that may end the connection: a file does not change them. */
 const LINK = ["protocols", "communication_mode", "baud_rate"];
@@ -9,32 +9,44 @@ const LINK = ["protocols", "communication_mode", "baud_rate"];
 /** Settings with these effects are written last, in this order. */
 const LAST = ["format", "sentences", "switch"];
 
+/** How often what the device has rejected, or others have changed, is written again. */
+const ROUNDS = 3;
+
 /** How many instances are asked for where nothing says how many there are. */
 const MOST = 8;
 
 const facts = (protocol, name) => protocol.model.simulation?.behaviors?.find((one) => one.command === name) ?? {};
 const callOf = (field, name) => field.calls?.find((call) => call.function === name);
 
-/** The commands that a device can write, read and save; of several for one setting, the one that keeps it. */
+/** The commands that a device, or any, may write, read and save. */
 export function settingsOf(protocol, device) {
-    const all = protocol.model.fields.filter(
+    return protocol.model.fields.filter(
         (field) =>
             field.role === "command" &&
             ["write", "read", "save"].every((name) => callOf(field, name)) &&
-            field.parameters.length > 1 &&
-            certaintyOn(protocol, device, field, field.set) !== undefined,
+            parametersOf(field).length > keysOf(field).length &&
+            !facts(protocol, field.name).once &&
+            (!device || certaintyOn(protocol, device, field, field.set) !== undefined),
     );
-    const names = new Set(all.map(({ name }) => name));
-    return all.filter(({ name }) => {
-        const { once, setting } = facts(protocol, name);
-        return !once && !names.has(setting);
-    });
+}
+
+/** What a setting is made of: not the function, nor what follows from the rest, nor what is reserved. */
+export function parametersOf(field) {
+    return field.parameters.filter(
+        ({ selector, counts, constant, reserved }) => !selector && [counts, constant, reserved].every((one) => one === undefined),
+    );
+}
+
+/** The parameters that select an instance: what is required to save a setting. */
+export function keysOf(field) {
+    const names = parametersOf(field).map(({ name }) => name);
+    return callOf(field, "save").required.filter((name) => names.includes(name));
 }
 
 /** Values for the parameters that select an instance: an array of objects. Where their number is not known, `open` is true. */
 export function instancesOf(protocol, device, field) {
     const known = facts(protocol, field.name);
-    const selectors = callOf(field, "read").required;
+    const selectors = keysOf(field);
     let open = false;
     let found = [{}];
     for (const name of selectors) {
@@ -49,25 +61,33 @@ export function instancesOf(protocol, device, field) {
     return { instances: found, open };
 }
 
+/** The values that select an instance; undefined where nothing says how many there are. */
 function valuesOf(protocol, device, parameter, known, beside) {
     const pairs = (of) => new Map(of ?? []);
     const source = pairs(known.instances).get(parameter.name);
     const everything = pairs(known.all).get(parameter.name);
-    const translate = pairs(known.translate).get(parameter.name);
+    const numbers = pairs(known.translate).get(parameter.name);
+    const translate = numbers && new Map(numbers);
     const sets = dataSetsOf(protocol, device);
-    if (source === "ports" && device?.ports?.some(({ id }) => id !== undefined)) return device.ports.map(({ id }) => id).filter(Boolean);
-    if (source === "affected") {
-        const set = Object.values(beside)[0];
-        return known.affected.filter(([number]) => set === undefined || number === set).map(([, descriptor]) => descriptor);
+    if (source === "ports" && device?.ports?.length) {
+        const rated = device.ports.filter(({ baud_rates: rates }) => known.effect === "baud_rate" && rates?.length);
+        return (rated.length ? rated : device.ports).map(({ id }) => id).filter((id) => id !== undefined);
     }
-    if (translate) return translate.filter(([, set]) => sets.includes(set)).map(([value]) => value);
-    if (parameter.shown === "set") return known.affected ? [...new Set(known.affected.map(([set]) => set))] : sets;
-    const type = protocol.types.get(parameter.type);
+    const type = namedType(protocol, parameter, beside, device?.id);
     if (type?.kind === "enum") {
         const only = parameter.variants?.find((one) => one.by === "device" && one.key === device?.id)?.only;
-        const here = type.values.filter(({ name, value }) => value !== everything && (!only || only.includes(name)));
-        return here.map(({ value }) => value);
+        const values = type.values.filter(({ name, value }) => value !== everything && (!only || only.includes(name)));
+        const here = values.map(({ value }) => value);
+        return source === "data_sets" && sets.length ? here.filter((value) => sets.includes(translate?.get(value) ?? value)) : here;
     }
+    if (source === "data_sets" && parameter.shown === "set") return sets;
+    if (translate) return [...translate].filter(([, set]) => sets.includes(set)).map(([value]) => value);
+    if (source === "affected") {
+        const set = Object.values(beside)[0];
+        const here = known.affected.filter(([number]) => set === undefined || number === set);
+        return here.map(([, descriptor]) => descriptor).sort((a, b) => a - b);
+    }
+    if (parameter.shown === "set") return known.affected ? [...new Set(known.affected.map(([set]) => set))] : sets;
     const limit = device?.limits?.find(({ name }) => name === source)?.value;
     return limit === undefined ? undefined : Array.from({ length: limit }, (_, i) => i + 1);
 }
@@ -78,103 +98,127 @@ function dataSetsOf(protocol, device) {
     return sets.filter((set) => names.has(set.name)).map((set) => set.number);
 }
 
-/** A command that reads a setting, as a packet. */
-function readingOf(protocol, field, selected) {
-    const read = [...protocol.functions.values()].find(({ name }) => name === "read").value;
-    return buildPacket(protocol, field.set, [{ name: field.name, values: { function: read, ...selected } }]);
+const numberOf = (protocol, name) => [...protocol.functions.values()].find((one) => one.name === name).value;
+
+/** The values that a function requires: of some values, with those that are reserved, and a form if there are several. */
+function valuesFor(protocol, field, name, values) {
+    const all = { function: numberOf(protocol, name) };
+    for (const one of callOf(field, name).required) {
+        const parameter = field.parameters.find((each) => each.name === one);
+        if (parameter.counts || parameter.constant !== undefined) continue;
+        const form = name === "read" ? (protocol.types.get(parameter.type)?.values?.[0].value ?? 0) : undefined;
+        all[one] = values[one] ?? parameter.reserved ?? form;
+        if (parameter.reserved !== undefined && typeof parameter.length === "number")
+            all[one] = Array(parameter.length).fill(parameter.reserved);
+        if (all[one] === undefined) return undefined;
+    }
+    return all;
 }
 
-/** The command that writes what was read, as a packet; undefined if the response lacks a part of it. */
-function writingOf(protocol, field, selected, values) {
-    const write = [...protocol.functions.values()].find(({ name }) => name === "write").value;
-    const all = { function: write, ...selected };
-    for (const name of callOf(field, "write").required) {
-        const parameter = field.parameters.find((one) => one.name === name);
-        if (name in all || parameter.counts || parameter.constant !== undefined) continue;
-        if (parameter.reserved !== undefined) all[name] = parameter.reserved;
-        else if (values[name] === undefined) return undefined;
-        else all[name] = values[name];
-    }
-    return buildPacket(protocol, field.set, [{ name: field.name, values: all }]);
+const packet = (protocol, field, values) => packetOf(protocol, field.set, [{ field, values }]);
+
+/** The name in a response of a parameter of its command. */
+function nameInResponse(protocol, response, name) {
+    const source = protocol.model.simulation?.sources?.find((one) => one.field === response.name);
+    return source?.values.find((one) => one.parameter === name)?.path ?? name;
 }
 
 /**
- * Reads the settings of a device: an array of { command, packet }, the packet that writes it, in hexadecimal.
+ * Reads one setting: { field, values, packet }, the values and the packet that write it; undefined if the device has none.
  *
  * @param ask sends a packet with one command and returns { accepted, response }, a response in bytes with its field
  */
-export async function pull(protocol, device, ask, progress = () => {}) {
-    const found = [];
-    const commands = settingsOf(protocol, device);
-    for (const [i, field] of commands.entries()) {
-        progress(i / commands.length, field);
-        const { instances, open } = instancesOf(protocol, device, field);
-        for (const selected of instances) {
-            const one = await readSetting(protocol, field, selected, ask);
-            if (!one && open) break; // there are no more
-            if (one) found.push({ command: field.name, packet: one });
-        }
-    }
-    return found;
-}
-
 async function readSetting(protocol, field, selected, ask) {
-    const { accepted, response } = await ask(readingOf(protocol, field, selected));
+    const { accepted, response } = await ask(packet(protocol, field, valuesFor(protocol, field, "read", selected)));
     if (!accepted || !response) return undefined;
     try {
-        const { values } = decodeData(protocol, response.field, response.data);
-        const packet = writingOf(protocol, field, selected, values);
-        return packet && toHex(packet.bytes).toUpperCase();
+        const { values: told } = decodeData(protocol, response.field, response.data);
+        const held = field.parameters.map(({ name }) => [name, told[nameInResponse(protocol, response.field, name)] ?? selected[name]]);
+        const values = valuesFor(protocol, field, "write", Object.fromEntries(held));
+        return values && { field, values, packet: packet(protocol, field, values) };
     } catch (error) {
         if (!(error instanceof MipError)) throw error;
         return undefined;
     }
 }
 
-/** The settings that a file has: an array of { field, packet, data }. Raises a MipError that says what is wrong. */
-export function settingsIn(protocol, text, packetOf) {
-    let held;
-    try {
-        held = JSON.parse(text);
-    } catch {
-        throw new MipError("format", "the file is not one that this page has saved");
+/**
+ * Reads the settings of a device: an array of { field, values, packet }. Of several commands for one setting, it has the one
+ * that keeps it, or the first that the device knows.
+ */
+export async function pull(protocol, device, ask, progress = () => {}) {
+    const found = new Map(); // command -> its settings
+    const all = settingsOf(protocol, device);
+    const homeOf = ({ name }) => facts(protocol, name).setting ?? name;
+    const [own, others] = [true, false].map((same) => all.filter((field) => (homeOf(field) === field.name) === same));
+    const read = new Set();
+    for (const [i, field] of [...own, ...others].entries()) {
+        const view = `${homeOf(field)} ${JSON.stringify(facts(protocol, field.name).key ?? [])}`;
+        if (read.has(homeOf(field)) || read.has(view)) continue;
+        progress(i / all.length, field);
+        const settings = await readInstances(protocol, device, field, ask);
+        found.set(field, settings);
+        if (settings.length) read.add(homeOf(field) === field.name ? field.name : view);
     }
-    if (!Array.isArray(held?.settings)) throw new MipError("format", "the file has no settings");
-    return held.settings.map(({ packet }) => {
-        const whole = packetOf(packet);
-        const [raw, ...more] = [...whole.fields()];
-        const field = protocol.choose(raw.set, raw.descriptor, raw.data);
-        if (more.length || !field || !callOf(field, "save")) throw new MipError("format", `${packet} is not one setting`);
-        return { field, packet: whole, data: raw.data };
-    });
+    return all.flatMap((field) => found.get(field) ?? []);
 }
 
-/** Settings of a file in the order in which they are written, without those that may end the connection. */
-export function inOrder(protocol, settings) {
+async function readInstances(protocol, device, field, ask) {
+    const found = [];
+    const { instances, open } = instancesOf(protocol, device, field);
+    for (const selected of instances) {
+        const one = await readSetting(protocol, field, selected, ask);
+        if (one) found.push(one);
+        else if (open) break; // there are no more
+    }
+    return found;
+}
+
+/** Settings in the order in which they are written. */
+function inOrder(protocol, settings) {
     const rank = ({ field }) => LAST.indexOf(facts(protocol, field.name).effect) + 1;
     return [...settings].sort((a, b) => rank(a) - rank(b));
 }
 
-export function endsTalk(protocol, field) {
-    return LINK.includes(facts(protocol, field.name).effect);
-}
-
 /**
- * Writes the settings of a file that differ from those of the device. Returns { written, same, refused, left }, each an array
- * of the names of commands.
+ * Writes the settings of a file that differ from those of the device, and reads them back. What the device rejects is tried
+ * again once others are written, on which it may depend. Returns { written, same, refused, different, left }, arrays of
+ * settings; `left` may end the connection and is not written. Raises a MipError, before anything is written, if the device
+ * lacks a setting.
  */
 export async function push(protocol, settings, ask, progress = () => {}) {
-    const done = { written: [], same: [], refused: [], left: [] };
     const ordered = inOrder(protocol, settings);
-    for (const [i, { field, packet, data }] of ordered.entries()) {
-        progress(i / ordered.length, field);
-        const name = nameIn(field, field.set);
-        const { values } = decodeData(protocol, field, data);
-        const selected = Object.fromEntries(callOf(field, "read").required.map((one) => [one, values[one]]));
-        const now = await readSetting(protocol, field, selected, ask);
-        if (now === toHex(packet.bytes).toUpperCase()) done.same.push(name);
-        else if (endsTalk(protocol, field)) done.left.push(name);
-        else done[(await ask(packet)).accepted ? "written" : "refused"].push(name);
+    const differing = async (some, share) => {
+        const found = { same: [], differ: [], absent: [] };
+        for (const [i, one] of some.entries()) {
+            progress(share(i / some.length), one.field);
+            const now = await readSetting(protocol, one.field, one.values, ask);
+            found[!now ? "absent" : sameBytes(now.packet.bytes, one.packet.bytes) ? "same" : "differ"].push(one);
+        }
+        return found;
+    };
+    const { same, absent, differ: changed } = await differing(ordered, (part) => 0.6 * part);
+    if (absent.length) {
+        const said = absent.map(({ field, place }) => `${place}: this device has no ${field.name} like this; remove it`);
+        throw new MipError("format", said.join("\n"));
     }
-    return done;
+    const left = changed.filter(({ field }) => LINK.includes(facts(protocol, field.name).effect));
+    const open = new Set(changed.filter((one) => !left.includes(one)));
+    const written = new Set();
+    let differ = [];
+    for (let round = 0; round < ROUNDS && open.size; round++) {
+        const before = open.size;
+        for (const one of open) {
+            progress(0.6 + (0.3 * written.size) / (written.size + open.size), one.field);
+            if (!(await ask(one.packet)).accepted) continue;
+            written.add(one);
+            open.delete(one);
+        }
+        ({ differ } = await differing([...written], (part) => 0.9 + 0.1 * part));
+        for (const one of differ) open.add(one); // another one has changed it
+        if (!differ.length && open.size === before) break;
+    }
+    const different = differ.filter((one) => written.has(one));
+    const refused = [...open].filter((one) => !written.has(one));
+    return { written: [...written].filter((one) => !different.includes(one)), same, refused, different, left };
 }

@@ -24,6 +24,42 @@ export function needOf(streams) {
     return { bytes, baud: BITS * bytes };
 }
 
+/**
+ * The data set of a list of fields with decimations, and its base rate on a device: undefined if it is not known.
+ *
+ * @param list the `parameter` of the list, with the `values` beside it
+ */
+export function baseOf(protocol, device, list) {
+    const where = list?.parameter.fields_of;
+    const set = protocol.model.sets.find(({ number, name }) => (list?.values[where] ?? where) === number || name === where);
+    const rates = protocol.model.devices.find(({ id }) => id === device)?.base_rates;
+    return { set, base: rates?.find((rate) => rate.set === set?.name)?.hertz };
+}
+
+/** What the message formats among some fields of a packet take on a device; undefined without any, or a base rate for each. */
+export function formatNeed(protocol, device, entries) {
+    const streams = [];
+    for (const { field, values } of entries) {
+        for (const parameter of field.parameters) {
+            const items = parameter.fields_of && values[parameter.name];
+            if (!Array.isArray(items) || !items.every((one) => one.decimation !== undefined)) continue;
+            const { set, base } = baseOf(protocol, device, { parameter, values });
+            const chosen = items.map((one) => ({
+                field: protocol.candidates(set?.number, one.descriptor)[0],
+                rate: base / one.decimation,
+            }));
+            if (chosen.some((one) => !one.field || !Number.isFinite(one.rate))) return undefined;
+            streams.push(chosen);
+        }
+    }
+    return streams.flat().length ? needOf(streams) : undefined;
+}
+
+/** "3400 bytes/s; over a UART at least 34000 Bd." */
+export function needText({ bytes, baud }) {
+    return `${Math.ceil(bytes)} bytes/s; over a UART at least ${Math.ceil(baud)} Bd.`;
+}
+
 /** The ports of a device with the smallest rate that is enough: undefined if none is, null where there is no rate. */
 export function portsFor(device, baud) {
     return (device?.ports ?? []).map((port) => ({

@@ -1,5 +1,8 @@
-/* Which kind of line a name means. */
+/* Which kind of line a name means, and how it is opened again. */
 #include "open.h"
+
+/** For how many milliseconds to wait before a port is opened again. */
+#define PAUSE 100
 
 /** Connects to HOST:PORT, or to [ADDRESS]:PORT with an address of IPv6. */
 static void open_address(struct mip_line *line, const char *name, const char *colon) {
@@ -20,6 +23,8 @@ bool mip_line_open(struct mip_line *line, const char *name, uint32_t baud) {
     const char *colon = strrchr(name, ':');
     line->handle = -1;
     line->error = NULL;
+    line->name = name;
+    line->baud = baud;
     line->port.user = line;
     line->is_tcp = colon != NULL && strchr(name, '/') == NULL;
     if (line->is_tcp) {
@@ -28,4 +33,24 @@ bool mip_line_open(struct mip_line *line, const char *name, uint32_t baud) {
         mip_line_open_serial(line, name, baud);
     }
     return line->error == NULL;
+}
+
+bool mip_line_set_baud(void *user, uint32_t baud) {
+    struct mip_line *line = (struct mip_line *)user;
+    if (line->is_tcp || !mip_line_set_mode(line, baud)) {
+        return false;
+    }
+    line->baud = baud;
+    return true;
+}
+
+bool mip_line_reopen(struct mip_line *line, uint32_t within) {
+    const uint32_t start = mip_line_pause(0);
+    mip_line_close(line);
+    while (!mip_line_open(line, line->name, line->baud)) {
+        if (mip_line_pause(PAUSE) - start >= within) {
+            return false;
+        }
+    }
+    return true;
 }

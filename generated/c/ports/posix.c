@@ -66,6 +66,13 @@ static uint32_t milliseconds(void *user) {
     return (uint32_t)now.tv_sec * 1000u + (uint32_t)(now.tv_nsec / 1000000);
 }
 
+uint32_t mip_line_pause(uint32_t wait) {
+    if (wait > 0) {
+        poll(NULL, 0, (int)wait);
+    }
+    return milliseconds(NULL);
+}
+
 /* ------------------------------------------------------------------------------- serial ports */
 
 /** The number that the system has for a baud rate; B0 if it has none. */
@@ -152,9 +159,8 @@ void mip_line_open_serial(struct mip_line *line, const char *name, uint32_t baud
     use(line, file);
 }
 
-bool mip_line_set_baud(void *user, uint32_t baud) {
-    const struct mip_line *line = (const struct mip_line *)user;
-    return !line->is_tcp && set_mode((int)line->handle, baud);
+bool mip_line_set_mode(const struct mip_line *line, uint32_t baud) {
+    return set_mode((int)line->handle, baud);
 }
 
 /* --------------------------------------------------------------------------- TCP connections */

@@ -1,6 +1,7 @@
 // What tools use in place of classes: the model of the protocol, and values by the names of the specification.
 
 export { checksum, fromHex, MipError, readFloat, sameBytes, toHex, writeFloat } from "./bytes.mjs";
+export { memberName } from "./codec.mjs";
 export { buildPacket, decodeData, decodePacket, encodeData, partsOf } from "./data.mjs";
 export { nameIn, placesOf, Protocol } from "./model.mjs";
 export {

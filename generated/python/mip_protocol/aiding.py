@@ -11,8 +11,7 @@ from __future__ import annotations
 from enum import IntFlag
 from typing import Any
 
-from . import codec, types
-from .errors import Truncated
+from . import codec, types, wire
 from .field import ClassOf, Command, Field, R, Response, ResponseClasses, Structure
 from .protocol import FunctionSelector
 
@@ -54,14 +53,13 @@ class Timebase(codec.OpenEnum):
     """Latency relative to the arrival of the command."""
 
 
-_MEASUREMENT_TIME_0 = codec.Block("BBQ", "timebase", "reserved", "nanoseconds")
-
-
 class MeasurementTime(Structure):
     """Time at which a measurement was taken."""
 
     __slots__ = ("timebase", "reserved", "nanoseconds")
     __match_args__ = ("timebase", "nanoseconds")
+
+    _LAYOUT = (("timebase", "B", Timebase), ("reserved", "B", None), ("nanoseconds", "Q", None))
 
     timebase: Timebase
     """Clock of the time."""
@@ -74,19 +72,6 @@ class MeasurementTime(Structure):
         self.timebase = timebase
         self.reserved = reserved
         self.nanoseconds = nanoseconds
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MeasurementTime, int]:
-        v = _MEASUREMENT_TIME_0.read(raw, at)
-        at += 10
-        timebase = Timebase(v[0])
-        reserved = v[1]
-        nanoseconds = v[2]
-        return cls(timebase, nanoseconds, reserved=reserved), at
-
-    def _write(self) -> bytes:
-        out = _MEASUREMENT_TIME_0.write(self.timebase, self.reserved, self.nanoseconds)
-        return out
 
 
 @codec.open_flag(16)
@@ -113,19 +98,10 @@ class LlhAxisFlags(IntFlag):
     """Height and its uncertainty are valid. Bit 2."""
 
 
-_FRAME_CONFIG_RESPONSE_0 = codec.Block(
-    "BBBfff", "frame_id", "format", "tracking_enabled", *["translation"] * 3
-)
-_FRAME_CONFIG_RESPONSE_1 = codec.Block("fff", *["rotation"] * 3)
-_FRAME_CONFIG_RESPONSE_2 = codec.Block("ffff", *["rotation"] * 4)
-
-
 class FrameConfigResponse(Response):
     """Frame configuration response (0x13,0x81).
 
     Answers `FrameConfig`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
-    Probably supported by 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS,
-    3DM-GV7-AR and 3DM-GV7-INS.
 
     - 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01)
     - 3dm-cv7-gnss-ins: Aiding Frames
@@ -139,6 +115,21 @@ class FrameConfigResponse(Response):
     DESCRIPTOR = 0x81
     NAME = "aiding.frame_config_response"
     ROLE = "response"
+    _LAYOUT = (
+        ("frame_id", "B", None),
+        ("format", "B", AidingFrameFormat),
+        ("tracking_enabled", "B", codec.truth),
+        ("translation", "fff", types.Vector3f),
+        (
+            "rotation",
+            "",
+            wire.Union(
+                "format",
+                {1: ("euler", "fff", types.Vector3f), 2: ("quaternion", "ffff", types.Quatf)},
+            ),
+        ),
+    )
+
     _VECTORS = {"translation": (types.Vector3f,), "rotation": (types.Vector3f, types.Quatf)}
 
     frame_id: int
@@ -172,54 +163,11 @@ class FrameConfigResponse(Response):
         self.translation = codec.vector(translation, types.Vector3f)
         self.rotation = codec.vector(rotation, types.Vector3f, types.Quatf)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[FrameConfigResponse, int]:
-        rotation: types.Vector3f | types.Quatf | None = None
-        v = _FRAME_CONFIG_RESPONSE_0.read(raw, at)
-        at += 15
-        frame_id = v[0]
-        format = AidingFrameFormat(v[1])
-        tracking_enabled = codec.truth(v[2])
-        translation = types.Vector3f._make(v[3:6])
-        if format == 1:
-            v = _FRAME_CONFIG_RESPONSE_1.read(raw, at)
-            at += 12
-            rotation = types.Vector3f._make(v[0:3])
-        elif format == 2:
-            v = _FRAME_CONFIG_RESPONSE_2.read(raw, at)
-            at += 16
-            rotation = types.Quatf._make(v[0:4])
-        return cls(frame_id, format, tracking_enabled, translation, rotation), at
-
-    def _write(self) -> bytes:
-        out = _FRAME_CONFIG_RESPONSE_0.write(
-            self.frame_id,
-            self.format,
-            self.tracking_enabled,
-            *codec.elements("translation", self.translation, 3),
-        )
-        if self.format == 1:
-            if self.rotation is None or isinstance(self.rotation, Structure):
-                raise codec.mismatch("rotation", self.format)
-            out += _FRAME_CONFIG_RESPONSE_1.write(*codec.elements("rotation", self.rotation, 3))
-        elif self.format == 2:
-            if self.rotation is None or isinstance(self.rotation, Structure):
-                raise codec.mismatch("rotation", self.format)
-            out += _FRAME_CONFIG_RESPONSE_2.write(*codec.elements("rotation", self.rotation, 4))
-        elif self.rotation is not None:
-            raise codec.mismatch("rotation", self.format)
-        return codec.finished(out)
-
-
-_ECHO_CONTROL_RESPONSE_0 = codec.Block("B", "mode")
-
 
 class EchoControlResponse(Response):
     """Echo control response (0x13,0x9F).
 
-    Answers `EchoControl`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably
-    supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS,
-    3DM-GV7-AR and 3DM-GV7-INS.
+    Answers `EchoControl`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Echo Control (0x13,0x1F)
     - 3dm-cv7-gnss-ins: Aiding Command Echo Control
@@ -241,33 +189,6 @@ class EchoControlResponse(Response):
     def __init__(self, mode: AidingEchoMode) -> None:
         self.mode = mode
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EchoControlResponse, int]:
-        v = _ECHO_CONTROL_RESPONSE_0.read(raw, at)
-        at += 1
-        mode = AidingEchoMode(v[0])
-        return cls(mode), at
-
-    def _write(self) -> bytes:
-        out = _ECHO_CONTROL_RESPONSE_0.write(self.mode)
-        return codec.finished(out)
-
-
-_FRAME_CONFIG_0 = codec.Block("B", "function")
-_FRAME_CONFIG_1 = codec.Block("B", "frame_id")
-_FRAME_CONFIG_2 = codec.Block("B", "format")
-_FRAME_CONFIG_3 = codec.Block("B", "tracking_enabled")
-_FRAME_CONFIG_4 = codec.Block("fff", *["translation"] * 3)
-_FRAME_CONFIG_5 = codec.Block("fff", *["rotation"] * 3)
-_FRAME_CONFIG_6 = codec.Block("ffff", *["rotation"] * 4)
-_FRAME_CONFIG_GROUPS = (
-    (1, ("frame_id",), False),
-    (2, ("format",), False),
-    (3, ("tracking_enabled",), False),
-    (4, ("translation",), False),
-    (5, ("rotation",), True),
-)
-
 
 class FrameConfig(Command[R]):
     """Frame configuration (0x13,0x01).
@@ -277,8 +198,7 @@ class FrameConfig(Command[R]):
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `FrameConfigResponse`.
     Changes `filter_data.AidingFrameConfigError`. Probably changes
     `filter_data.AidingFrameConfigErrorUncertainty`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
-    3DM-CV7-GNSS/INS and 3DM-CV7-INS. Probably supported by 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
-    3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+    3DM-CV7-GNSS/INS and 3DM-CV7-INS.
 
     Aiding measurements name the frame by its number. `p_vehicle = R * p_frame + t`, with the
     rotation R and the translation t. For GNSS positions and velocities the rotation does not
@@ -306,6 +226,23 @@ class FrameConfig(Command[R]):
     ROLE = "command"
     RESPONSES = (FrameConfigResponse,)
     REQUIRED = {1: 5, 2: 2, 3: 1, 4: 1, 5: 1}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("frame_id", "B", None),
+        ("format", "B", AidingFrameFormat),
+        ("tracking_enabled", "B", codec.truth),
+        ("translation", "fff", types.Vector3f),
+        (
+            "rotation",
+            "",
+            wire.Union(
+                "format",
+                {1: ("euler", "fff", types.Vector3f), 2: ("quaternion", "ffff", types.Quatf)},
+            ),
+        ),
+    )
+    _ALWAYS = 1
+
     _VECTORS = {"translation": (types.Vector3f,), "rotation": (types.Vector3f, types.Quatf)}
 
     function: FunctionSelector
@@ -392,90 +329,6 @@ class FrameConfig(Command[R]):
             return (FrameConfigResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[FrameConfig[R], int]:
-        frame_id: int | None = None
-        format: AidingFrameFormat | None = None
-        tracking_enabled: bool | None = None
-        translation: types.Vector3f | None = None
-        rotation: types.Vector3f | types.Quatf | None = None
-        v = _FRAME_CONFIG_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _FRAME_CONFIG_1.read(raw, at)
-            at += 1
-            frame_id = v[0]
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _FRAME_CONFIG_2.read(raw, at)
-            at += 1
-            format = AidingFrameFormat(v[0])
-            done, end = 2, at
-            if at == len(raw) and required < 3:
-                raise Truncated(1, 0)
-            v = _FRAME_CONFIG_3.read(raw, at)
-            at += 1
-            tracking_enabled = codec.truth(v[0])
-            done, end = 3, at
-            if at == len(raw) and required < 4:
-                raise Truncated(1, 0)
-            v = _FRAME_CONFIG_4.read(raw, at)
-            at += 12
-            translation = types.Vector3f._make(v[0:3])
-            done, end = 4, at
-            if at == len(raw) and required < 5:
-                raise Truncated(1, 0)
-            if format == 1:
-                v = _FRAME_CONFIG_5.read(raw, at)
-                at += 12
-                rotation = types.Vector3f._make(v[0:3])
-            elif format == 2:
-                v = _FRAME_CONFIG_6.read(raw, at)
-                at += 16
-                rotation = types.Quatf._make(v[0:4])
-            done, end = 5, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, frame_id, format, tracking_enabled, translation, rotation), at
-
-    def _write(self) -> bytes:
-        out = _FRAME_CONFIG_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _FRAME_CONFIG_GROUPS)
-        if there >= 1:
-            out += _FRAME_CONFIG_1.write(self.frame_id)
-        if there >= 2:
-            out += _FRAME_CONFIG_2.write(self.format)
-        if there >= 3:
-            out += _FRAME_CONFIG_3.write(self.tracking_enabled)
-        if there >= 4:
-            out += _FRAME_CONFIG_4.write(*codec.elements("translation", self.translation, 3))
-        if there >= 5:
-            if self.format == 1:
-                if self.rotation is None or isinstance(self.rotation, Structure):
-                    raise codec.mismatch("rotation", self.format)
-                out += _FRAME_CONFIG_5.write(*codec.elements("rotation", self.rotation, 3))
-            elif self.format == 2:
-                if self.rotation is None or isinstance(self.rotation, Structure):
-                    raise codec.mismatch("rotation", self.format)
-                out += _FRAME_CONFIG_6.write(*codec.elements("rotation", self.rotation, 4))
-            elif self.rotation is not None:
-                raise codec.mismatch("rotation", self.format)
-        return codec.finished(out)
-
-
-_ECHO_CONTROL_0 = codec.Block("B", "function")
-_ECHO_CONTROL_1 = codec.Block("B", "mode")
-_ECHO_CONTROL_GROUPS = ((1, ("mode",), False),)
-
 
 class EchoControl(Command[R]):
     """Echo control (0x13,0x1F).
@@ -483,9 +336,7 @@ class EchoControl(Command[R]):
     Sets how the device answers aiding measurements.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `EchoControlResponse`.
-    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS,
-    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
-    3DM-GV7-INS.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
 
     The manual does not give the layout of the responses that carry the data back.
 
@@ -503,6 +354,8 @@ class EchoControl(Command[R]):
     ROLE = "command"
     RESPONSES = (EchoControlResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (("function", "B", FunctionSelector), ("mode", "B", AidingEchoMode))
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -544,40 +397,6 @@ class EchoControl(Command[R]):
             return (EchoControlResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EchoControl[R], int]:
-        mode: AidingEchoMode | None = None
-        v = _ECHO_CONTROL_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _ECHO_CONTROL_1.read(raw, at)
-            at += 1
-            mode = AidingEchoMode(v[0])
-            done, end = 1, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, mode), at
-
-    def _write(self) -> bytes:
-        out = _ECHO_CONTROL_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _ECHO_CONTROL_GROUPS)
-        if there >= 1:
-            out += _ECHO_CONTROL_1.write(self.mode)
-        return codec.finished(out)
-
-
-_ECEF_POSITION_0 = codec.Block(
-    "BdddfffH", "frame_id", *["position"] * 3, *["uncertainty"] * 3, "valid_flags"
-)
-
 
 class EcefPosition(Command[None]):
     """ECEF position (0x13,0x21).
@@ -585,8 +404,7 @@ class EcefPosition(Command[None]):
     Sends a measured position in Earth-fixed coordinates.
 
     Also called `pos_ecef`. Not acknowledged if `mode` of `EchoControl` is
-    `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS,
-    3DM-CX7-INS and 3DM-GV7-INS.
+    `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS.
 
     Use only one form of position: ECEF or LLH. In mode `response` of `EchoControl`, the device
     sends the data back in a response of unknown layout.
@@ -604,6 +422,14 @@ class EcefPosition(Command[None]):
     NAME = "aiding.ecef_position"
     ROLE = "command"
     SILENCED_BY = ((0x13, 0x1F, "mode", 0),)
+    _LAYOUT = (
+        ("time", "", MeasurementTime),
+        ("frame_id", "B", None),
+        ("position", "ddd", types.Vector3d),
+        ("uncertainty", "fff", types.Vector3f),
+        ("valid_flags", "H", AxisFlags),
+    )
+
     _VECTORS = {"position": (types.Vector3d,), "uncertainty": (types.Vector3f,)}
 
     time: MeasurementTime
@@ -637,32 +463,6 @@ class EcefPosition(Command[None]):
         self.uncertainty = codec.vector(uncertainty, types.Vector3f)
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EcefPosition, int]:
-        time, at = MeasurementTime._read(raw, at)
-        v = _ECEF_POSITION_0.read(raw, at)
-        at += 39
-        frame_id = v[0]
-        position = types.Vector3d._make(v[1:4])
-        uncertainty = types.Vector3f._make(v[4:7])
-        valid_flags = AxisFlags(v[7])
-        return cls(time, frame_id, position, uncertainty, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = codec.structure("time", self.time, MeasurementTime)
-        out += _ECEF_POSITION_0.write(
-            self.frame_id,
-            *codec.elements("position", self.position, 3),
-            *codec.elements("uncertainty", self.uncertainty, 3),
-            self.valid_flags,
-        )
-        return codec.finished(out)
-
-
-_LLH_POSITION_0 = codec.Block(
-    "BdddfffH", "frame_id", "latitude", "longitude", "height", *["uncertainty"] * 3, "valid_flags"
-)
-
 
 class LlhPosition(Command[None]):
     """LLH position (0x13,0x22).
@@ -670,8 +470,7 @@ class LlhPosition(Command[None]):
     Sends a measured position as latitude, longitude and height.
 
     Also called `pos_llh`. Not acknowledged if `mode` of `EchoControl` is
-    `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS,
-    3DM-CX7-INS and 3DM-GV7-INS.
+    `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS.
 
     Use only one form of position: ECEF or LLH. To send a height only, clear the valid flags of
     latitude and longitude. The 3DM-CV7-GNSS/INS also accepts an uncertainty of 0 for both instead.
@@ -707,6 +506,16 @@ class LlhPosition(Command[None]):
     NAME = "aiding.llh_position"
     ROLE = "command"
     SILENCED_BY = ((0x13, 0x1F, "mode", 0),)
+    _LAYOUT = (
+        ("time", "", MeasurementTime),
+        ("frame_id", "B", None),
+        ("latitude", "d", None),
+        ("longitude", "d", None),
+        ("height", "d", None),
+        ("uncertainty", "fff", types.Ned3f),
+        ("valid_flags", "H", LlhAxisFlags),
+    )
+
     _VECTORS = {"uncertainty": (types.Ned3f,)}
 
     time: MeasurementTime
@@ -751,34 +560,6 @@ class LlhPosition(Command[None]):
         self.uncertainty = codec.vector(uncertainty, types.Ned3f)
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[LlhPosition, int]:
-        time, at = MeasurementTime._read(raw, at)
-        v = _LLH_POSITION_0.read(raw, at)
-        at += 39
-        frame_id = v[0]
-        latitude = v[1]
-        longitude = v[2]
-        height = v[3]
-        uncertainty = types.Ned3f._make(v[4:7])
-        valid_flags = LlhAxisFlags(v[7])
-        return cls(time, frame_id, latitude, longitude, height, uncertainty, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = codec.structure("time", self.time, MeasurementTime)
-        out += _LLH_POSITION_0.write(
-            self.frame_id,
-            self.latitude,
-            self.longitude,
-            self.height,
-            *codec.elements("uncertainty", self.uncertainty, 3),
-            self.valid_flags,
-        )
-        return codec.finished(out)
-
-
-_HEIGHT_ABOVE_ELLIPSOID_0 = codec.Block("BffH", "frame_id", "height", "uncertainty", "valid_flags")
-
 
 class HeightAboveEllipsoid(Command[None]):
     """Height above ellipsoid (0x13,0x23).
@@ -786,7 +567,7 @@ class HeightAboveEllipsoid(Command[None]):
     Sends a measured height above the ellipsoid.
 
     Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by
-    3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS.
+    3DM-CV7-GNSS/INS.
 
     In mode `response` of `EchoControl`, the device sends the data back in a response of unknown
     layout.
@@ -803,6 +584,13 @@ class HeightAboveEllipsoid(Command[None]):
     NAME = "aiding.height_above_ellipsoid"
     ROLE = "command"
     SILENCED_BY = ((0x13, 0x1F, "mode", 0),)
+    _LAYOUT = (
+        ("time", "", MeasurementTime),
+        ("frame_id", "B", None),
+        ("height", "f", None),
+        ("uncertainty", "f", None),
+        ("valid_flags", "H", None),
+    )
 
     time: MeasurementTime
     """Time of the measurement."""
@@ -829,29 +617,6 @@ class HeightAboveEllipsoid(Command[None]):
         self.uncertainty = uncertainty
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[HeightAboveEllipsoid, int]:
-        time, at = MeasurementTime._read(raw, at)
-        v = _HEIGHT_ABOVE_ELLIPSOID_0.read(raw, at)
-        at += 11
-        frame_id = v[0]
-        height = v[1]
-        uncertainty = v[2]
-        valid_flags = v[3]
-        return cls(time, frame_id, height, uncertainty, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = codec.structure("time", self.time, MeasurementTime)
-        out += _HEIGHT_ABOVE_ELLIPSOID_0.write(
-            self.frame_id, self.height, self.uncertainty, self.valid_flags
-        )
-        return codec.finished(out)
-
-
-_ECEF_VELOCITY_0 = codec.Block(
-    "BffffffH", "frame_id", *["velocity"] * 3, *["uncertainty"] * 3, "valid_flags"
-)
-
 
 class EcefVelocity(Command[None]):
     """ECEF velocity (0x13,0x28).
@@ -859,8 +624,7 @@ class EcefVelocity(Command[None]):
     Sends a measured velocity in Earth-fixed coordinates.
 
     Also called `vel_ecef`. Not acknowledged if `mode` of `EchoControl` is
-    `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS,
-    3DM-CX7-INS and 3DM-GV7-INS.
+    `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS.
 
     Use only one form of velocity: ECEF or NED. Not for a sensor that is fixed to the vehicle; for
     such a sensor, use `BodyFrameVelocity`. In mode `response` of `EchoControl`, the device sends
@@ -879,6 +643,14 @@ class EcefVelocity(Command[None]):
     NAME = "aiding.ecef_velocity"
     ROLE = "command"
     SILENCED_BY = ((0x13, 0x1F, "mode", 0),)
+    _LAYOUT = (
+        ("time", "", MeasurementTime),
+        ("frame_id", "B", None),
+        ("velocity", "fff", types.Vector3f),
+        ("uncertainty", "fff", types.Vector3f),
+        ("valid_flags", "H", AxisFlags),
+    )
+
     _VECTORS = {"velocity": (types.Vector3f,), "uncertainty": (types.Vector3f,)}
 
     time: MeasurementTime
@@ -912,32 +684,6 @@ class EcefVelocity(Command[None]):
         self.uncertainty = codec.vector(uncertainty, types.Vector3f)
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EcefVelocity, int]:
-        time, at = MeasurementTime._read(raw, at)
-        v = _ECEF_VELOCITY_0.read(raw, at)
-        at += 27
-        frame_id = v[0]
-        velocity = types.Vector3f._make(v[1:4])
-        uncertainty = types.Vector3f._make(v[4:7])
-        valid_flags = AxisFlags(v[7])
-        return cls(time, frame_id, velocity, uncertainty, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = codec.structure("time", self.time, MeasurementTime)
-        out += _ECEF_VELOCITY_0.write(
-            self.frame_id,
-            *codec.elements("velocity", self.velocity, 3),
-            *codec.elements("uncertainty", self.uncertainty, 3),
-            self.valid_flags,
-        )
-        return codec.finished(out)
-
-
-_NED_VELOCITY_0 = codec.Block(
-    "BffffffH", "frame_id", *["velocity"] * 3, *["uncertainty"] * 3, "valid_flags"
-)
-
 
 class NedVelocity(Command[None]):
     """NED velocity (0x13,0x29).
@@ -945,8 +691,7 @@ class NedVelocity(Command[None]):
     Sends a measured velocity in the local level frame.
 
     Also called `vel_ned`. Not acknowledged if `mode` of `EchoControl` is
-    `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS,
-    3DM-CX7-INS and 3DM-GV7-INS.
+    `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS.
 
     Use only one form of velocity: ECEF or NED. Not for a sensor that is fixed to the vehicle; for
     such a sensor, use `BodyFrameVelocity`. In mode `response` of `EchoControl`, the device sends
@@ -965,6 +710,14 @@ class NedVelocity(Command[None]):
     NAME = "aiding.ned_velocity"
     ROLE = "command"
     SILENCED_BY = ((0x13, 0x1F, "mode", 0),)
+    _LAYOUT = (
+        ("time", "", MeasurementTime),
+        ("frame_id", "B", None),
+        ("velocity", "fff", types.Ned3f),
+        ("uncertainty", "fff", types.Ned3f),
+        ("valid_flags", "H", AxisFlags),
+    )
+
     _VECTORS = {"velocity": (types.Ned3f,), "uncertainty": (types.Ned3f,)}
 
     time: MeasurementTime
@@ -998,32 +751,6 @@ class NedVelocity(Command[None]):
         self.uncertainty = codec.vector(uncertainty, types.Ned3f)
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[NedVelocity, int]:
-        time, at = MeasurementTime._read(raw, at)
-        v = _NED_VELOCITY_0.read(raw, at)
-        at += 27
-        frame_id = v[0]
-        velocity = types.Ned3f._make(v[1:4])
-        uncertainty = types.Ned3f._make(v[4:7])
-        valid_flags = AxisFlags(v[7])
-        return cls(time, frame_id, velocity, uncertainty, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = codec.structure("time", self.time, MeasurementTime)
-        out += _NED_VELOCITY_0.write(
-            self.frame_id,
-            *codec.elements("velocity", self.velocity, 3),
-            *codec.elements("uncertainty", self.uncertainty, 3),
-            self.valid_flags,
-        )
-        return codec.finished(out)
-
-
-_BODY_FRAME_VELOCITY_0 = codec.Block(
-    "BffffffH", "frame_id", *["velocity"] * 3, *["uncertainty"] * 3, "valid_flags"
-)
-
 
 class BodyFrameVelocity(Command[None]):
     """Body frame velocity (0x13,0x2A).
@@ -1031,8 +758,7 @@ class BodyFrameVelocity(Command[None]):
     Sends a measured velocity of the vehicle in the frame of the sensor.
 
     Also called `vel_body_frame`. Not acknowledged if `mode` of `EchoControl` is
-    `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS,
-    3DM-CX7-INS and 3DM-GV7-INS.
+    `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS.
 
     The device supports up to four sensors of this kind. A wheeled vehicle constraint is a velocity
     of 0 with only y valid, sent at least once per second. With z also valid and 0, motion is
@@ -1054,6 +780,14 @@ class BodyFrameVelocity(Command[None]):
     NAME = "aiding.body_frame_velocity"
     ROLE = "command"
     SILENCED_BY = ((0x13, 0x1F, "mode", 0),)
+    _LAYOUT = (
+        ("time", "", MeasurementTime),
+        ("frame_id", "B", None),
+        ("velocity", "fff", types.Vector3f),
+        ("uncertainty", "fff", types.Vector3f),
+        ("valid_flags", "H", AxisFlags),
+    )
+
     _VECTORS = {"velocity": (types.Vector3f,), "uncertainty": (types.Vector3f,)}
 
     time: MeasurementTime
@@ -1087,30 +821,6 @@ class BodyFrameVelocity(Command[None]):
         self.uncertainty = codec.vector(uncertainty, types.Vector3f)
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[BodyFrameVelocity, int]:
-        time, at = MeasurementTime._read(raw, at)
-        v = _BODY_FRAME_VELOCITY_0.read(raw, at)
-        at += 27
-        frame_id = v[0]
-        velocity = types.Vector3f._make(v[1:4])
-        uncertainty = types.Vector3f._make(v[4:7])
-        valid_flags = AxisFlags(v[7])
-        return cls(time, frame_id, velocity, uncertainty, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = codec.structure("time", self.time, MeasurementTime)
-        out += _BODY_FRAME_VELOCITY_0.write(
-            self.frame_id,
-            *codec.elements("velocity", self.velocity, 3),
-            *codec.elements("uncertainty", self.uncertainty, 3),
-            self.valid_flags,
-        )
-        return codec.finished(out)
-
-
-_TRUE_HEADING_0 = codec.Block("BffH", "frame_id", "heading", "uncertainty", "valid_flags")
-
 
 class TrueHeading(Command[None]):
     """True heading (0x13,0x31).
@@ -1119,8 +829,6 @@ class TrueHeading(Command[None]):
 
     Also called `heading_true`. Not acknowledged if `mode` of `EchoControl` is
     `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
-    Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
-    3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
 
     In mode `response` of `EchoControl`, the device sends the data back in a response of unknown
     layout.
@@ -1138,6 +846,13 @@ class TrueHeading(Command[None]):
     NAME = "aiding.true_heading"
     ROLE = "command"
     SILENCED_BY = ((0x13, 0x1F, "mode", 0),)
+    _LAYOUT = (
+        ("time", "", MeasurementTime),
+        ("frame_id", "B", None),
+        ("heading", "f", None),
+        ("uncertainty", "f", None),
+        ("valid_flags", "H", None),
+    )
 
     time: MeasurementTime
     """Time of the measurement."""
@@ -1166,29 +881,6 @@ class TrueHeading(Command[None]):
         self.uncertainty = uncertainty
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[TrueHeading, int]:
-        time, at = MeasurementTime._read(raw, at)
-        v = _TRUE_HEADING_0.read(raw, at)
-        at += 11
-        frame_id = v[0]
-        heading = v[1]
-        uncertainty = v[2]
-        valid_flags = v[3]
-        return cls(time, frame_id, heading, uncertainty, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = codec.structure("time", self.time, MeasurementTime)
-        out += _TRUE_HEADING_0.write(
-            self.frame_id, self.heading, self.uncertainty, self.valid_flags
-        )
-        return codec.finished(out)
-
-
-_MAGNETIC_FIELD_0 = codec.Block(
-    "BffffffH", "frame_id", *["magnetic_field"] * 3, *["uncertainty"] * 3, "valid_flags"
-)
-
 
 class MagneticField(Command[None]):
     """Magnetic field (0x13,0x32).
@@ -1196,8 +888,7 @@ class MagneticField(Command[None]):
     Sends a magnetic field measured by an external magnetometer.
 
     Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by
-    3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS,
-    3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+    3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
 
     The magnetometer must be calibrated. In mode `response` of `EchoControl`, the device sends the
     data back in a response of unknown layout.
@@ -1215,6 +906,14 @@ class MagneticField(Command[None]):
     NAME = "aiding.magnetic_field"
     ROLE = "command"
     SILENCED_BY = ((0x13, 0x1F, "mode", 0),)
+    _LAYOUT = (
+        ("time", "", MeasurementTime),
+        ("frame_id", "B", None),
+        ("magnetic_field", "fff", types.Vector3f),
+        ("uncertainty", "fff", types.Vector3f),
+        ("valid_flags", "H", AxisFlags),
+    )
+
     _VECTORS = {"magnetic_field": (types.Vector3f,), "uncertainty": (types.Vector3f,)}
 
     time: MeasurementTime
@@ -1248,30 +947,6 @@ class MagneticField(Command[None]):
         self.uncertainty = codec.vector(uncertainty, types.Vector3f)
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagneticField, int]:
-        time, at = MeasurementTime._read(raw, at)
-        v = _MAGNETIC_FIELD_0.read(raw, at)
-        at += 27
-        frame_id = v[0]
-        magnetic_field = types.Vector3f._make(v[1:4])
-        uncertainty = types.Vector3f._make(v[4:7])
-        valid_flags = AxisFlags(v[7])
-        return cls(time, frame_id, magnetic_field, uncertainty, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = codec.structure("time", self.time, MeasurementTime)
-        out += _MAGNETIC_FIELD_0.write(
-            self.frame_id,
-            *codec.elements("magnetic_field", self.magnetic_field, 3),
-            *codec.elements("uncertainty", self.uncertainty, 3),
-            self.valid_flags,
-        )
-        return codec.finished(out)
-
-
-_PRESSURE_0 = codec.Block("BffH", "frame_id", "pressure", "uncertainty", "valid_flags")
-
 
 class Pressure(Command[None]):
     """Pressure (0x13,0x33).
@@ -1279,7 +954,7 @@ class Pressure(Command[None]):
     Sends a static air pressure measured by an external sensor.
 
     Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by
-    3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS.
+    3DM-CV7-GNSS/INS.
 
     In mode `response` of `EchoControl`, the device sends the data back in a response of unknown
     layout.
@@ -1297,6 +972,13 @@ class Pressure(Command[None]):
     NAME = "aiding.pressure"
     ROLE = "command"
     SILENCED_BY = ((0x13, 0x1F, "mode", 0),)
+    _LAYOUT = (
+        ("time", "", MeasurementTime),
+        ("frame_id", "B", None),
+        ("pressure", "f", None),
+        ("uncertainty", "f", None),
+        ("valid_flags", "H", None),
+    )
 
     time: MeasurementTime
     """Time of the measurement."""
@@ -1322,22 +1004,6 @@ class Pressure(Command[None]):
         self.pressure = pressure
         self.uncertainty = uncertainty
         self.valid_flags = valid_flags
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[Pressure, int]:
-        time, at = MeasurementTime._read(raw, at)
-        v = _PRESSURE_0.read(raw, at)
-        at += 11
-        frame_id = v[0]
-        pressure = v[1]
-        uncertainty = v[2]
-        valid_flags = v[3]
-        return cls(time, frame_id, pressure, uncertainty, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = codec.structure("time", self.time, MeasurementTime)
-        out += _PRESSURE_0.write(self.frame_id, self.pressure, self.uncertainty, self.valid_flags)
-        return codec.finished(out)
 
 
 FrameConfigResponse.COMMANDS = (FrameConfig,)

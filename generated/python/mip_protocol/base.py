@@ -11,12 +11,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from . import codec
-from .errors import Truncated
+from . import codec, wire
 from .field import ClassOf, Command, Field, R, Response, ResponseClasses, Structure
 from .protocol import FunctionSelector
-
-_BASE_DEVICE_INFO_0 = codec.Block("H", "firmware_version")
 
 
 class BaseDeviceInfo(Structure):
@@ -41,6 +38,15 @@ class BaseDeviceInfo(Structure):
         "serial_number",
         "lot_number",
         "device_options",
+    )
+
+    _LAYOUT = (
+        ("firmware_version", "H", None),
+        ("model_name", "", wire.Text(16, 16)),
+        ("model_number", "", wire.Text(16, 16)),
+        ("serial_number", "", wire.Text(16, 16)),
+        ("lot_number", "", wire.Text(16, 16)),
+        ("device_options", "", wire.Text(16, 16)),
     )
 
     firmware_version: int
@@ -72,34 +78,6 @@ class BaseDeviceInfo(Structure):
         self.lot_number = lot_number
         self.device_options = device_options
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[BaseDeviceInfo, int]:
-        v = _BASE_DEVICE_INFO_0.read(raw, at)
-        at += 2
-        firmware_version = v[0]
-        model_name = codec.take(raw, at, 16).decode("latin-1")
-        at += 16
-        model_number = codec.take(raw, at, 16).decode("latin-1")
-        at += 16
-        serial_number = codec.take(raw, at, 16).decode("latin-1")
-        at += 16
-        lot_number = codec.take(raw, at, 16).decode("latin-1")
-        at += 16
-        device_options = codec.take(raw, at, 16).decode("latin-1")
-        at += 16
-        return cls(
-            firmware_version, model_name, model_number, serial_number, lot_number, device_options
-        ), at
-
-    def _write(self) -> bytes:
-        out = _BASE_DEVICE_INFO_0.write(self.firmware_version)
-        out += codec.padded("model_name", self.model_name, 16)
-        out += codec.padded("model_number", self.model_number, 16)
-        out += codec.padded("serial_number", self.serial_number, 16)
-        out += codec.padded("lot_number", self.lot_number, 16)
-        out += codec.padded("device_options", self.device_options, 16)
-        return out
-
 
 class GpsTimeField(codec.OpenEnum):
     """The part of the GPS time that a value holds."""
@@ -113,12 +91,7 @@ class GetDeviceInfoResponse(Response):
     """Get device information response (0x01,0x81).
 
     Answers `GetDeviceInfo`. Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45,
-    3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably
-    supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
-    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45,
-    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-DH3, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS,
-    3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU,
-    3DM-GX5-10, 3DM-GX5-25, 3DM-MV5-AR, 3DM-RQ1-IMU, 3DM-RTK and DEMOD-DC.
+    3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03)
     - 3dm-cv7-gnss-ins: Get device information (0x01,0x03)
@@ -132,6 +105,7 @@ class GetDeviceInfoResponse(Response):
     DESCRIPTOR = 0x81
     NAME = "base.get_device_info_response"
     ROLE = "response"
+    _LAYOUT = (("device_info", "", BaseDeviceInfo),)
 
     device_info: BaseDeviceInfo
     """Identity of the device."""
@@ -139,26 +113,13 @@ class GetDeviceInfoResponse(Response):
     def __init__(self, device_info: BaseDeviceInfo) -> None:
         self.device_info = device_info
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetDeviceInfoResponse, int]:
-        device_info, at = BaseDeviceInfo._read(raw, at)
-        return cls(device_info), at
-
-    def _write(self) -> bytes:
-        out = codec.structure("device_info", self.device_info, BaseDeviceInfo)
-        return codec.finished(out)
-
 
 class GetDeviceDescriptorsResponse(Response):
     """Get device descriptors response (0x01,0x82).
 
     Answers `GetDeviceDescriptors`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
     3DM-CX5-10, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and
-    3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15,
-    3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45,
-    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-DH3, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS,
-    3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU,
-    3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-IMU, 3DM-RTK and DEMOD-DC.
+    3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.1.4 Get Device Descriptor Sets (0x01, 0x04)
     - 3dm-cv7-gnss-ins: Get device descriptors (0x01,0x04)
@@ -172,6 +133,7 @@ class GetDeviceDescriptorsResponse(Response):
     DESCRIPTOR = 0x82
     NAME = "base.get_device_descriptors_response"
     ROLE = "response"
+    _LAYOUT = (("descriptors", "H", wire.Items(None, None, 126)),)
 
     descriptors: tuple[int, ...]
     """Supported descriptors: the descriptor set in the high byte, the field descriptor in the low
@@ -181,33 +143,12 @@ class GetDeviceDescriptorsResponse(Response):
     def __init__(self, descriptors: Sequence[int]) -> None:
         self.descriptors = codec.several(descriptors)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetDeviceDescriptorsResponse, int]:
-        n = codec.remaining(raw, at, 2)
-        descriptors = codec.read_numbers("H", raw, at, n)
-        at += n * 2
-        return cls(descriptors), at
-
-    def _write(self) -> bytes:
-        out = codec.write_numbers(
-            "descriptors", "H", codec.at_most("descriptors", self.descriptors, 126)
-        )
-        return codec.finished(out)
-
-
-_BUILT_IN_TEST_RESPONSE_0 = codec.Block("I", "result")
-
 
 class BuiltInTestResponse(Response):
     """Built-in test response (0x01,0x83).
 
     Answers `BuiltInTest`. Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15,
-    3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25,
-    3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS,
-    3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
-    3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35,
-    3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35,
-    3DM-GX5-45, 3DM-RQ1-IMU and 3DM-RTK.
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05)
     - 3dm-cv7-gnss-ins: Built in test (0x01,0x05)
@@ -243,20 +184,6 @@ class BuiltInTestResponse(Response):
     def __init__(self, result: int) -> None:
         self.result = result
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[BuiltInTestResponse, int]:
-        v = _BUILT_IN_TEST_RESPONSE_0.read(raw, at)
-        at += 4
-        result = v[0]
-        return cls(result), at
-
-    def _write(self) -> bytes:
-        out = _BUILT_IN_TEST_RESPONSE_0.write(self.result)
-        return codec.finished(out)
-
-
-_GPS_TIME_UPDATE_WEEK_NUMBER_RESPONSE_0 = codec.Block("I", "week_number")
-
 
 class GpsTimeUpdateWeekNumberResponse(Response):
     """GPS time update, week number (0x01,0x84).
@@ -264,11 +191,7 @@ class GpsTimeUpdateWeekNumberResponse(Response):
     The current week number.
 
     Answers `GpsTimeUpdate`. Sent if `field_id` is `GpsTimeField.WEEK_NUMBER`. Supported by
-    3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35. Probably supported by 3DM-CL5-10, 3DM-CL5-15,
-    3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR,
-    3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR,
-    3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX5-10, 3DM-GX5-25 and
-    3DM-GX5-45.
+    3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35.
 
     - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
     - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
@@ -291,20 +214,6 @@ class GpsTimeUpdateWeekNumberResponse(Response):
     def __init__(self, week_number: int) -> None:
         self.week_number = week_number
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GpsTimeUpdateWeekNumberResponse, int]:
-        v = _GPS_TIME_UPDATE_WEEK_NUMBER_RESPONSE_0.read(raw, at)
-        at += 4
-        week_number = v[0]
-        return cls(week_number), at
-
-    def _write(self) -> bytes:
-        out = _GPS_TIME_UPDATE_WEEK_NUMBER_RESPONSE_0.write(self.week_number)
-        return codec.finished(out)
-
-
-_GPS_TIME_UPDATE_TOW_RESPONSE_0 = codec.Block("I", "tow")
-
 
 class GpsTimeUpdateTowResponse(Response):
     """GPS time update, time of week (0x01,0x85).
@@ -312,10 +221,7 @@ class GpsTimeUpdateTowResponse(Response):
     The current time of week.
 
     Answers `GpsTimeUpdate`. Sent if `field_id` is `GpsTimeField.TOW`. Supported by 3DM-CX5-10,
-    3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25,
-    3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS,
-    3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
-    3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX5-10, 3DM-GX5-25 and 3DM-GX5-45.
+    3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35.
 
     - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
     - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
@@ -338,26 +244,12 @@ class GpsTimeUpdateTowResponse(Response):
     def __init__(self, tow: int) -> None:
         self.tow = tow
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GpsTimeUpdateTowResponse, int]:
-        v = _GPS_TIME_UPDATE_TOW_RESPONSE_0.read(raw, at)
-        at += 4
-        tow = v[0]
-        return cls(tow), at
-
-    def _write(self) -> bytes:
-        out = _GPS_TIME_UPDATE_TOW_RESPONSE_0.write(self.tow)
-        return codec.finished(out)
-
 
 class GetExtendedDescriptorsResponse(Response):
     """Get device descriptors (extended) response (0x01,0x86).
 
     Answers `GetExtendedDescriptors`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
-    3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45. Probably supported by 3DM-CL5-10,
-    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-10,
-    3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
-    3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX5-10 and 3DM-GX5-25.
+    3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
 
     - 3dm-gx5-15: 4.1.7 Get Extended Device Descriptor Sets (0x01, 0x07)
     - 3dm-cv7-gnss-ins: Get device descriptors (extended) (0x01,0x07)
@@ -371,6 +263,7 @@ class GetExtendedDescriptorsResponse(Response):
     DESCRIPTOR = 0x86
     NAME = "base.get_extended_descriptors_response"
     ROLE = "response"
+    _LAYOUT = (("descriptors", "H", wire.Items(None, None, 126)),)
 
     descriptors: tuple[int, ...]
     """Supported descriptors: the descriptor set in the high byte, the field descriptor in the low
@@ -380,29 +273,12 @@ class GetExtendedDescriptorsResponse(Response):
     def __init__(self, descriptors: Sequence[int]) -> None:
         self.descriptors = codec.several(descriptors)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetExtendedDescriptorsResponse, int]:
-        n = codec.remaining(raw, at, 2)
-        descriptors = codec.read_numbers("H", raw, at, n)
-        at += n * 2
-        return cls(descriptors), at
-
-    def _write(self) -> bytes:
-        out = codec.write_numbers(
-            "descriptors", "H", codec.at_most("descriptors", self.descriptors, 126)
-        )
-        return codec.finished(out)
-
-
-_CONTINUOUS_BUILT_IN_TEST_RESPONSE_0 = codec.Block("BBBBBBBBBBBBBBBB", *["result"] * 16)
-
 
 class ContinuousBuiltInTestResponse(Response):
     """Continuous built-in test response (0x01,0x88).
 
     Also called `continuous_bit_response`. Answers `ContinuousBuiltInTest`. Supported by 3DM-CV7-AR
-    and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR,
-    3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+    and 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Continuous built-in test (0x01,0x08)
     """
@@ -430,27 +306,12 @@ class ContinuousBuiltInTestResponse(Response):
     def __init__(self, result: Sequence[int]) -> None:
         self.result = codec.several(result)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ContinuousBuiltInTestResponse, int]:
-        v = _CONTINUOUS_BUILT_IN_TEST_RESPONSE_0.read(raw, at)
-        at += 16
-        result = v[0:16]
-        return cls(result), at
-
-    def _write(self) -> bytes:
-        out = _CONTINUOUS_BUILT_IN_TEST_RESPONSE_0.write(*codec.exactly("result", self.result, 16))
-        return codec.finished(out)
-
-
-_COMM_SPEED_RESPONSE_0 = codec.Block("BI", "port", "baud")
-
 
 class CommSpeedResponse(Response):
     """Comm port speed response (0x01,0x89).
 
     Answers `CommSpeed`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and
-    3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
-    3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS and 3DM-RTK.
+    3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Comm Port Speed (0x01,0x09)
     """
@@ -487,18 +348,6 @@ class CommSpeedResponse(Response):
         self.port = port
         self.baud = baud
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[CommSpeedResponse, int]:
-        v = _COMM_SPEED_RESPONSE_0.read(raw, at)
-        at += 5
-        port = v[0]
-        baud = v[1]
-        return cls(port, baud), at
-
-    def _write(self) -> bytes:
-        out = _COMM_SPEED_RESPONSE_0.write(self.port, self.baud)
-        return codec.finished(out)
-
 
 class Ping(Command[None]):
     """Ping (0x01,0x01).
@@ -506,12 +355,7 @@ class Ping(Command[None]):
     Checks whether a device is present and answers commands.
 
     Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and
-    3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15,
-    3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25,
-    3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-DH3, 3DM-GQ7-GNSS/INS,
-    3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45,
-    3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR,
-    3DM-RQ1-IMU, 3DM-RTK and DEMOD-DC.
+    3DM-RQ1-45-ST.
 
     A device that is not in a normal operating mode may reject the command.
 
@@ -527,13 +371,6 @@ class Ping(Command[None]):
     NAME = "base.ping"
     ROLE = "command"
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[Ping, int]:
-        return cls(), at
-
-    def _write(self) -> bytes:
-        return b""
-
 
 class SetIdle(Command[None]):
     """Set to idle (0x01,0x02).
@@ -541,12 +378,7 @@ class SetIdle(Command[None]):
     Stops all data streams, and wakes a sleeping device, so that it can be configured.
 
     Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and
-    3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15,
-    3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25,
-    3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-DH3, 3DM-GQ7-GNSS/INS,
-    3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45,
-    3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45,
-    3DM-MV5-AR, 3DM-RQ1-IMU, 3DM-RTK and DEMOD-DC.
+    3DM-RQ1-45-ST.
 
     `Resume` restores the previous mode. While idle, the device does not send NMEA sentences either.
 
@@ -562,13 +394,6 @@ class SetIdle(Command[None]):
     NAME = "base.set_idle"
     ROLE = "command"
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SetIdle, int]:
-        return cls(), at
-
-    def _write(self) -> bytes:
-        return b""
-
 
 class GetDeviceInfo(Command[GetDeviceInfoResponse]):
     """Get device information (0x01,0x03).
@@ -576,12 +401,7 @@ class GetDeviceInfo(Command[GetDeviceInfoResponse]):
     Gets the firmware version and the identity strings of the device.
 
     Answered by `GetDeviceInfoResponse`. Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45,
-    3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably
-    supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
-    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45,
-    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-DH3, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS,
-    3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU,
-    3DM-GX5-10, 3DM-GX5-25, 3DM-MV5-AR, 3DM-RQ1-IMU, 3DM-RTK and DEMOD-DC.
+    3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03)
     - 3dm-cv7-gnss-ins: Get device information (0x01,0x03)
@@ -596,13 +416,6 @@ class GetDeviceInfo(Command[GetDeviceInfoResponse]):
     ROLE = "command"
     RESPONSES = (GetDeviceInfoResponse,)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetDeviceInfo, int]:
-        return cls(), at
-
-    def _write(self) -> bytes:
-        return b""
-
 
 class GetDeviceDescriptors(Command[GetDeviceDescriptorsResponse]):
     """Get device descriptors (0x01,0x04).
@@ -611,11 +424,7 @@ class GetDeviceDescriptors(Command[GetDeviceDescriptorsResponse]):
 
     Answered by `GetDeviceDescriptorsResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
     3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35,
-    3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25,
-    3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35,
-    3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-DH3, 3DM-GV7-AHRS, 3DM-GV7-AR,
-    3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
-    3DM-GX4-IMU, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-IMU, 3DM-RTK and DEMOD-DC.
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     If the list contains the descriptor of `GetExtendedDescriptors`, that command returns further
     descriptors.
@@ -633,13 +442,6 @@ class GetDeviceDescriptors(Command[GetDeviceDescriptorsResponse]):
     ROLE = "command"
     RESPONSES = (GetDeviceDescriptorsResponse,)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetDeviceDescriptors, int]:
-        return cls(), at
-
-    def _write(self) -> bytes:
-        return b""
-
 
 class BuiltInTest(Command[BuiltInTestResponse]):
     """Built-in test (0x01,0x05).
@@ -647,14 +449,9 @@ class BuiltInTest(Command[BuiltInTestResponse]):
     Runs the self test of the device and gets its result.
 
     Answered by `BuiltInTestResponse`. The device may take 10 s to answer. Supported by
-    3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably
-    supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
-    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45,
-    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS,
-    3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU,
-    3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-IMU and 3DM-RTK. Uncertain: The maximum
-    duration of the test. The manual of the 3DM-CV7 states several seconds; 10 s leaves room for
-    that.
+    3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    Uncertain: The maximum duration of the test. The manual of the 3DM-CV7 states several seconds;
+    10 s leaves room for that.
 
     The test interrupts normal operation for up to several seconds; no data is available meanwhile.
     The device must be at rest; acceleration, rotation or vibration cause false failures. The
@@ -675,13 +472,6 @@ class BuiltInTest(Command[BuiltInTestResponse]):
     RESPONSES = (BuiltInTestResponse,)
     TIMEOUT = 10.0
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[BuiltInTest, int]:
-        return cls(), at
-
-    def _write(self) -> bytes:
-        return b""
-
 
 class Resume(Command[None]):
     """Resume (0x01,0x06).
@@ -689,12 +479,7 @@ class Resume(Command[None]):
     Ends idle mode and returns the device to the mode that it was in before.
 
     Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and
-    3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15,
-    3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25,
-    3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-DH3, 3DM-GQ7-GNSS/INS,
-    3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45,
-    3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-MV5-AR, 3DM-RTK and
-    DEMOD-DC.
+    3DM-RQ1-45-ST.
 
     If the device was not idle, it enters its default mode (3DM-GX5-15).
 
@@ -710,13 +495,6 @@ class Resume(Command[None]):
     NAME = "base.resume"
     ROLE = "command"
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[Resume, int]:
-        return cls(), at
-
-    def _write(self) -> bytes:
-        return b""
-
 
 class GetExtendedDescriptors(Command[GetExtendedDescriptorsResponse]):
     """Get device descriptors (extended) (0x01,0x07).
@@ -724,10 +502,7 @@ class GetExtendedDescriptors(Command[GetExtendedDescriptorsResponse]):
     Gets the supported descriptors that did not fit into the reply of `GetDeviceDescriptors`.
 
     Answered by `GetExtendedDescriptorsResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
-    3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45. Probably supported by
-    3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS,
-    3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR,
-    3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX5-10 and 3DM-GX5-25.
+    3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
 
     Only supported if `GetDeviceDescriptors` lists it.
 
@@ -744,13 +519,6 @@ class GetExtendedDescriptors(Command[GetExtendedDescriptorsResponse]):
     ROLE = "command"
     RESPONSES = (GetExtendedDescriptorsResponse,)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetExtendedDescriptors, int]:
-        return cls(), at
-
-    def _write(self) -> bytes:
-        return b""
-
 
 class ContinuousBuiltInTest(Command[ContinuousBuiltInTestResponse]):
     """Continuous built-in test (0x01,0x08).
@@ -758,8 +526,7 @@ class ContinuousBuiltInTest(Command[ContinuousBuiltInTestResponse]):
     Gets the flags of the tests that run all the time. It does not interrupt operation.
 
     Also called `continuous_bit`. Answered by `ContinuousBuiltInTestResponse`. Supported by
-    3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-INS, 3DM-CX7-AHRS,
-    3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+    3DM-CV7-AR and 3DM-CV7-GNSS/INS.
 
     It is less thorough than `BuiltInTest`. Each flag stays set until this command reports it; the
     streamed field has its own copy of the flags. The self-test flags change only when `BuiltInTest`
@@ -777,19 +544,6 @@ class ContinuousBuiltInTest(Command[ContinuousBuiltInTestResponse]):
     ROLE = "command"
     RESPONSES = (ContinuousBuiltInTestResponse,)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ContinuousBuiltInTest, int]:
-        return cls(), at
-
-    def _write(self) -> bytes:
-        return b""
-
-
-_COMM_SPEED_0 = codec.Block("B", "function")
-_COMM_SPEED_1 = codec.Block("B", "port")
-_COMM_SPEED_2 = codec.Block("I", "baud")
-_COMM_SPEED_GROUPS = ((1, ("port",), False), (2, ("baud",), False))
-
 
 class CommSpeed(Command[R]):
     """Comm port speed (0x01,0x09).
@@ -797,9 +551,7 @@ class CommSpeed(Command[R]):
     Sets the baud rate of one communication port.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `CommSpeedResponse`.
-    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported
-    by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS and
-    3DM-RTK.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     The change takes effect once pending data is sent and received, after at most 250 ms. Send it
     alone in a packet while the device is idle, and wait 250 ms before going on. Commands and data
@@ -818,6 +570,8 @@ class CommSpeed(Command[R]):
     ROLE = "command"
     RESPONSES = (CommSpeedResponse,)
     REQUIRED = {1: 2, 2: 1, 3: 1, 4: 1, 5: 1}
+    _LAYOUT = (("function", "B", FunctionSelector), ("port", "B", None), ("baud", "I", None))
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -877,50 +631,6 @@ class CommSpeed(Command[R]):
             return (CommSpeedResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[CommSpeed[R], int]:
-        port: int | None = None
-        baud: int | None = None
-        v = _COMM_SPEED_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _COMM_SPEED_1.read(raw, at)
-            at += 1
-            port = v[0]
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _COMM_SPEED_2.read(raw, at)
-            at += 4
-            baud = v[0]
-            done, end = 2, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, port, baud), at
-
-    def _write(self) -> bytes:
-        out = _COMM_SPEED_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _COMM_SPEED_GROUPS)
-        if there >= 1:
-            out += _COMM_SPEED_1.write(self.port)
-        if there >= 2:
-            out += _COMM_SPEED_2.write(self.baud)
-        return codec.finished(out)
-
-
-_GPS_TIME_UPDATE_0 = codec.Block("B", "function")
-_GPS_TIME_UPDATE_1 = codec.Block("B", "field_id")
-_GPS_TIME_UPDATE_2 = codec.Block("I", "value")
-_GPS_TIME_UPDATE_GROUPS = ((1, ("field_id",), False), (2, ("value",), False))
-
 
 class GpsTimeUpdate(Command[R]):
     """GPS time update (0x01,0x72).
@@ -930,11 +640,7 @@ class GpsTimeUpdate(Command[R]):
     Functions: `write`, `read` and `apply`. Answered by `GpsTimeUpdateWeekNumberResponse` or
     `GpsTimeUpdateTowResponse`. Changes `filter_data.Timestamp`, `sensor.GpsTimestamp`,
     `shared.GpsTimestamp` and `shared.ExternalTimestamp`. Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10,
-    3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25,
-    3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS,
-    3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
-    3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX5-10, 3DM-GX5-25 and 3DM-GX5-45.
-    On the 3DM-CV7-GNSS/INS: `write` only.
+    3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35. On the 3DM-CV7-GNSS/INS: `write` only.
 
     Send it once for the time of week and once for the week number after the PPS is locked. On the
     3DM-CV7-GNSS/INS, the time may have another epoch than GPS time, for example that of Unix time;
@@ -959,6 +665,12 @@ class GpsTimeUpdate(Command[R]):
     ROLE = "command"
     RESPONSES = (GpsTimeUpdateWeekNumberResponse, GpsTimeUpdateTowResponse)
     REQUIRED = {1: 2, 2: 1, 6: 2}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("field_id", "B", GpsTimeField),
+        ("value", "I", None),
+    )
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -1014,44 +726,6 @@ class GpsTimeUpdate(Command[R]):
             return (GpsTimeUpdateTowResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GpsTimeUpdate[R], int]:
-        field_id: GpsTimeField | None = None
-        value: int | None = None
-        v = _GPS_TIME_UPDATE_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _GPS_TIME_UPDATE_1.read(raw, at)
-            at += 1
-            field_id = GpsTimeField(v[0])
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _GPS_TIME_UPDATE_2.read(raw, at)
-            at += 4
-            value = v[0]
-            done, end = 2, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, field_id, value), at
-
-    def _write(self) -> bytes:
-        out = _GPS_TIME_UPDATE_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _GPS_TIME_UPDATE_GROUPS)
-        if there >= 1:
-            out += _GPS_TIME_UPDATE_1.write(self.field_id)
-        if there >= 2:
-            out += _GPS_TIME_UPDATE_2.write(self.value)
-        return codec.finished(out)
-
 
 class SoftReset(Command[None]):
     """Reset device (0x01,0x7E).
@@ -1059,11 +733,7 @@ class SoftReset(Command[None]):
     Acknowledges the command, then resets the device immediately.
 
     Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and
-    3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15,
-    3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25,
-    3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS,
-    3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35
-    and 3DM-RTK.
+    3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.1.9 Device Reset (0x01, 0x7E)
     - 3dm-cv7-gnss-ins: Reset device (0x01,0x7E)
@@ -1076,13 +746,6 @@ class SoftReset(Command[None]):
     DESCRIPTOR = 0x7E
     NAME = "base.soft_reset"
     ROLE = "command"
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SoftReset, int]:
-        return cls(), at
-
-    def _write(self) -> bytes:
-        return b""
 
 
 GetDeviceInfoResponse.COMMANDS = (GetDeviceInfo,)

@@ -82,14 +82,14 @@ Outcome = Answer | TimedOut
 Event = Outcome | Received | Skipped
 
 
-def check_seconds(timeout: float) -> None:
+def check_seconds(seconds: float, name: str = "timeout") -> None:
     """Raises TypeError or ValueError if this is not a time to wait."""
     try:
-        right = timeout >= 0
+        right = seconds >= 0
     except TypeError:
-        raise TypeError(f"timeout {timeout!r}: needs a number of seconds") from None
+        raise TypeError(f"{name} {seconds!r}: needs a number of seconds") from None
     if not right:  # NaN, too
-        raise ValueError(f"timeout {timeout}: needs a number of seconds, 0 or more")
+        raise ValueError(f"{name} {seconds}: needs a number of seconds, 0 or more")
 
 
 @dataclass

@@ -8,19 +8,15 @@ them.
 
 from __future__ import annotations
 
-from . import codec
-from .errors import Truncated
 from .field import Command, Field, Response, ResponseClasses
 from .protocol import FunctionSelector
-
-_GET_CALIBRATION_RESPONSE_0 = codec.Block("ff", "slope", "offset")
 
 
 class GetCalibrationResponse(Response):
     """Get Analog to Displacement Calibration response (0x11,0x81).
 
-    Also called `get_analog_displacement_calibration_response`. Answers `GetCalibration`. Probably
-    supported by DEMOD-DC. Known only from the MicroStrain Communication Library.
+    No device is certain to support it. Also called `get_analog_displacement_calibration_response`.
+    Answers `GetCalibration`. Known only from the MicroStrain Communication Library.
 
     - mscl: Get Analog to Displacement Calibration (0x11,0x01)
     """
@@ -46,27 +42,12 @@ class GetCalibrationResponse(Response):
         self.slope = slope
         self.offset = offset
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetCalibrationResponse, int]:
-        v = _GET_CALIBRATION_RESPONSE_0.read(raw, at)
-        at += 8
-        slope = v[0]
-        offset = v[1]
-        return cls(slope, offset), at
-
-    def _write(self) -> bytes:
-        out = _GET_CALIBRATION_RESPONSE_0.write(self.slope, self.offset)
-        return codec.finished(out)
-
-
-_OUTPUT_RATE_RESPONSE_0 = codec.Block("I", "rate")
-
 
 class OutputRateResponse(Response):
     """Displacement Output Data Rate response (0x11,0x82).
 
-    Also called `displacement_output_rate_response`. Answers `OutputRate`. Probably supported by
-    DEMOD-DC. Known only from the MicroStrain Communication Library.
+    No device is certain to support it. Also called `displacement_output_rate_response`. Answers
+    `OutputRate`. Known only from the MicroStrain Communication Library.
 
     - mscl: Displacement Output Data Rate (0x11,0x02)
     """
@@ -87,25 +68,14 @@ class OutputRateResponse(Response):
     def __init__(self, rate: int) -> None:
         self.rate = rate
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[OutputRateResponse, int]:
-        v = _OUTPUT_RATE_RESPONSE_0.read(raw, at)
-        at += 4
-        rate = v[0]
-        return cls(rate), at
-
-    def _write(self) -> bytes:
-        out = _OUTPUT_RATE_RESPONSE_0.write(self.rate)
-        return codec.finished(out)
-
 
 class GetCalibration(Command[GetCalibrationResponse]):
     """Get Analog to Displacement Calibration (0x11,0x01).
 
     Reads the line by which the device converts the counts of its converter to a displacement.
 
-    Also called `get_analog_displacement_calibration`. Answered by `GetCalibrationResponse`.
-    Probably supported by DEMOD-DC. Known only from the MicroStrain Communication Library.
+    No device is certain to support it. Also called `get_analog_displacement_calibration`. Answered
+    by `GetCalibrationResponse`. Known only from the MicroStrain Communication Library.
 
     - mscl: Get Analog to Displacement Calibration (0x11,0x01)
     """
@@ -119,24 +89,14 @@ class GetCalibration(Command[GetCalibrationResponse]):
     ROLE = "command"
     RESPONSES = (GetCalibrationResponse,)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetCalibration, int]:
-        return cls(), at
-
-    def _write(self) -> bytes:
-        return b""
-
-
-_OUTPUT_RATE_0 = codec.Block("B", "function")
-
 
 class OutputRate(Command[OutputRateResponse]):
     """Displacement Output Data Rate (0x11,0x02).
 
     Reads the rate at which displacement is measured.
 
-    Also called `displacement_output_rate`. Functions: `read`. Answered by `OutputRateResponse`.
-    Probably supported by DEMOD-DC. Known only from the MicroStrain Communication Library.
+    No device is certain to support it. Also called `displacement_output_rate`. Functions: `read`.
+    Answered by `OutputRateResponse`. Known only from the MicroStrain Communication Library.
     Uncertain: Whether the rate can be written. MSCL only reads it.
 
     - mscl: Displacement Output Data Rate (0x11,0x02)
@@ -152,6 +112,7 @@ class OutputRate(Command[OutputRateResponse]):
     ROLE = "command"
     RESPONSES = (OutputRateResponse,)
     REQUIRED = {2: 0}
+    _LAYOUT = (("function", "B", FunctionSelector),)
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -170,31 +131,15 @@ class OutputRate(Command[OutputRateResponse]):
             return (OutputRateResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[OutputRate, int]:
-        v = _OUTPUT_RATE_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        return cls(function), at
-
-    def _write(self) -> bytes:
-        out = _OUTPUT_RATE_0.write(self.function)
-        return codec.finished(out)
-
-
-_DEVICE_TIME_0 = codec.Block("B", "function")
-_DEVICE_TIME_1 = codec.Block("Q", "time")
-_DEVICE_TIME_GROUPS = ((1, ("time",), False),)
-
 
 class DeviceTime(Command[None]):
     """Displacement Device Time (0x11,0x04).
 
     Sets the clock of the device, from which `displacement_data.Timestamp` is taken.
 
-    Also called `displacement_device_time`. Functions: `write`. Changes
-    `displacement_data.Timestamp`. Probably supported by DEMOD-DC. Known only from the MicroStrain
-    Communication Library. Uncertain: Whether the time can be read. MSCL only writes it.
+    No device is certain to support it. Also called `displacement_device_time`. Functions: `write`.
+    Changes `displacement_data.Timestamp`. Known only from the MicroStrain Communication Library.
+    Uncertain: Whether the time can be read. MSCL only writes it.
 
     - mscl: Displacement Device Time (0x11,0x04)
     """
@@ -208,6 +153,8 @@ class DeviceTime(Command[None]):
     NAME = "displacement.device_time"
     ROLE = "command"
     REQUIRED = {1: 1}
+    _LAYOUT = (("function", "B", FunctionSelector), ("time", "Q", None))
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -222,35 +169,6 @@ class DeviceTime(Command[None]):
     def write(cls, time: int) -> DeviceTime:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, time=time)
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[DeviceTime, int]:
-        time: int | None = None
-        v = _DEVICE_TIME_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _DEVICE_TIME_1.read(raw, at)
-            at += 8
-            time = v[0]
-            done, end = 1, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, time), at
-
-    def _write(self) -> bytes:
-        out = _DEVICE_TIME_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _DEVICE_TIME_GROUPS)
-        if there >= 1:
-            out += _DEVICE_TIME_1.write(self.time)
-        return codec.finished(out)
 
 
 GetCalibrationResponse.COMMANDS = (GetCalibration,)

@@ -23,15 +23,12 @@ class TimestampFlags(IntFlag):
     """The clock has been set; `time` is valid. Bit 0."""
 
 
-_DISPLACEMENT_RAW_0 = codec.Block("I", "counts")
-
-
 class DisplacementRaw(Data):
     """Raw displacement (0x90,0x01).
 
     Displacement in counts of the converter.
 
-    Probably supported by DEMOD-DC. Known only from the MicroStrain Communication Library.
+    No device is certain to support it. Known only from the MicroStrain Communication Library.
 
     - mscl: Raw displacement (0x90,0x01)
     """
@@ -52,27 +49,13 @@ class DisplacementRaw(Data):
     def __init__(self, counts: int) -> None:
         self.counts = counts
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[DisplacementRaw, int]:
-        v = _DISPLACEMENT_RAW_0.read(raw, at)
-        at += 4
-        counts = v[0]
-        return cls(counts), at
-
-    def _write(self) -> bytes:
-        out = _DISPLACEMENT_RAW_0.write(self.counts)
-        return codec.finished(out)
-
-
-_DISPLACEMENT_0 = codec.Block("f", "displacement")
-
 
 class Displacement(Data):
     """Displacement (0x90,0x02).
 
     Displacement of the sensor, computed with its calibration.
 
-    Probably supported by DEMOD-DC. Known only from the MicroStrain Communication Library.
+    No device is certain to support it. Known only from the MicroStrain Communication Library.
 
     - mscl: Displacement (0x90,0x02)
     """
@@ -93,28 +76,14 @@ class Displacement(Data):
     def __init__(self, displacement: float) -> None:
         self.displacement = displacement
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[Displacement, int]:
-        v = _DISPLACEMENT_0.read(raw, at)
-        at += 4
-        displacement = v[0]
-        return cls(displacement), at
-
-    def _write(self) -> bytes:
-        out = _DISPLACEMENT_0.write(self.displacement)
-        return codec.finished(out)
-
-
-_TIMESTAMP_0 = codec.Block("BQ", "flags", "time")
-
 
 class Timestamp(Data):
     """Displacement Device Timestamp (0x90,0x04).
 
     Time of the measurement by the clock of the device.
 
-    Also called `displacement_timestamp`. Changed by `displacement.DeviceTime`. Probably supported
-    by DEMOD-DC. Known only from the MicroStrain Communication Library.
+    No device is certain to support it. Also called `displacement_timestamp`. Known only from the
+    MicroStrain Communication Library.
 
     - mscl: Displacement Device Timestamp (0x90,0x04)
     """
@@ -139,18 +108,6 @@ class Timestamp(Data):
     def __init__(self, flags: TimestampFlags, time: int) -> None:
         self.flags = flags
         self.time = time
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[Timestamp, int]:
-        v = _TIMESTAMP_0.read(raw, at)
-        at += 9
-        flags = TimestampFlags(v[0])
-        time = v[1]
-        return cls(flags, time), at
-
-    def _write(self) -> bytes:
-        out = _TIMESTAMP_0.write(self.flags, self.time)
-        return codec.finished(out)
 
 
 #: The types of each descriptor; several if constants or the size of the data distinguish layouts.

@@ -98,6 +98,12 @@ class Structure(Described):
     #: Those that are vectors, and their kinds.
     _VECTORS: ClassVar[dict[str, tuple[type[Any], ...]]] = {}
 
+    #: Its parameters as they are on the wire; see `wire`.
+    _LAYOUT: ClassVar[tuple[tuple[str, str, Any], ...]] = ()
+
+    #: How many of them are always there; None: all are.
+    _ALWAYS: ClassVar[int | None] = None
+
     if TYPE_CHECKING:
         __dataclass_fields__: ClassVar[dict[str, dataclasses.Field[Any]]]
     else:
@@ -128,13 +134,25 @@ class Structure(Described):
     def __replace__(self: S, **changes: Any) -> S:
         return type(self)(**(dict(zip(self._MEMBERS, self._values())) | changes))
 
+    # The functions that read and write a class are made when they are first needed, and replace these.
     @classmethod
     def _read(cls: type[S], raw: bytes, at: int) -> tuple[S, int]:
         """The values at an offset, and where they end."""
-        raise NotImplementedError
+        if "_read" not in cls.__dict__:
+            from .wire import make_reader
+
+            cls._read = classmethod(make_reader(cls))  # type: ignore[assignment, method-assign]
+        made: tuple[S, int] = cls.__dict__["_read"].__get__(None, cls)(raw, at)
+        return made
 
     def _write(self) -> bytes:
-        raise NotImplementedError
+        cls = type(self)
+        if "_write" not in cls.__dict__:
+            from .wire import make_writer
+
+            cls._write = make_writer(cls)  # type: ignore[method-assign]
+        made: bytes = cls.__dict__["_write"](self)
+        return made
 
 
 class Field(Structure):
@@ -147,10 +165,6 @@ class Field(Structure):
     DESCRIPTOR: ClassVar[int]
     NAME: ClassVar[str]  # in the specification: "base.ping"
     ROLE: ClassVar[str]  # "command", "response" or "data"
-
-    #: Attribute, letters of `struct` and what makes its value from the numbers, for each value, if all
-    #: are numbers at fixed places.
-    _LAYOUT: ClassVar[tuple[tuple[str, str, Any], ...] | None] = None
 
     @property
     def packet_set(self) -> int | None:

@@ -12,7 +12,6 @@ from enum import IntFlag
 from typing import Any
 
 from . import codec, types
-from .errors import Truncated
 from .field import ClassOf, Command, Field, R, Response, ResponseClasses
 from .protocol import FunctionSelector
 
@@ -300,15 +299,10 @@ class ReferencePoint(codec.OpenEnum):
     """The origin of the vehicle."""
 
 
-_VEHICLE_DYNAMICS_MODE_RESPONSE_0 = codec.Block("B", "mode")
-
-
 class VehicleDynamicsModeResponse(Response):
     """Vehicle dynamics mode response (0x0D,0x80).
 
-    Answers `VehicleDynamicsMode`. Supported by 3DM-GX5-45. Probably supported by 3DM-CV5-45,
-    3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from
-    the MicroStrain MIP SDK.
+    Answers `VehicleDynamicsMode`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Vehicle dynamics mode (0x0D,0x10)
     """
@@ -329,28 +323,11 @@ class VehicleDynamicsModeResponse(Response):
     def __init__(self, mode: DynamicsMode) -> None:
         self.mode = mode
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[VehicleDynamicsModeResponse, int]:
-        v = _VEHICLE_DYNAMICS_MODE_RESPONSE_0.read(raw, at)
-        at += 1
-        mode = DynamicsMode(v[0])
-        return cls(mode), at
-
-    def _write(self) -> bytes:
-        out = _VEHICLE_DYNAMICS_MODE_RESPONSE_0.write(self.mode)
-        return codec.finished(out)
-
-
-_SENSOR_TO_VEHICLE_ROTATION_EULER_RESPONSE_0 = codec.Block("fff", "roll", "pitch", "yaw")
-
 
 class SensorToVehicleRotationEulerResponse(Response):
     """Sensor to vehicle frame transformation response (0x0D,0x81).
 
-    Answers `SensorToVehicleRotationEuler`. Supported by 3DM-GX5-15 and 3DM-GX5-45. Probably
-    supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25,
-    3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and
-    3DM-RQ1-45-ST.
+    Answers `SensorToVehicleRotationEuler`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
 
     - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
     """
@@ -377,29 +354,12 @@ class SensorToVehicleRotationEulerResponse(Response):
         self.pitch = pitch
         self.yaw = yaw
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleRotationEulerResponse, int]:
-        v = _SENSOR_TO_VEHICLE_ROTATION_EULER_RESPONSE_0.read(raw, at)
-        at += 12
-        roll = v[0]
-        pitch = v[1]
-        yaw = v[2]
-        return cls(roll, pitch, yaw), at
-
-    def _write(self) -> bytes:
-        out = _SENSOR_TO_VEHICLE_ROTATION_EULER_RESPONSE_0.write(self.roll, self.pitch, self.yaw)
-        return codec.finished(out)
-
-
-_SENSOR_TO_VEHICLE_OFFSET_RESPONSE_0 = codec.Block("fff", *["offset"] * 3)
-
 
 class SensorToVehicleOffsetResponse(Response):
     """Sensor to vehicle offset response (0x0D,0x82).
 
-    Answers `SensorToVehicleOffset`. Supported by 3DM-GX5-45. Probably supported by 3DM-CV5-45,
-    3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from
-    the MicroStrain MIP SDK.
+    Answers `SensorToVehicleOffset`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP
+    SDK.
 
     - mip-sdk-4: Sensor to vehicle offset (0x0D,0x12)
     """
@@ -413,6 +373,7 @@ class SensorToVehicleOffsetResponse(Response):
     NAME = "filter.sensor_to_vehicle_offset_response"
     ROLE = "response"
     _LAYOUT = (("offset", "fff", types.Vector3f),)
+
     _VECTORS = {"offset": (types.Vector3f,)}
 
     offset: types.Vector3f
@@ -423,27 +384,11 @@ class SensorToVehicleOffsetResponse(Response):
     def __init__(self, offset: types.Vector3f | codec.Numbers) -> None:
         self.offset = codec.vector(offset, types.Vector3f)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleOffsetResponse, int]:
-        v = _SENSOR_TO_VEHICLE_OFFSET_RESPONSE_0.read(raw, at)
-        at += 12
-        offset = types.Vector3f._make(v[0:3])
-        return cls(offset), at
-
-    def _write(self) -> bytes:
-        out = _SENSOR_TO_VEHICLE_OFFSET_RESPONSE_0.write(*codec.elements("offset", self.offset, 3))
-        return codec.finished(out)
-
-
-_ANTENNA_OFFSET_RESPONSE_0 = codec.Block("fff", *["offset"] * 3)
-
 
 class AntennaOffsetResponse(Response):
     """GNSS antenna offset response (0x0D,0x83).
 
-    Answers `AntennaOffset`. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GX5-45. Probably
-    supported by 3DM-CV5-45, 3DM-CX5-45, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GV7-INS, 3DM-GX3-45,
-    3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    Answers `AntennaOffset`. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13)
     """
@@ -457,6 +402,7 @@ class AntennaOffsetResponse(Response):
     NAME = "filter.antenna_offset_response"
     ROLE = "response"
     _LAYOUT = (("offset", "fff", types.Vector3f),)
+
     _VECTORS = {"offset": (types.Vector3f,)}
 
     offset: types.Vector3f
@@ -469,28 +415,11 @@ class AntennaOffsetResponse(Response):
     def __init__(self, offset: types.Vector3f | codec.Numbers) -> None:
         self.offset = codec.vector(offset, types.Vector3f)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AntennaOffsetResponse, int]:
-        v = _ANTENNA_OFFSET_RESPONSE_0.read(raw, at)
-        at += 12
-        offset = types.Vector3f._make(v[0:3])
-        return cls(offset), at
-
-    def _write(self) -> bytes:
-        out = _ANTENNA_OFFSET_RESPONSE_0.write(*codec.elements("offset", self.offset, 3))
-        return codec.finished(out)
-
-
-_ESTIMATION_CONTROL_RESPONSE_0 = codec.Block("H", "flags")
-
 
 class EstimationControlResponse(Response):
     """Estimation control flags response (0x0D,0x84).
 
-    Answers `EstimationControl`. Supported by 3DM-GX5-15 and 3DM-GX5-45. Probably supported by
-    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
-    3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and
-    3DM-RQ1-45-ST.
+    Answers `EstimationControl`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
 
     - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
     """
@@ -511,27 +440,11 @@ class EstimationControlResponse(Response):
     def __init__(self, flags: EstimatedStates) -> None:
         self.flags = flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EstimationControlResponse, int]:
-        v = _ESTIMATION_CONTROL_RESPONSE_0.read(raw, at)
-        at += 2
-        flags = EstimatedStates(v[0])
-        return cls(flags), at
-
-    def _write(self) -> bytes:
-        out = _ESTIMATION_CONTROL_RESPONSE_0.write(self.flags)
-        return codec.finished(out)
-
-
-_GNSS_SOURCE_RESPONSE_0 = codec.Block("B", "source")
-
 
 class GnssSourceResponse(Response):
     """GNSS aiding source response (0x0D,0x86).
 
-    Answers `GnssSource`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Probably
-    supported by 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-45, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GV7-INS,
-    3DM-GX3-45, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    Answers `GnssSource`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15)
     """
@@ -552,27 +465,11 @@ class GnssSourceResponse(Response):
     def __init__(self, source: GnssAidingSource) -> None:
         self.source = source
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssSourceResponse, int]:
-        v = _GNSS_SOURCE_RESPONSE_0.read(raw, at)
-        at += 1
-        source = GnssAidingSource(v[0])
-        return cls(source), at
-
-    def _write(self) -> bytes:
-        out = _GNSS_SOURCE_RESPONSE_0.write(self.source)
-        return codec.finished(out)
-
-
-_HEADING_SOURCE_RESPONSE_0 = codec.Block("B", "source")
-
 
 class HeadingSourceResponse(Response):
     """Heading update control response (0x0D,0x87).
 
-    Answers `HeadingSource`. Supported by 3DM-GX5-15 and 3DM-GX5-45. Probably supported by
-    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
-    3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    Answers `HeadingSource`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
 
     - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
     """
@@ -593,28 +490,12 @@ class HeadingSourceResponse(Response):
     def __init__(self, source: HeadingUpdateSource) -> None:
         self.source = source
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[HeadingSourceResponse, int]:
-        v = _HEADING_SOURCE_RESPONSE_0.read(raw, at)
-        at += 1
-        source = HeadingUpdateSource(v[0])
-        return cls(source), at
-
-    def _write(self) -> bytes:
-        out = _HEADING_SOURCE_RESPONSE_0.write(self.source)
-        return codec.finished(out)
-
-
-_AUTO_INITIALIZATION_CONTROL_RESPONSE_0 = codec.Block("B", "enable")
-
 
 class AutoInitializationControlResponse(Response):
     """Automatic initialization response (0x0D,0x88).
 
     Also called `auto_init_control_response`. Answers `AutoInitializationControl`. Supported by
-    3DM-GX5-15 and 3DM-GX5-45. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25,
-    3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25,
-    3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    3DM-GX5-15 and 3DM-GX5-45.
 
     - 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19)
     """
@@ -635,29 +516,11 @@ class AutoInitializationControlResponse(Response):
     def __init__(self, enable: int) -> None:
         self.enable = enable
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AutoInitializationControlResponse, int]:
-        v = _AUTO_INITIALIZATION_CONTROL_RESPONSE_0.read(raw, at)
-        at += 1
-        enable = v[0]
-        return cls(enable), at
-
-    def _write(self) -> bytes:
-        out = _AUTO_INITIALIZATION_CONTROL_RESPONSE_0.write(self.enable)
-        return codec.finished(out)
-
-
-_ACCEL_NOISE_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
-
 
 class AccelNoiseResponse(Response):
     """Accelerometer noise response (0x0D,0x89).
 
-    Answers `AccelNoise`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45. Probably
-    supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS,
-    3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR,
-    3DM-CX7-INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-45,
-    3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    Answers `AccelNoise`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Accelerometer Noise Standard Deviation (0x0D,0x1A)
     - 3dm-gx5-15: 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A)
@@ -672,6 +535,7 @@ class AccelNoiseResponse(Response):
     NAME = "filter.accel_noise_response"
     ROLE = "response"
     _LAYOUT = (("noise", "fff", types.Vector3f),)
+
     _VECTORS = {"noise": (types.Vector3f,)}
 
     noise: types.Vector3f
@@ -680,29 +544,11 @@ class AccelNoiseResponse(Response):
     def __init__(self, noise: types.Vector3f | codec.Numbers) -> None:
         self.noise = codec.vector(noise, types.Vector3f)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AccelNoiseResponse, int]:
-        v = _ACCEL_NOISE_RESPONSE_0.read(raw, at)
-        at += 12
-        noise = types.Vector3f._make(v[0:3])
-        return cls(noise), at
-
-    def _write(self) -> bytes:
-        out = _ACCEL_NOISE_RESPONSE_0.write(*codec.elements("noise", self.noise, 3))
-        return codec.finished(out)
-
-
-_GYRO_NOISE_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
-
 
 class GyroNoiseResponse(Response):
     """Gyroscope noise response (0x0D,0x8A).
 
-    Answers `GyroNoise`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45. Probably
-    supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS,
-    3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR,
-    3DM-CX7-INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-45,
-    3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    Answers `GyroNoise`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Gyroscope Noise Standard Deviation (0x0D,0x1B)
     - 3dm-gx5-15: 4.3.13 Gyroscope Noise Standard Deviation (0x0D, 0x1B)
@@ -717,6 +563,7 @@ class GyroNoiseResponse(Response):
     NAME = "filter.gyro_noise_response"
     ROLE = "response"
     _LAYOUT = (("noise", "fff", types.Vector3f),)
+
     _VECTORS = {"noise": (types.Vector3f,)}
 
     noise: types.Vector3f
@@ -725,27 +572,11 @@ class GyroNoiseResponse(Response):
     def __init__(self, noise: types.Vector3f | codec.Numbers) -> None:
         self.noise = codec.vector(noise, types.Vector3f)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GyroNoiseResponse, int]:
-        v = _GYRO_NOISE_RESPONSE_0.read(raw, at)
-        at += 12
-        noise = types.Vector3f._make(v[0:3])
-        return cls(noise), at
-
-    def _write(self) -> bytes:
-        out = _GYRO_NOISE_RESPONSE_0.write(*codec.elements("noise", self.noise, 3))
-        return codec.finished(out)
-
-
-_ACCEL_BIAS_MODEL_RESPONSE_0 = codec.Block("ffffff", *["beta"] * 3, *["noise"] * 3)
-
 
 class AccelBiasModelResponse(Response):
     """Accelerometer bias model response (0x0D,0x8B).
 
-    Answers `AccelBiasModel`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-45. Probably supported by
-    3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-45, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GV7-INS,
-    3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    Answers `AccelBiasModel`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
     """
@@ -759,6 +590,7 @@ class AccelBiasModelResponse(Response):
     NAME = "filter.accel_bias_model_response"
     ROLE = "response"
     _LAYOUT = (("beta", "fff", types.Vector3f), ("noise", "fff", types.Vector3f))
+
     _VECTORS = {"beta": (types.Vector3f,), "noise": (types.Vector3f,)}
 
     beta: types.Vector3f
@@ -774,32 +606,11 @@ class AccelBiasModelResponse(Response):
         self.beta = codec.vector(beta, types.Vector3f)
         self.noise = codec.vector(noise, types.Vector3f)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AccelBiasModelResponse, int]:
-        v = _ACCEL_BIAS_MODEL_RESPONSE_0.read(raw, at)
-        at += 24
-        beta = types.Vector3f._make(v[0:3])
-        noise = types.Vector3f._make(v[3:6])
-        return cls(beta, noise), at
-
-    def _write(self) -> bytes:
-        out = _ACCEL_BIAS_MODEL_RESPONSE_0.write(
-            *codec.elements("beta", self.beta, 3), *codec.elements("noise", self.noise, 3)
-        )
-        return codec.finished(out)
-
-
-_GYRO_BIAS_MODEL_RESPONSE_0 = codec.Block("ffffff", *["beta"] * 3, *["noise"] * 3)
-
 
 class GyroBiasModelResponse(Response):
     """Gyroscope bias model response (0x0D,0x8C).
 
-    Answers `GyroBiasModel`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45. Probably
-    supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS,
-    3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR,
-    3DM-CX7-INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-45,
-    3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    Answers `GyroBiasModel`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D)
     - 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
@@ -814,6 +625,7 @@ class GyroBiasModelResponse(Response):
     NAME = "filter.gyro_bias_model_response"
     ROLE = "response"
     _LAYOUT = (("beta", "fff", types.Vector3f), ("noise", "fff", types.Vector3f))
+
     _VECTORS = {"beta": (types.Vector3f,), "noise": (types.Vector3f,)}
 
     beta: types.Vector3f
@@ -829,30 +641,12 @@ class GyroBiasModelResponse(Response):
         self.beta = codec.vector(beta, types.Vector3f)
         self.noise = codec.vector(noise, types.Vector3f)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GyroBiasModelResponse, int]:
-        v = _GYRO_BIAS_MODEL_RESPONSE_0.read(raw, at)
-        at += 24
-        beta = types.Vector3f._make(v[0:3])
-        noise = types.Vector3f._make(v[3:6])
-        return cls(beta, noise), at
-
-    def _write(self) -> bytes:
-        out = _GYRO_BIAS_MODEL_RESPONSE_0.write(
-            *codec.elements("beta", self.beta, 3), *codec.elements("noise", self.noise, 3)
-        )
-        return codec.finished(out)
-
-
-_AUTO_ZUPT_RESPONSE_0 = codec.Block("Bf", "enable", "threshold")
-
 
 class AutoZuptResponse(Response):
     """Automatic zero velocity update response (0x0D,0x8D).
 
-    Answers `AutoZupt`. Supported by 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Probably supported by
-    3DM-CV5-45, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
-    Known only from the MicroStrain MIP SDK.
+    Answers `AutoZupt`. Supported by 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Known only from the
+    MicroStrain MIP SDK.
 
     - mip-sdk-4: Auto Zupt (0x0D,0x1E)
     """
@@ -876,30 +670,12 @@ class AutoZuptResponse(Response):
         self.enable = enable
         self.threshold = threshold
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AutoZuptResponse, int]:
-        v = _AUTO_ZUPT_RESPONSE_0.read(raw, at)
-        at += 5
-        enable = v[0]
-        threshold = v[1]
-        return cls(enable, threshold), at
-
-    def _write(self) -> bytes:
-        out = _AUTO_ZUPT_RESPONSE_0.write(self.enable, self.threshold)
-        return codec.finished(out)
-
-
-_AUTO_ANGULAR_ZUPT_RESPONSE_0 = codec.Block("Bf", "enable", "threshold")
-
 
 class AutoAngularZuptResponse(Response):
     """Zero angular rate update response (0x0D,0x8E).
 
     Answers `AutoAngularZupt`. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS, 3DM-GQ7-GNSS/INS,
-    3DM-GX5-15 and 3DM-GX5-45. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25,
-    3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS,
-    3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15,
-    3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    3DM-GX5-15 and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Zero Angular Rate Update Control (0x0D,0x20)
     - 3dm-gx5-15: 4.3.15 Zero Angular Rate Update Control (0x0D, 0x20)
@@ -924,28 +700,11 @@ class AutoAngularZuptResponse(Response):
         self.enable = enable
         self.threshold = threshold
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AutoAngularZuptResponse, int]:
-        v = _AUTO_ANGULAR_ZUPT_RESPONSE_0.read(raw, at)
-        at += 5
-        enable = v[0]
-        threshold = v[1]
-        return cls(enable, threshold), at
-
-    def _write(self) -> bytes:
-        out = _AUTO_ANGULAR_ZUPT_RESPONSE_0.write(self.enable, self.threshold)
-        return codec.finished(out)
-
-
-_REFERENCE_POSITION_RESPONSE_0 = codec.Block("Bddd", "enable", "latitude", "longitude", "altitude")
-
 
 class ReferencePositionResponse(Response):
     """Set reference position response (0x0D,0x90).
 
-    Answers `ReferencePosition`. Supported by 3DM-GX5-15. Probably supported by 3DM-CL5-15,
-    3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-15, 3DM-CX5-25, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-25
-    and 3DM-GX5-45.
+    Answers `ReferencePosition`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26)
     """
@@ -982,33 +741,11 @@ class ReferencePositionResponse(Response):
         self.longitude = longitude
         self.altitude = altitude
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ReferencePositionResponse, int]:
-        v = _REFERENCE_POSITION_RESPONSE_0.read(raw, at)
-        at += 25
-        enable = v[0]
-        latitude = v[1]
-        longitude = v[2]
-        altitude = v[3]
-        return cls(enable, latitude, longitude, altitude), at
-
-    def _write(self) -> bytes:
-        out = _REFERENCE_POSITION_RESPONSE_0.write(
-            self.enable, self.latitude, self.longitude, self.altitude
-        )
-        return codec.finished(out)
-
-
-_GRAVITY_NOISE_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
-
 
 class GravityNoiseResponse(Response):
     """Gravity noise response (0x0D,0x93).
 
-    Answers `GravityNoise`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45. Probably
-    supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS,
-    3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR,
-    3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS and 3DM-GX5-25.
+    Answers `GravityNoise`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Gravity Noise Standard Deviation (0x0D,0x28)
     - 3dm-gx5-15: 4.3.11 Gravity Noise Standard Deviation (0x0D, 0x28)
@@ -1023,6 +760,7 @@ class GravityNoiseResponse(Response):
     NAME = "filter.gravity_noise_response"
     ROLE = "response"
     _LAYOUT = (("noise", "fff", types.Vector3f),)
+
     _VECTORS = {"noise": (types.Vector3f,)}
 
     noise: types.Vector3f
@@ -1031,27 +769,12 @@ class GravityNoiseResponse(Response):
     def __init__(self, noise: types.Vector3f | codec.Numbers) -> None:
         self.noise = codec.vector(noise, types.Vector3f)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GravityNoiseResponse, int]:
-        v = _GRAVITY_NOISE_RESPONSE_0.read(raw, at)
-        at += 12
-        noise = types.Vector3f._make(v[0:3])
-        return cls(noise), at
-
-    def _write(self) -> bytes:
-        out = _GRAVITY_NOISE_RESPONSE_0.write(*codec.elements("noise", self.noise, 3))
-        return codec.finished(out)
-
-
-_PRESSURE_ALTITUDE_NOISE_RESPONSE_0 = codec.Block("f", "noise")
-
 
 class PressureAltitudeNoiseResponse(Response):
     """Pressure altitude noise response (0x0D,0x94).
 
-    Answers `PressureAltitudeNoise`. Supported by 3DM-GX5-45. Probably supported by 3DM-CL5-25,
-    3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45 and 3DM-GX5-25. Known only from the MicroStrain
-    MIP SDK.
+    Answers `PressureAltitudeNoise`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP
+    SDK.
 
     - mip-sdk-4: Pressure altitude noise (0x0D,0x29)
     """
@@ -1072,27 +795,11 @@ class PressureAltitudeNoiseResponse(Response):
     def __init__(self, noise: float) -> None:
         self.noise = noise
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[PressureAltitudeNoiseResponse, int]:
-        v = _PRESSURE_ALTITUDE_NOISE_RESPONSE_0.read(raw, at)
-        at += 4
-        noise = v[0]
-        return cls(noise), at
-
-    def _write(self) -> bytes:
-        out = _PRESSURE_ALTITUDE_NOISE_RESPONSE_0.write(self.noise)
-        return codec.finished(out)
-
-
-_HARD_IRON_OFFSET_NOISE_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
-
 
 class HardIronOffsetNoiseResponse(Response):
     """Hard iron offset noise response (0x0D,0x96).
 
-    Answers `HardIronOffsetNoise`. Supported by 3DM-GX5-45. Probably supported by 3DM-CL5-25,
-    3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45 and 3DM-GX5-25. Known only from the MicroStrain
-    MIP SDK.
+    Answers `HardIronOffsetNoise`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Hard iron offset noise (0x0D,0x2B)
     """
@@ -1106,6 +813,7 @@ class HardIronOffsetNoiseResponse(Response):
     NAME = "filter.hard_iron_offset_noise_response"
     ROLE = "response"
     _LAYOUT = (("noise", "fff", types.Vector3f),)
+
     _VECTORS = {"noise": (types.Vector3f,)}
 
     noise: types.Vector3f
@@ -1114,27 +822,11 @@ class HardIronOffsetNoiseResponse(Response):
     def __init__(self, noise: types.Vector3f | codec.Numbers) -> None:
         self.noise = codec.vector(noise, types.Vector3f)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[HardIronOffsetNoiseResponse, int]:
-        v = _HARD_IRON_OFFSET_NOISE_RESPONSE_0.read(raw, at)
-        at += 12
-        noise = types.Vector3f._make(v[0:3])
-        return cls(noise), at
-
-    def _write(self) -> bytes:
-        out = _HARD_IRON_OFFSET_NOISE_RESPONSE_0.write(*codec.elements("noise", self.noise, 3))
-        return codec.finished(out)
-
-
-_SOFT_IRON_MATRIX_NOISE_RESPONSE_0 = codec.Block("fffffffff", *["noise"] * 9)
-
 
 class SoftIronMatrixNoiseResponse(Response):
     """Soft iron matrix noise response (0x0D,0x97).
 
-    Answers `SoftIronMatrixNoise`. Supported by 3DM-GX5-45. Probably supported by 3DM-CL5-25,
-    3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45 and 3DM-GX5-25. Known only from the MicroStrain
-    MIP SDK.
+    Answers `SoftIronMatrixNoise`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Soft iron matrix noise (0x0D,0x2C)
     """
@@ -1148,6 +840,7 @@ class SoftIronMatrixNoiseResponse(Response):
     NAME = "filter.soft_iron_matrix_noise_response"
     ROLE = "response"
     _LAYOUT = (("noise", "fffffffff", types.Matrix3f),)
+
     _VECTORS = {"noise": (types.Matrix3f,)}
 
     noise: types.Matrix3f
@@ -1158,29 +851,13 @@ class SoftIronMatrixNoiseResponse(Response):
     def __init__(self, noise: types.Matrix3f | codec.Rows) -> None:
         self.noise = codec.vector(noise, types.Matrix3f)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SoftIronMatrixNoiseResponse, int]:
-        v = _SOFT_IRON_MATRIX_NOISE_RESPONSE_0.read(raw, at)
-        at += 36
-        noise = types.Matrix3f._make(v[0:9])
-        return cls(noise), at
-
-    def _write(self) -> bytes:
-        out = _SOFT_IRON_MATRIX_NOISE_RESPONSE_0.write(*codec.elements("noise", self.noise, 9))
-        return codec.finished(out)
-
-
-_TARE_ORIENTATION_RESPONSE_0 = codec.Block("B", "axes")
-
 
 class TareOrientationResponse(Response):
     """Tare orientation response (0x0D,0xA1).
 
-    Answers `TareOrientation`. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25,
-    3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
-    3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Uncertain: Which devices send it. The SDK reads the
-    setting back; the manuals of the 3DM-GX5-15 and 3DM-GX5-45 have neither the read function nor
-    the response.
+    No device is certain to support it. Answers `TareOrientation`. Uncertain: Which devices send it.
+    The SDK reads the setting back; the manuals of the 3DM-GX5-15 and 3DM-GX5-45 have neither the
+    read function nor the response.
 
     - 3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21)
     - mip-sdk-4: Tare orientation (0x0D,0x21)
@@ -1202,26 +879,11 @@ class TareOrientationResponse(Response):
     def __init__(self, axes: TareAxes) -> None:
         self.axes = axes
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[TareOrientationResponse, int]:
-        v = _TARE_ORIENTATION_RESPONSE_0.read(raw, at)
-        at += 1
-        axes = TareAxes(v[0])
-        return cls(axes), at
-
-    def _write(self) -> bytes:
-        out = _TARE_ORIENTATION_RESPONSE_0.write(self.axes)
-        return codec.finished(out)
-
-
-_ENABLE_MEASUREMENTS_RESPONSE_0 = codec.Block("H", "control")
-
 
 class EnableMeasurementsResponse(Response):
     """Enable or disable measurements response (0x0D,0xB0).
 
-    Answers `EnableMeasurements`. Supported by 3DM-GX5-15. Probably supported by 3DM-CL5-15,
-    3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-15, 3DM-CX5-25, 3DM-GX4-25 and 3DM-GX5-25.
+    Answers `EnableMeasurements`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41)
     """
@@ -1242,27 +904,11 @@ class EnableMeasurementsResponse(Response):
     def __init__(self, control: MeasurementFlags) -> None:
         self.control = control
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EnableMeasurementsResponse, int]:
-        v = _ENABLE_MEASUREMENTS_RESPONSE_0.read(raw, at)
-        at += 2
-        control = MeasurementFlags(v[0])
-        return cls(control), at
-
-    def _write(self) -> bytes:
-        out = _ENABLE_MEASUREMENTS_RESPONSE_0.write(self.control)
-        return codec.finished(out)
-
-
-_MAG_NOISE_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
-
 
 class MagNoiseResponse(Response):
     """Magnetometer noise response (0x0D,0xB1).
 
-    Answers `MagNoise`. Supported by 3DM-GX5-45. Probably supported by 3DM-CL5-25, 3DM-CV5-25,
-    3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25,
-    3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the MicroStrain MIP SDK.
+    Answers `MagNoise`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Mag Noise (0x0D,0x42)
     """
@@ -1276,6 +922,7 @@ class MagNoiseResponse(Response):
     NAME = "filter.mag_noise_response"
     ROLE = "response"
     _LAYOUT = (("noise", "fff", types.Vector3f),)
+
     _VECTORS = {"noise": (types.Vector3f,)}
 
     noise: types.Vector3f
@@ -1284,29 +931,12 @@ class MagNoiseResponse(Response):
     def __init__(self, noise: types.Vector3f | codec.Numbers) -> None:
         self.noise = codec.vector(noise, types.Vector3f)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagNoiseResponse, int]:
-        v = _MAG_NOISE_RESPONSE_0.read(raw, at)
-        at += 12
-        noise = types.Vector3f._make(v[0:3])
-        return cls(noise), at
-
-    def _write(self) -> bytes:
-        out = _MAG_NOISE_RESPONSE_0.write(*codec.elements("noise", self.noise, 3))
-        return codec.finished(out)
-
-
-_MAGNETIC_DECLINATION_SOURCE_RESPONSE_0 = codec.Block("Bf", "source", "declination")
-
 
 class MagneticDeclinationSourceResponse(Response):
     """Magnetic declination source response (0x0D,0xB2).
 
     Answers `MagneticDeclinationSource`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
-    3DM-GQ7-GNSS/INS and 3DM-GX5-45. Probably supported by 3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45,
-    3DM-CV7-INS, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ4-45,
-    3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and
-    3DM-RQ1-45-ST.
+    3DM-GQ7-GNSS/INS and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43)
     - 3dm-gq7: Magnetic Field Declination Source Control (0x0D,0x43)
@@ -1335,38 +965,11 @@ class MagneticDeclinationSourceResponse(Response):
         self.source = source
         self.declination = declination
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagneticDeclinationSourceResponse, int]:
-        v = _MAGNETIC_DECLINATION_SOURCE_RESPONSE_0.read(raw, at)
-        at += 5
-        source = MagParameterSource(v[0])
-        declination = v[1]
-        return cls(source, declination), at
-
-    def _write(self) -> bytes:
-        out = _MAGNETIC_DECLINATION_SOURCE_RESPONSE_0.write(self.source, self.declination)
-        return codec.finished(out)
-
-
-_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0 = codec.Block(
-    "Bffffff",
-    "adaptive_measurement",
-    "frequency",
-    "low_limit",
-    "high_limit",
-    "low_limit_uncertainty",
-    "high_limit_uncertainty",
-    "minimum_uncertainty",
-)
-
 
 class AccelMagnitudeErrorAdaptiveMeasurementResponse(Response):
     """Gravity magnitude error adaptive measurement response (0x0D,0xB3).
 
     Answers `AccelMagnitudeErrorAdaptiveMeasurement`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
-    Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15,
-    3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25,
-    3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
     """
@@ -1438,60 +1041,11 @@ class AccelMagnitudeErrorAdaptiveMeasurementResponse(Response):
         self.high_limit_uncertainty = high_limit_uncertainty
         self.minimum_uncertainty = minimum_uncertainty
 
-    @classmethod
-    def _read(
-        cls, raw: bytes, at: int
-    ) -> tuple[AccelMagnitudeErrorAdaptiveMeasurementResponse, int]:
-        v = _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0.read(raw, at)
-        at += 25
-        adaptive_measurement = AdaptiveMeasurementSelector(v[0])
-        frequency = v[1]
-        low_limit = v[2]
-        high_limit = v[3]
-        low_limit_uncertainty = v[4]
-        high_limit_uncertainty = v[5]
-        minimum_uncertainty = v[6]
-        return cls(
-            adaptive_measurement,
-            frequency,
-            low_limit,
-            high_limit,
-            low_limit_uncertainty,
-            high_limit_uncertainty,
-            minimum_uncertainty,
-        ), at
-
-    def _write(self) -> bytes:
-        out = _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0.write(
-            self.adaptive_measurement,
-            self.frequency,
-            self.low_limit,
-            self.high_limit,
-            self.low_limit_uncertainty,
-            self.high_limit_uncertainty,
-            self.minimum_uncertainty,
-        )
-        return codec.finished(out)
-
-
-_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0 = codec.Block(
-    "Bffffff",
-    "adaptive_measurement",
-    "frequency",
-    "low_limit",
-    "high_limit",
-    "low_limit_uncertainty",
-    "high_limit_uncertainty",
-    "minimum_uncertainty",
-)
-
 
 class MagMagnitudeErrorAdaptiveMeasurementResponse(Response):
     """Magnetometer magnitude error adaptive measurement response (0x0D,0xB4).
 
-    Answers `MagMagnitudeErrorAdaptiveMeasurement`. Supported by 3DM-GX5-45. Probably supported by
-    3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15,
-    3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the
+    Answers `MagMagnitudeErrorAdaptiveMeasurement`. Supported by 3DM-GX5-45. Known only from the
     MicroStrain MIP SDK.
 
     - mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45)
@@ -1576,51 +1130,12 @@ class MagMagnitudeErrorAdaptiveMeasurementResponse(Response):
         self.high_limit_uncertainty = high_limit_uncertainty
         self.minimum_uncertainty = minimum_uncertainty
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagMagnitudeErrorAdaptiveMeasurementResponse, int]:
-        v = _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0.read(raw, at)
-        at += 25
-        adaptive_measurement = AdaptiveMeasurementSelector(v[0])
-        frequency = v[1]
-        low_limit = v[2]
-        high_limit = v[3]
-        low_limit_uncertainty = v[4]
-        high_limit_uncertainty = v[5]
-        minimum_uncertainty = v[6]
-        return cls(
-            adaptive_measurement,
-            frequency,
-            low_limit,
-            high_limit,
-            low_limit_uncertainty,
-            high_limit_uncertainty,
-            minimum_uncertainty,
-        ), at
-
-    def _write(self) -> bytes:
-        out = _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0.write(
-            self.adaptive_measurement,
-            self.frequency,
-            self.low_limit,
-            self.high_limit,
-            self.low_limit_uncertainty,
-            self.high_limit_uncertainty,
-            self.minimum_uncertainty,
-        )
-        return codec.finished(out)
-
-
-_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0 = codec.Block(
-    "Bffff", "enable", "frequency", "high_limit", "high_limit_uncertainty", "minimum_uncertainty"
-)
-
 
 class MagDipAngleErrorAdaptiveMeasurementResponse(Response):
     """Magnetometer dip angle error adaptive measurement response (0x0D,0xB5).
 
-    Answers `MagDipAngleErrorAdaptiveMeasurement`. Supported by 3DM-GX5-45. Probably supported by
-    3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX4-25, 3DM-GX4-45,
-    3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the MicroStrain MIP SDK.
+    Answers `MagDipAngleErrorAdaptiveMeasurement`. Supported by 3DM-GX5-45. Known only from the
+    MicroStrain MIP SDK.
 
     - mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46)
     """
@@ -1684,36 +1199,11 @@ class MagDipAngleErrorAdaptiveMeasurementResponse(Response):
         self.high_limit_uncertainty = high_limit_uncertainty
         self.minimum_uncertainty = minimum_uncertainty
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagDipAngleErrorAdaptiveMeasurementResponse, int]:
-        v = _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0.read(raw, at)
-        at += 17
-        enable = codec.truth(v[0])
-        frequency = v[1]
-        high_limit = v[2]
-        high_limit_uncertainty = v[3]
-        minimum_uncertainty = v[4]
-        return cls(enable, frequency, high_limit, high_limit_uncertainty, minimum_uncertainty), at
-
-    def _write(self) -> bytes:
-        out = _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0.write(
-            self.enable,
-            self.frequency,
-            self.high_limit,
-            self.high_limit_uncertainty,
-            self.minimum_uncertainty,
-        )
-        return codec.finished(out)
-
-
-_ALTITUDE_AIDING_RESPONSE_0 = codec.Block("B", "selector")
-
 
 class AltitudeAidingResponse(Response):
     """Altitude aiding response (0x0D,0xB7).
 
-    Answers `AltitudeAiding`. Supported by 3DM-GX5-45. Probably supported by 3DM-CL5-25, 3DM-CV5-25,
-    3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45 and 3DM-GX5-25. Known only from the MicroStrain MIP SDK.
+    Answers `AltitudeAiding`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Altitude aiding (0x0D,0x47)
     """
@@ -1734,27 +1224,11 @@ class AltitudeAidingResponse(Response):
     def __init__(self, selector: AltitudeAidingSource) -> None:
         self.selector = selector
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AltitudeAidingResponse, int]:
-        v = _ALTITUDE_AIDING_RESPONSE_0.read(raw, at)
-        at += 1
-        selector = AltitudeAidingSource(v[0])
-        return cls(selector), at
-
-    def _write(self) -> bytes:
-        out = _ALTITUDE_AIDING_RESPONSE_0.write(self.selector)
-        return codec.finished(out)
-
-
-_PITCH_ROLL_AIDING_RESPONSE_0 = codec.Block("B", "aiding")
-
 
 class PitchRollAidingResponse(Response):
     """Pitch and roll aiding response (0x0D,0xBB).
 
-    Answers `PitchRollAiding`. Supported by 3DM-GX5-15 and 3DM-GX5-45. Probably supported by
-    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45
-    and 3DM-GX5-25.
+    Answers `PitchRollAiding`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
 
     - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
     """
@@ -1774,20 +1248,6 @@ class PitchRollAidingResponse(Response):
 
     def __init__(self, aiding: PitchRollAidingSource) -> None:
         self.aiding = aiding
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[PitchRollAidingResponse, int]:
-        v = _PITCH_ROLL_AIDING_RESPONSE_0.read(raw, at)
-        at += 1
-        aiding = PitchRollAidingSource(v[0])
-        return cls(aiding), at
-
-    def _write(self) -> bytes:
-        out = _PITCH_ROLL_AIDING_RESPONSE_0.write(self.aiding)
-        return codec.finished(out)
-
-
-_MAGNETIC_INCLINATION_SOURCE_RESPONSE_0 = codec.Block("Bf", "source", "inclination")
 
 
 class MagneticInclinationSourceResponse(Response):
@@ -1821,21 +1281,6 @@ class MagneticInclinationSourceResponse(Response):
         self.source = source
         self.inclination = inclination
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagneticInclinationSourceResponse, int]:
-        v = _MAGNETIC_INCLINATION_SOURCE_RESPONSE_0.read(raw, at)
-        at += 5
-        source = MagParameterSource(v[0])
-        inclination = v[1]
-        return cls(source, inclination), at
-
-    def _write(self) -> bytes:
-        out = _MAGNETIC_INCLINATION_SOURCE_RESPONSE_0.write(self.source, self.inclination)
-        return codec.finished(out)
-
-
-_MAGNETIC_MAGNITUDE_SOURCE_RESPONSE_0 = codec.Block("Bf", "source", "magnitude")
-
 
 class MagneticMagnitudeSourceResponse(Response):
     """Magnetic field magnitude source response (0x0D,0xBD).
@@ -1868,21 +1313,6 @@ class MagneticMagnitudeSourceResponse(Response):
         self.source = source
         self.magnitude = magnitude
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagneticMagnitudeSourceResponse, int]:
-        v = _MAGNETIC_MAGNITUDE_SOURCE_RESPONSE_0.read(raw, at)
-        at += 5
-        source = MagParameterSource(v[0])
-        magnitude = v[1]
-        return cls(source, magnitude), at
-
-    def _write(self) -> bytes:
-        out = _MAGNETIC_MAGNITUDE_SOURCE_RESPONSE_0.write(self.source, self.magnitude)
-        return codec.finished(out)
-
-
-_SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE_0 = codec.Block("fffffffff", *["dcm"] * 9)
-
 
 class SensorToVehicleRotationDcmResponse(Response):
     """Sensor to vehicle rotation, matrix response (0x0D,0xBE).
@@ -1901,6 +1331,7 @@ class SensorToVehicleRotationDcmResponse(Response):
     NAME = "filter.sensor_to_vehicle_rotation_dcm_response"
     ROLE = "response"
     _LAYOUT = (("dcm", "fffffffff", types.Matrix3f),)
+
     _VECTORS = {"dcm": (types.Matrix3f,)}
 
     dcm: types.Matrix3f
@@ -1910,20 +1341,6 @@ class SensorToVehicleRotationDcmResponse(Response):
 
     def __init__(self, dcm: types.Matrix3f | codec.Rows) -> None:
         self.dcm = codec.vector(dcm, types.Matrix3f)
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleRotationDcmResponse, int]:
-        v = _SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE_0.read(raw, at)
-        at += 36
-        dcm = types.Matrix3f._make(v[0:9])
-        return cls(dcm), at
-
-    def _write(self) -> bytes:
-        out = _SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE_0.write(*codec.elements("dcm", self.dcm, 9))
-        return codec.finished(out)
-
-
-_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_RESPONSE_0 = codec.Block("ffff", *["q"] * 4)
 
 
 class SensorToVehicleRotationQuaternionResponse(Response):
@@ -1943,6 +1360,7 @@ class SensorToVehicleRotationQuaternionResponse(Response):
     NAME = "filter.sensor_to_vehicle_rotation_quaternion_response"
     ROLE = "response"
     _LAYOUT = (("q", "ffff", types.Quatf),)
+
     _VECTORS = {"q": (types.Quatf,)}
 
     q: types.Quatf
@@ -1953,29 +1371,11 @@ class SensorToVehicleRotationQuaternionResponse(Response):
     def __init__(self, q: types.Quatf | codec.Numbers) -> None:
         self.q = codec.vector(q, types.Quatf)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleRotationQuaternionResponse, int]:
-        v = _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_RESPONSE_0.read(raw, at)
-        at += 16
-        q = types.Quatf._make(v[0:4])
-        return cls(q), at
-
-    def _write(self) -> bytes:
-        out = _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_RESPONSE_0.write(
-            *codec.elements("q", self.q, 4)
-        )
-        return codec.finished(out)
-
-
-_AIDING_MEASUREMENT_ENABLE_RESPONSE_0 = codec.Block("HB", "aiding_source", "enable")
-
 
 class AidingMeasurementEnableResponse(Response):
     """Aiding measurement control response (0x0D,0xD0).
 
     Answers `AidingMeasurementEnable`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
-    Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
-    3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
 
     - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
     """
@@ -1998,23 +1398,6 @@ class AidingMeasurementEnableResponse(Response):
     def __init__(self, aiding_source: AidingSource, enable: bool) -> None:
         self.aiding_source = aiding_source
         self.enable = enable
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AidingMeasurementEnableResponse, int]:
-        v = _AIDING_MEASUREMENT_ENABLE_RESPONSE_0.read(raw, at)
-        at += 3
-        aiding_source = AidingSource(v[0])
-        enable = codec.truth(v[1])
-        return cls(aiding_source, enable), at
-
-    def _write(self) -> bytes:
-        out = _AIDING_MEASUREMENT_ENABLE_RESPONSE_0.write(self.aiding_source, self.enable)
-        return codec.finished(out)
-
-
-_KINEMATIC_CONSTRAINT_RESPONSE_0 = codec.Block(
-    "BBB", "accel_constraint", "velocity_constraint", "angular_constraint"
-)
 
 
 class KinematicConstraintResponse(Response):
@@ -2056,42 +1439,12 @@ class KinematicConstraintResponse(Response):
         self.velocity_constraint = velocity_constraint
         self.angular_constraint = angular_constraint
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[KinematicConstraintResponse, int]:
-        v = _KINEMATIC_CONSTRAINT_RESPONSE_0.read(raw, at)
-        at += 3
-        accel_constraint = AccelConstraint(v[0])
-        velocity_constraint = VelocityConstraint(v[1])
-        angular_constraint = AngularConstraint(v[2])
-        return cls(accel_constraint, velocity_constraint, angular_constraint), at
-
-    def _write(self) -> bytes:
-        out = _KINEMATIC_CONSTRAINT_RESPONSE_0.write(
-            self.accel_constraint, self.velocity_constraint, self.angular_constraint
-        )
-        return codec.finished(out)
-
-
-_INITIALIZATION_CONFIG_RESPONSE_0 = codec.Block(
-    "BBBfffffffffB",
-    "wait_for_run_command",
-    "initial_condition_source",
-    "auto_heading_alignment_selector",
-    "initial_heading",
-    "initial_pitch",
-    "initial_roll",
-    *["initial_position"] * 3,
-    *["initial_velocity"] * 3,
-    "reference_frame_selector",
-)
-
 
 class InitializationConfigResponse(Response):
     """Navigation filter initialization response (0x0D,0xD2).
 
     Also called `initialization_configuration_response`. Answers `InitializationConfig`. Supported
-    by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CX7-INS and
-    3DM-GV7-INS.
+    by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52)
     """
@@ -2135,6 +1488,7 @@ class InitializationConfigResponse(Response):
         ("initial_velocity", "fff", types.Vector3f),
         ("reference_frame_selector", "B", ReferenceFrame),
     )
+
     _VECTORS = {"initial_position": (types.Vector3f,), "initial_velocity": (types.Vector3f,)}
 
     wait_for_run_command: int
@@ -2187,55 +1541,11 @@ class InitializationConfigResponse(Response):
         self.initial_velocity = codec.vector(initial_velocity, types.Vector3f)
         self.reference_frame_selector = reference_frame_selector
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[InitializationConfigResponse, int]:
-        v = _INITIALIZATION_CONFIG_RESPONSE_0.read(raw, at)
-        at += 40
-        wait_for_run_command = v[0]
-        initial_condition_source = InitialConditionSource(v[1])
-        auto_heading_alignment_selector = HeadingAlignment(v[2])
-        initial_heading = v[3]
-        initial_pitch = v[4]
-        initial_roll = v[5]
-        initial_position = types.Vector3f._make(v[6:9])
-        initial_velocity = types.Vector3f._make(v[9:12])
-        reference_frame_selector = ReferenceFrame(v[12])
-        return cls(
-            wait_for_run_command,
-            initial_condition_source,
-            auto_heading_alignment_selector,
-            initial_heading,
-            initial_pitch,
-            initial_roll,
-            initial_position,
-            initial_velocity,
-            reference_frame_selector,
-        ), at
-
-    def _write(self) -> bytes:
-        out = _INITIALIZATION_CONFIG_RESPONSE_0.write(
-            self.wait_for_run_command,
-            self.initial_condition_source,
-            self.auto_heading_alignment_selector,
-            self.initial_heading,
-            self.initial_pitch,
-            self.initial_roll,
-            *codec.elements("initial_position", self.initial_position, 3),
-            *codec.elements("initial_velocity", self.initial_velocity, 3),
-            self.reference_frame_selector,
-        )
-        return codec.finished(out)
-
-
-_ADAPTIVE_FILTER_OPTIONS_RESPONSE_0 = codec.Block("BH", "level", "time_limit")
-
 
 class AdaptiveFilterOptionsResponse(Response):
     """Adaptive filter control response (0x0D,0xD3).
 
-    Answers `AdaptiveFilterOptions`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
-    3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR,
-    3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS and 3DM-GX5-45.
+    Answers `AdaptiveFilterOptions`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
     """
@@ -2259,27 +1569,11 @@ class AdaptiveFilterOptionsResponse(Response):
         self.level = level
         self.time_limit = time_limit
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AdaptiveFilterOptionsResponse, int]:
-        v = _ADAPTIVE_FILTER_OPTIONS_RESPONSE_0.read(raw, at)
-        at += 3
-        level = AdaptiveLevel(v[0])
-        time_limit = v[1]
-        return cls(level, time_limit), at
-
-    def _write(self) -> bytes:
-        out = _ADAPTIVE_FILTER_OPTIONS_RESPONSE_0.write(self.level, self.time_limit)
-        return codec.finished(out)
-
-
-_MULTI_ANTENNA_OFFSET_RESPONSE_0 = codec.Block("Bfff", "receiver_id", *["antenna_offset"] * 3)
-
 
 class MultiAntennaOffsetResponse(Response):
     """GNSS multi-antenna offset response (0x0D,0xD4).
 
-    Answers `MultiAntennaOffset`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
-    3DM-GQ7-GNSS/INS.
+    Answers `MultiAntennaOffset`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54)
     """
@@ -2293,6 +1587,7 @@ class MultiAntennaOffsetResponse(Response):
     NAME = "filter.multi_antenna_offset_response"
     ROLE = "response"
     _LAYOUT = (("receiver_id", "B", None), ("antenna_offset", "fff", types.Vector3f))
+
     _VECTORS = {"antenna_offset": (types.Vector3f,)}
 
     receiver_id: int
@@ -2306,32 +1601,12 @@ class MultiAntennaOffsetResponse(Response):
         self.receiver_id = receiver_id
         self.antenna_offset = codec.vector(antenna_offset, types.Vector3f)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MultiAntennaOffsetResponse, int]:
-        v = _MULTI_ANTENNA_OFFSET_RESPONSE_0.read(raw, at)
-        at += 13
-        receiver_id = v[0]
-        antenna_offset = types.Vector3f._make(v[1:4])
-        return cls(receiver_id, antenna_offset), at
-
-    def _write(self) -> bytes:
-        out = _MULTI_ANTENNA_OFFSET_RESPONSE_0.write(
-            self.receiver_id, *codec.elements("antenna_offset", self.antenna_offset, 3)
-        )
-        return codec.finished(out)
-
-
-_RELATIVE_POSITION_CONFIG_RESPONSE_0 = codec.Block(
-    "BBddd", "source", "reference_frame_selector", *["reference_coordinates"] * 3
-)
-
 
 class RelativePositionConfigResponse(Response):
     """Relative position configuration response (0x0D,0xD5).
 
     Also called `rel_pos_configuration_response`. Answers `RelativePositionConfig`. Supported by
-    3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS and
-    3DM-GV7-INS.
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
     """
@@ -2349,6 +1624,7 @@ class RelativePositionConfigResponse(Response):
         ("reference_frame_selector", "B", ReferenceFrame),
         ("reference_coordinates", "ddd", types.Vector3d),
     )
+
     _VECTORS = {"reference_coordinates": (types.Vector3d,)}
 
     source: RelativePositionSource
@@ -2373,35 +1649,12 @@ class RelativePositionConfigResponse(Response):
         self.reference_frame_selector = reference_frame_selector
         self.reference_coordinates = codec.vector(reference_coordinates, types.Vector3d)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[RelativePositionConfigResponse, int]:
-        v = _RELATIVE_POSITION_CONFIG_RESPONSE_0.read(raw, at)
-        at += 26
-        source = RelativePositionSource(v[0])
-        reference_frame_selector = ReferenceFrame(v[1])
-        reference_coordinates = types.Vector3d._make(v[2:5])
-        return cls(source, reference_frame_selector, reference_coordinates), at
-
-    def _write(self) -> bytes:
-        out = _RELATIVE_POSITION_CONFIG_RESPONSE_0.write(
-            self.source,
-            self.reference_frame_selector,
-            *codec.elements("reference_coordinates", self.reference_coordinates, 3),
-        )
-        return codec.finished(out)
-
-
-_REFERENCE_POINT_LEVER_ARM_RESPONSE_0 = codec.Block(
-    "Bfff", "reference_point", *["lever_arm_offset"] * 3
-)
-
 
 class ReferencePointLeverArmResponse(Response):
     """Reference point lever arm response (0x0D,0xD6).
 
     Also called `ref_point_lever_arm_response`. Answers `ReferencePointLeverArm`. Supported by
-    3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS and
-    3DM-GV7-INS.
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56)
     """
@@ -2418,6 +1671,7 @@ class ReferencePointLeverArmResponse(Response):
         ("reference_point", "B", ReferencePoint),
         ("lever_arm_offset", "fff", types.Vector3f),
     )
+
     _VECTORS = {"lever_arm_offset": (types.Vector3f,)}
 
     reference_point: ReferencePoint
@@ -2433,28 +1687,11 @@ class ReferencePointLeverArmResponse(Response):
         self.reference_point = reference_point
         self.lever_arm_offset = codec.vector(lever_arm_offset, types.Vector3f)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ReferencePointLeverArmResponse, int]:
-        v = _REFERENCE_POINT_LEVER_ARM_RESPONSE_0.read(raw, at)
-        at += 13
-        reference_point = ReferencePoint(v[0])
-        lever_arm_offset = types.Vector3f._make(v[1:4])
-        return cls(reference_point, lever_arm_offset), at
-
-    def _write(self) -> bytes:
-        out = _REFERENCE_POINT_LEVER_ARM_RESPONSE_0.write(
-            self.reference_point, *codec.elements("lever_arm_offset", self.lever_arm_offset, 3)
-        )
-        return codec.finished(out)
-
-
-_SPEED_LEVER_ARM_RESPONSE_0 = codec.Block("Bfff", "source", *["lever_arm_offset"] * 3)
-
 
 class SpeedLeverArmResponse(Response):
     """Speed measurement lever arm response (0x0D,0xE1).
 
-    Answers `SpeedLeverArm`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-GQ7-GNSS/INS.
+    Answers `SpeedLeverArm`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61)
     """
@@ -2468,6 +1705,7 @@ class SpeedLeverArmResponse(Response):
     NAME = "filter.speed_lever_arm_response"
     ROLE = "response"
     _LAYOUT = (("source", "B", None), ("lever_arm_offset", "fff", types.Vector3f))
+
     _VECTORS = {"lever_arm_offset": (types.Vector3f,)}
 
     source: int
@@ -2480,23 +1718,6 @@ class SpeedLeverArmResponse(Response):
     ) -> None:
         self.source = source
         self.lever_arm_offset = codec.vector(lever_arm_offset, types.Vector3f)
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SpeedLeverArmResponse, int]:
-        v = _SPEED_LEVER_ARM_RESPONSE_0.read(raw, at)
-        at += 13
-        source = v[0]
-        lever_arm_offset = types.Vector3f._make(v[1:4])
-        return cls(lever_arm_offset, source=source), at
-
-    def _write(self) -> bytes:
-        out = _SPEED_LEVER_ARM_RESPONSE_0.write(
-            self.source, *codec.elements("lever_arm_offset", self.lever_arm_offset, 3)
-        )
-        return codec.finished(out)
-
-
-_VERTICAL_GYRO_CONSTRAINT_CONTROL_RESPONSE_0 = codec.Block("B", "enable")
 
 
 class VerticalGyroConstraintControlResponse(Response):
@@ -2523,26 +1744,11 @@ class VerticalGyroConstraintControlResponse(Response):
     def __init__(self, enable: int) -> None:
         self.enable = enable
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[VerticalGyroConstraintControlResponse, int]:
-        v = _VERTICAL_GYRO_CONSTRAINT_CONTROL_RESPONSE_0.read(raw, at)
-        at += 1
-        enable = v[0]
-        return cls(enable), at
-
-    def _write(self) -> bytes:
-        out = _VERTICAL_GYRO_CONSTRAINT_CONTROL_RESPONSE_0.write(self.enable)
-        return codec.finished(out)
-
-
-_WHEELED_VEHICLE_CONSTRAINT_CONTROL_RESPONSE_0 = codec.Block("B", "enable")
-
 
 class WheeledVehicleConstraintControlResponse(Response):
     """Wheeled vehicle constraint response (0x0D,0xE3).
 
-    Answers `WheeledVehicleConstraintControl`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
-    3DM-GQ7-GNSS/INS.
+    Answers `WheeledVehicleConstraintControl`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Wheeled Vehicle Constraint Control (0x0D,0x63)
     """
@@ -2562,20 +1768,6 @@ class WheeledVehicleConstraintControlResponse(Response):
 
     def __init__(self, enable: int) -> None:
         self.enable = enable
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[WheeledVehicleConstraintControlResponse, int]:
-        v = _WHEELED_VEHICLE_CONSTRAINT_CONTROL_RESPONSE_0.read(raw, at)
-        at += 1
-        enable = v[0]
-        return cls(enable), at
-
-    def _write(self) -> bytes:
-        out = _WHEELED_VEHICLE_CONSTRAINT_CONTROL_RESPONSE_0.write(self.enable)
-        return codec.finished(out)
-
-
-_GNSS_ANTENNA_CALIBRATION_CONTROL_RESPONSE_0 = codec.Block("Bf", "enable", "max_offset")
 
 
 class GnssAntennaCalibrationControlResponse(Response):
@@ -2607,34 +1799,14 @@ class GnssAntennaCalibrationControlResponse(Response):
         self.enable = enable
         self.max_offset = max_offset
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssAntennaCalibrationControlResponse, int]:
-        v = _GNSS_ANTENNA_CALIBRATION_CONTROL_RESPONSE_0.read(raw, at)
-        at += 5
-        enable = v[0]
-        max_offset = v[1]
-        return cls(enable, max_offset), at
-
-    def _write(self) -> bytes:
-        out = _GNSS_ANTENNA_CALIBRATION_CONTROL_RESPONSE_0.write(self.enable, self.max_offset)
-        return codec.finished(out)
-
 
 class Reset(Command[None]):
     """Reset navigation filter (0x0D,0x01).
 
     Returns the filter to its initialization state.
 
-    Changes filter_data (0x82). Flagged by `types.Gx5BuiltInTest.SOLUTION_FAULT` of
-    `types.Gx5BuiltInTest`, `types.Cv7BuiltInTest.FILTER_SOLUTION_FAULT` of `types.Cv7BuiltInTest`,
-    `filter_data.Gx5StatusFlags.RUN_MATRIX_SINGULARITY` of `filter_data.Gx5StatusFlags`,
-    `filter_data.Gx5StatusFlags.RUN_NAN_IN_SOLUTION_WARNING` of `filter_data.Gx5StatusFlags` and
-    `filter_data.Cv7StatusFlags.SOLUTION_ERROR` of `filter_data.Cv7StatusFlags`. Supported by
-    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
-    Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS,
-    3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ4-45,
-    3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25,
-    3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45.
+    Changes filter_data (0x82). Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15,
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     If automatic initialization is off, the attitude or heading must be set before the filter runs
     again. 3DM-CV7: send it after a large jump of the system time, for example when the PPS is first
@@ -2652,16 +1824,6 @@ class Reset(Command[None]):
     NAME = "filter.reset"
     ROLE = "command"
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[Reset, int]:
-        return cls(), at
-
-    def _write(self) -> bytes:
-        return b""
-
-
-_SET_INITIAL_ATTITUDE_0 = codec.Block("fff", "roll", "pitch", "heading")
-
 
 class SetInitialAttitude(Command[None]):
     """Set initial attitude (0x0D,0x02).
@@ -2669,10 +1831,7 @@ class SetInitialAttitude(Command[None]):
     Sets the initial attitude of the filter, the orientation of the sensor frame in the NED frame.
 
     Changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and
-    `filter_data.EulerAngles`. Supported by 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably
-    supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25,
-    3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and
-    3DM-GX5-45.
+    `filter_data.EulerAngles`. Supported by 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     Accepted only in the initialization state.
 
@@ -2707,22 +1866,6 @@ class SetInitialAttitude(Command[None]):
         self.pitch = pitch
         self.heading = heading
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SetInitialAttitude, int]:
-        v = _SET_INITIAL_ATTITUDE_0.read(raw, at)
-        at += 12
-        roll = v[0]
-        pitch = v[1]
-        heading = v[2]
-        return cls(roll, pitch, heading), at
-
-    def _write(self) -> bytes:
-        out = _SET_INITIAL_ATTITUDE_0.write(self.roll, self.pitch, self.heading)
-        return codec.finished(out)
-
-
-_SET_INITIAL_HEADING_0 = codec.Block("f", "heading")
-
 
 class SetInitialHeading(Command[None]):
     """Set initial heading (0x0D,0x03).
@@ -2731,10 +1874,7 @@ class SetInitialHeading(Command[None]):
 
     Changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and
     `filter_data.EulerAngles`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15,
-    3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-15, 3DM-CL5-25,
-    3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
-    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR,
-    3DM-GV7-INS, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45 and 3DM-GX5-25.
+    3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     3DM-GX5: accepted only in the initialization state. 3DM-CV7: resets the estimated heading; if
     magnetometer aiding is on, the given heading is ignored.
@@ -2761,28 +1901,14 @@ class SetInitialHeading(Command[None]):
     def __init__(self, heading: float) -> None:
         self.heading = heading
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SetInitialHeading, int]:
-        v = _SET_INITIAL_HEADING_0.read(raw, at)
-        at += 4
-        heading = v[0]
-        return cls(heading), at
-
-    def _write(self) -> bytes:
-        out = _SET_INITIAL_HEADING_0.write(self.heading)
-        return codec.finished(out)
-
-
-_SET_INITIAL_ATTITUDE_FROM_IMU_0 = codec.Block("f", "declination")
-
 
 class SetInitialAttitudeFromImu(Command[None]):
     """Set initial attitude from IMU (0x0D,0x04).
 
     Initializes the attitude of the filter with that of the complementary filter.
 
-    Also called `set_initial_heading_from_mag`. Changes `filter_data.AttitudeQuaternion`,
-    `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Probably supported by 3DM-GX3-45. Known
+    No device is certain to support it. Also called `set_initial_heading_from_mag`. Changes
+    `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Known
     only from the MIP SDK of 2014, MicroStrain Communication Library and MicroStrain MIP SDK.
     Uncertain: The name. The SDK calls it set initial heading from mag, and has no layout; the SDK
     of 2014 has this layout, in its example for the 3DM-GX3-45. Uncertain: Which devices have it.
@@ -2810,25 +1936,13 @@ class SetInitialAttitudeFromImu(Command[None]):
     def __init__(self, declination: float) -> None:
         self.declination = declination
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SetInitialAttitudeFromImu, int]:
-        v = _SET_INITIAL_ATTITUDE_FROM_IMU_0.read(raw, at)
-        at += 4
-        declination = v[0]
-        return cls(declination), at
-
-    def _write(self) -> bytes:
-        out = _SET_INITIAL_ATTITUDE_FROM_IMU_0.write(self.declination)
-        return codec.finished(out)
-
 
 class Run(Command[None]):
     """Run navigation filter (0x0D,0x05).
 
     Starts a filter that is configured to wait for this command.
 
-    Changes `filter_data.Status`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably
-    supported by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS.
+    Changes `filter_data.Status`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     The filter waits in its initialization state if `wait_for_run_command` of `InitializationConfig`
     is set.
@@ -2844,18 +1958,6 @@ class Run(Command[None]):
     NAME = "filter.run"
     ROLE = "command"
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[Run, int]:
-        return cls(), at
-
-    def _write(self) -> bytes:
-        return b""
-
-
-_VEHICLE_DYNAMICS_MODE_0 = codec.Block("B", "function")
-_VEHICLE_DYNAMICS_MODE_1 = codec.Block("B", "mode")
-_VEHICLE_DYNAMICS_MODE_GROUPS = ((1, ("mode",), False),)
-
 
 class VehicleDynamicsMode(Command[R]):
     """Vehicle dynamics mode (0x0D,0x10).
@@ -2864,8 +1966,7 @@ class VehicleDynamicsMode(Command[R]):
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `VehicleDynamicsModeResponse`. Probably changes filter_data (0x82). Supported by 3DM-GX5-45.
-    Probably supported by 3DM-CV5-45, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-45, 3DM-RQ1-45-LT
-    and 3DM-RQ1-45-ST. Refused by 3DM-GX3-25. Known only from the MicroStrain MIP SDK.
+    Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Vehicle dynamics mode (0x0D,0x10)
     """
@@ -2880,6 +1981,8 @@ class VehicleDynamicsMode(Command[R]):
     ROLE = "command"
     RESPONSES = (VehicleDynamicsModeResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (("function", "B", FunctionSelector), ("mode", "B", DynamicsMode))
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -2929,46 +2032,6 @@ class VehicleDynamicsMode(Command[R]):
             return (VehicleDynamicsModeResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[VehicleDynamicsMode[R], int]:
-        mode: DynamicsMode | None = None
-        v = _VEHICLE_DYNAMICS_MODE_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _VEHICLE_DYNAMICS_MODE_1.read(raw, at)
-            at += 1
-            mode = DynamicsMode(v[0])
-            done, end = 1, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, mode), at
-
-    def _write(self) -> bytes:
-        out = _VEHICLE_DYNAMICS_MODE_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _VEHICLE_DYNAMICS_MODE_GROUPS)
-        if there >= 1:
-            out += _VEHICLE_DYNAMICS_MODE_1.write(self.mode)
-        return codec.finished(out)
-
-
-_SENSOR_TO_VEHICLE_ROTATION_EULER_0 = codec.Block("B", "function")
-_SENSOR_TO_VEHICLE_ROTATION_EULER_1 = codec.Block("f", "roll")
-_SENSOR_TO_VEHICLE_ROTATION_EULER_2 = codec.Block("f", "pitch")
-_SENSOR_TO_VEHICLE_ROTATION_EULER_3 = codec.Block("f", "yaw")
-_SENSOR_TO_VEHICLE_ROTATION_EULER_GROUPS = (
-    (1, ("roll",), False),
-    (2, ("pitch",), False),
-    (3, ("yaw",), False),
-)
-
 
 class SensorToVehicleRotationEuler(Command[R]):
     """Sensor to vehicle frame transformation (0x0D,0x11).
@@ -2980,10 +2043,8 @@ class SensorToVehicleRotationEuler(Command[R]):
     `sensor.ScaledMag`, `sensor.DeltaTheta`, `sensor.DeltaVelocity`,
     `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
     `filter_data.LinearAccel`, `filter_data.CompAngularRate`, `filter_data.GravityVector` and
-    `filter_data.CompAccel`. Supported by 3DM-GX5-15 and 3DM-GX5-45. Probably supported by
-    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
-    3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
-    Uncertain: The formula. The text of the manual lacks it; it is the inverse of that of
+    `filter_data.CompAccel`. Supported by 3DM-GX5-15 and 3DM-GX5-45. Uncertain: The formula. The
+    text of the manual lacks it; it is the inverse of that of
     `mip_3dm.SensorToVehicleTransformEuler`, which the 3DM-CV7 manual states.
 
     The 3DM-CV7 uses the inverse instead: `mip_3dm.SensorToVehicleTransformEuler`. `v_sensor =
@@ -3002,6 +2063,13 @@ class SensorToVehicleRotationEuler(Command[R]):
     ROLE = "command"
     RESPONSES = (SensorToVehicleRotationEulerResponse,)
     REQUIRED = {1: 3, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("roll", "f", None),
+        ("pitch", "f", None),
+        ("yaw", "f", None),
+    )
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -3061,58 +2129,6 @@ class SensorToVehicleRotationEuler(Command[R]):
             return (SensorToVehicleRotationEulerResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleRotationEuler[R], int]:
-        roll: float | None = None
-        pitch: float | None = None
-        yaw: float | None = None
-        v = _SENSOR_TO_VEHICLE_ROTATION_EULER_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _SENSOR_TO_VEHICLE_ROTATION_EULER_1.read(raw, at)
-            at += 4
-            roll = v[0]
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _SENSOR_TO_VEHICLE_ROTATION_EULER_2.read(raw, at)
-            at += 4
-            pitch = v[0]
-            done, end = 2, at
-            if at == len(raw) and required < 3:
-                raise Truncated(1, 0)
-            v = _SENSOR_TO_VEHICLE_ROTATION_EULER_3.read(raw, at)
-            at += 4
-            yaw = v[0]
-            done, end = 3, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, roll, pitch, yaw), at
-
-    def _write(self) -> bytes:
-        out = _SENSOR_TO_VEHICLE_ROTATION_EULER_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _SENSOR_TO_VEHICLE_ROTATION_EULER_GROUPS)
-        if there >= 1:
-            out += _SENSOR_TO_VEHICLE_ROTATION_EULER_1.write(self.roll)
-        if there >= 2:
-            out += _SENSOR_TO_VEHICLE_ROTATION_EULER_2.write(self.pitch)
-        if there >= 3:
-            out += _SENSOR_TO_VEHICLE_ROTATION_EULER_3.write(self.yaw)
-        return codec.finished(out)
-
-
-_SENSOR_TO_VEHICLE_OFFSET_0 = codec.Block("B", "function")
-_SENSOR_TO_VEHICLE_OFFSET_1 = codec.Block("fff", *["offset"] * 3)
-_SENSOR_TO_VEHICLE_OFFSET_GROUPS = ((1, ("offset",), False),)
-
 
 class SensorToVehicleOffset(Command[R]):
     """Sensor to vehicle offset (0x0D,0x12).
@@ -3121,9 +2137,8 @@ class SensorToVehicleOffset(Command[R]):
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `SensorToVehicleOffsetResponse`. Changes `filter_data.LlhPosition`. Supported by 3DM-GX5-45.
-    Probably supported by 3DM-CV5-45, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-45, 3DM-RQ1-45-LT
-    and 3DM-RQ1-45-ST. Known only from the MicroStrain MIP SDK. Uncertain: The direction, from the
-    sensor to the origin of the vehicle frame, is inferred from the name.
+    Known only from the MicroStrain MIP SDK. Uncertain: The direction, from the sensor to the origin
+    of the vehicle frame, is inferred from the name.
 
     The shift is constant. It does not follow the attitude, as a lever arm would.
 
@@ -3140,6 +2155,9 @@ class SensorToVehicleOffset(Command[R]):
     ROLE = "command"
     RESPONSES = (SensorToVehicleOffsetResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (("function", "B", FunctionSelector), ("offset", "fff", types.Vector3f))
+    _ALWAYS = 1
+
     _VECTORS = {"offset": (types.Vector3f,)}
 
     function: FunctionSelector
@@ -3190,40 +2208,6 @@ class SensorToVehicleOffset(Command[R]):
             return (SensorToVehicleOffsetResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleOffset[R], int]:
-        offset: types.Vector3f | None = None
-        v = _SENSOR_TO_VEHICLE_OFFSET_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _SENSOR_TO_VEHICLE_OFFSET_1.read(raw, at)
-            at += 12
-            offset = types.Vector3f._make(v[0:3])
-            done, end = 1, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, offset), at
-
-    def _write(self) -> bytes:
-        out = _SENSOR_TO_VEHICLE_OFFSET_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _SENSOR_TO_VEHICLE_OFFSET_GROUPS)
-        if there >= 1:
-            out += _SENSOR_TO_VEHICLE_OFFSET_1.write(*codec.elements("offset", self.offset, 3))
-        return codec.finished(out)
-
-
-_ANTENNA_OFFSET_0 = codec.Block("B", "function")
-_ANTENNA_OFFSET_1 = codec.Block("fff", *["offset"] * 3)
-_ANTENNA_OFFSET_GROUPS = ((1, ("offset",), False),)
-
 
 class AntennaOffset(Command[R]):
     """GNSS antenna offset (0x0D,0x13).
@@ -3233,10 +2217,7 @@ class AntennaOffset(Command[R]):
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AntennaOffsetResponse`.
     Probably changes `filter_data.LlhPosition`, `filter_data.EcefPosition`,
     `filter_data.NedVelocity`, `filter_data.EcefVelocity` and `filter_data.AntennaOffsetCorrection`.
-    Flagged by `filter_data.Gx5StatusFlags.RUN_ANTENNA_OFFSET_CORRECTION_EST_HIGH_WARNING` of
-    `filter_data.Gx5StatusFlags`. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GX5-45.
-    Probably supported by 3DM-CV5-45, 3DM-CX5-45, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GV7-INS, 3DM-GX3-45,
-    3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Refused by 3DM-GX3-25.
+    Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GX5-45.
 
     7-series devices expect the vehicle frame, 5-series devices the sensor frame. On the 3DM-CV7 it
     applies to GNSS data received as NMEA; data from the aiding commands uses `aiding.FrameConfig`.
@@ -3254,6 +2235,9 @@ class AntennaOffset(Command[R]):
     ROLE = "command"
     RESPONSES = (AntennaOffsetResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (("function", "B", FunctionSelector), ("offset", "fff", types.Vector3f))
+    _ALWAYS = 1
+
     _VECTORS = {"offset": (types.Vector3f,)}
 
     function: FunctionSelector
@@ -3304,40 +2288,6 @@ class AntennaOffset(Command[R]):
             return (AntennaOffsetResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AntennaOffset[R], int]:
-        offset: types.Vector3f | None = None
-        v = _ANTENNA_OFFSET_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _ANTENNA_OFFSET_1.read(raw, at)
-            at += 12
-            offset = types.Vector3f._make(v[0:3])
-            done, end = 1, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, offset), at
-
-    def _write(self) -> bytes:
-        out = _ANTENNA_OFFSET_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _ANTENNA_OFFSET_GROUPS)
-        if there >= 1:
-            out += _ANTENNA_OFFSET_1.write(*codec.elements("offset", self.offset, 3))
-        return codec.finished(out)
-
-
-_ESTIMATION_CONTROL_0 = codec.Block("B", "function")
-_ESTIMATION_CONTROL_1 = codec.Block("H", "flags")
-_ESTIMATION_CONTROL_GROUPS = ((1, ("flags",), False),)
-
 
 class EstimationControl(Command[R]):
     """Estimation control flags (0x0D,0x14).
@@ -3351,10 +2301,7 @@ class EstimationControl(Command[R]):
     Probably changes `filter_data.GyroBiasUncertainty`, `filter_data.AccelBiasUncertainty`,
     `filter_data.GyroScaleFactorUncertainty`, `filter_data.AccelScaleFactorUncertainty`,
     `filter_data.AntennaOffsetCorrectionUncertainty`, `filter_data.MagOffsetUncertainty` and
-    `filter_data.MagMatrixUncertainty`. Supported by 3DM-GX5-15 and 3DM-GX5-45. Probably supported
-    by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25,
-    3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25,
-    3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    `filter_data.MagMatrixUncertainty`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
 
     - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
     """
@@ -3369,6 +2316,8 @@ class EstimationControl(Command[R]):
     ROLE = "command"
     RESPONSES = (EstimationControlResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (("function", "B", FunctionSelector), ("flags", "H", EstimatedStates))
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -3426,40 +2375,6 @@ class EstimationControl(Command[R]):
             return (EstimationControlResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EstimationControl[R], int]:
-        flags: EstimatedStates | None = None
-        v = _ESTIMATION_CONTROL_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _ESTIMATION_CONTROL_1.read(raw, at)
-            at += 2
-            flags = EstimatedStates(v[0])
-            done, end = 1, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, flags), at
-
-    def _write(self) -> bytes:
-        out = _ESTIMATION_CONTROL_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _ESTIMATION_CONTROL_GROUPS)
-        if there >= 1:
-            out += _ESTIMATION_CONTROL_1.write(self.flags)
-        return codec.finished(out)
-
-
-_GNSS_SOURCE_0 = codec.Block("B", "function")
-_GNSS_SOURCE_1 = codec.Block("B", "source")
-_GNSS_SOURCE_GROUPS = ((1, ("source",), False),)
-
 
 class GnssSource(Command[R]):
     """GNSS aiding source (0x0D,0x15).
@@ -3470,8 +2385,7 @@ class GnssSource(Command[R]):
     Probably changes `filter_data.LlhPosition`, `filter_data.EcefPosition`,
     `filter_data.NedVelocity`, `filter_data.EcefVelocity` and
     `filter_data.GnssPositionAidingStatus`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and
-    3DM-GX5-45. Probably supported by 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-45, 3DM-CX7-INS, 3DM-GQ4-45,
-    3DM-GV7-INS, 3DM-GX3-45, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    3DM-GX5-45.
 
     A change while the filter is running may return it to initialization until the new source
     provides data.
@@ -3489,6 +2403,8 @@ class GnssSource(Command[R]):
     ROLE = "command"
     RESPONSES = (GnssSourceResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (("function", "B", FunctionSelector), ("source", "B", GnssAidingSource))
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -3533,56 +2449,13 @@ class GnssSource(Command[R]):
             return (GnssSourceResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssSource[R], int]:
-        source: GnssAidingSource | None = None
-        v = _GNSS_SOURCE_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _GNSS_SOURCE_1.read(raw, at)
-            at += 1
-            source = GnssAidingSource(v[0])
-            done, end = 1, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, source), at
-
-    def _write(self) -> bytes:
-        out = _GNSS_SOURCE_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _GNSS_SOURCE_GROUPS)
-        if there >= 1:
-            out += _GNSS_SOURCE_1.write(self.source)
-        return codec.finished(out)
-
-
-_EXTERNAL_GNSS_UPDATE_0 = codec.Block(
-    "dHdddfffffffff",
-    "tow",
-    "week_number",
-    "latitude",
-    "longitude",
-    "height",
-    *["velocity"] * 3,
-    *["position_uncertainty"] * 3,
-    *["velocity_uncertainty"] * 3,
-)
-
 
 class ExternalGnssUpdate(Command[None]):
     """External GNSS update (0x0D,0x16).
 
     Sends one measurement of position and velocity by a GNSS receiver of the user to the filter.
 
-    Supported by 3DM-GX5-45. Probably supported by 3DM-CV5-45, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX4-45,
-    3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the MicroStrain MIP SDK.
+    Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
     Refused unless `GnssSource` selects the external source. The highest rate depends on the device.
 
@@ -3625,6 +2498,7 @@ class ExternalGnssUpdate(Command[None]):
         ("position_uncertainty", "fff", types.Ned3f),
         ("velocity_uncertainty", "fff", types.Ned3f),
     )
+
     _VECTORS = {
         "velocity": (types.Ned3f,),
         "position_uncertainty": (types.Ned3f,),
@@ -3672,55 +2546,13 @@ class ExternalGnssUpdate(Command[None]):
         self.position_uncertainty = codec.vector(position_uncertainty, types.Ned3f)
         self.velocity_uncertainty = codec.vector(velocity_uncertainty, types.Ned3f)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ExternalGnssUpdate, int]:
-        v = _EXTERNAL_GNSS_UPDATE_0.read(raw, at)
-        at += 70
-        tow = v[0]
-        week_number = v[1]
-        latitude = v[2]
-        longitude = v[3]
-        height = v[4]
-        velocity = types.Ned3f._make(v[5:8])
-        position_uncertainty = types.Ned3f._make(v[8:11])
-        velocity_uncertainty = types.Ned3f._make(v[11:14])
-        return cls(
-            tow,
-            week_number,
-            latitude,
-            longitude,
-            height,
-            velocity,
-            position_uncertainty,
-            velocity_uncertainty,
-        ), at
-
-    def _write(self) -> bytes:
-        out = _EXTERNAL_GNSS_UPDATE_0.write(
-            self.tow,
-            self.week_number,
-            self.latitude,
-            self.longitude,
-            self.height,
-            *codec.elements("velocity", self.velocity, 3),
-            *codec.elements("position_uncertainty", self.position_uncertainty, 3),
-            *codec.elements("velocity_uncertainty", self.velocity_uncertainty, 3),
-        )
-        return codec.finished(out)
-
-
-_EXTERNAL_HEADING_UPDATE_0 = codec.Block("ffB", "heading", "heading_uncertainty", "type")
-
 
 class ExternalHeadingUpdate(Command[None]):
     """External heading update (0x0D,0x17).
 
     Sends one measurement of the heading of the sensor frame in the NED frame to the filter.
 
-    Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45. Probably supported by 3DM-CL5-15,
-    3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
-    3DM-CX7-INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GV7-INS, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25,
-    3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
 
     Refused unless external heading updates are enabled, by `HeadingSource` on the 3DM-GX5 and by
     `AidingMeasurementEnable` on the 3DM-CV7. The 3DM-GX5-15 accepts at most 20 updates per second.
@@ -3761,24 +2593,6 @@ class ExternalHeadingUpdate(Command[None]):
         self.heading_uncertainty = heading_uncertainty
         self.type = type
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ExternalHeadingUpdate, int]:
-        v = _EXTERNAL_HEADING_UPDATE_0.read(raw, at)
-        at += 9
-        heading = v[0]
-        heading_uncertainty = v[1]
-        type = HeadingType(v[2])
-        return cls(heading, heading_uncertainty, type), at
-
-    def _write(self) -> bytes:
-        out = _EXTERNAL_HEADING_UPDATE_0.write(self.heading, self.heading_uncertainty, self.type)
-        return codec.finished(out)
-
-
-_HEADING_SOURCE_0 = codec.Block("B", "function")
-_HEADING_SOURCE_1 = codec.Block("B", "source")
-_HEADING_SOURCE_GROUPS = ((1, ("source",), False),)
-
 
 class HeadingSource(Command[R]):
     """Heading update control (0x0D,0x18).
@@ -3788,9 +2602,6 @@ class HeadingSource(Command[R]):
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `HeadingSourceResponse`.
     Changes `filter_data.HeadingUpdateState`. Probably changes `filter_data.AttitudeQuaternion`,
     `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
-    Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15,
-    3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25,
-    3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
     """
@@ -3805,6 +2616,8 @@ class HeadingSource(Command[R]):
     ROLE = "command"
     RESPONSES = (HeadingSourceResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (("function", "B", FunctionSelector), ("source", "B", HeadingUpdateSource))
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -3863,40 +2676,6 @@ class HeadingSource(Command[R]):
             return (HeadingSourceResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[HeadingSource[R], int]:
-        source: HeadingUpdateSource | None = None
-        v = _HEADING_SOURCE_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _HEADING_SOURCE_1.read(raw, at)
-            at += 1
-            source = HeadingUpdateSource(v[0])
-            done, end = 1, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, source), at
-
-    def _write(self) -> bytes:
-        out = _HEADING_SOURCE_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _HEADING_SOURCE_GROUPS)
-        if there >= 1:
-            out += _HEADING_SOURCE_1.write(self.source)
-        return codec.finished(out)
-
-
-_AUTO_INITIALIZATION_CONTROL_0 = codec.Block("B", "function")
-_AUTO_INITIALIZATION_CONTROL_1 = codec.Block("B", "enable")
-_AUTO_INITIALIZATION_CONTROL_GROUPS = ((1, ("enable",), False),)
-
 
 class AutoInitializationControl(Command[R]):
     """Automatic initialization (0x0D,0x19).
@@ -3905,9 +2684,6 @@ class AutoInitializationControl(Command[R]):
 
     Also called `auto_init_control`. Functions: `write`, `read`, `save`, `load` and `default`.
     Answered by `AutoInitializationControlResponse`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
-    Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15,
-    3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25,
-    3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Refused by 3DM-CV7-AR.
 
     It needs a valid heading source.
 
@@ -3924,6 +2700,8 @@ class AutoInitializationControl(Command[R]):
     ROLE = "command"
     RESPONSES = (AutoInitializationControlResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (("function", "B", FunctionSelector), ("enable", "B", None))
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -3969,40 +2747,6 @@ class AutoInitializationControl(Command[R]):
             return (AutoInitializationControlResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AutoInitializationControl[R], int]:
-        enable: int | None = None
-        v = _AUTO_INITIALIZATION_CONTROL_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _AUTO_INITIALIZATION_CONTROL_1.read(raw, at)
-            at += 1
-            enable = v[0]
-            done, end = 1, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, enable), at
-
-    def _write(self) -> bytes:
-        out = _AUTO_INITIALIZATION_CONTROL_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _AUTO_INITIALIZATION_CONTROL_GROUPS)
-        if there >= 1:
-            out += _AUTO_INITIALIZATION_CONTROL_1.write(self.enable)
-        return codec.finished(out)
-
-
-_ACCEL_NOISE_0 = codec.Block("B", "function")
-_ACCEL_NOISE_1 = codec.Block("fff", *["noise"] * 3)
-_ACCEL_NOISE_GROUPS = ((1, ("noise",), False),)
-
 
 class AccelNoise(Command[R]):
     """Accelerometer noise (0x0D,0x1A).
@@ -4013,10 +2757,6 @@ class AccelNoise(Command[R]):
     Probably changes `filter_data.LlhPositionUncertainty`, `filter_data.EcefPositionUncertainty`,
     `filter_data.NedVelocityUncertainty`, `filter_data.EcefVelocityUncertainty` and
     `filter_data.AccelBiasUncertainty`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
-    Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS,
-    3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR,
-    3DM-CX7-INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-45,
-    3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     The factory values suit most laboratory conditions.
 
@@ -4034,6 +2774,9 @@ class AccelNoise(Command[R]):
     ROLE = "command"
     RESPONSES = (AccelNoiseResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (("function", "B", FunctionSelector), ("noise", "fff", types.Vector3f))
+    _ALWAYS = 1
+
     _VECTORS = {"noise": (types.Vector3f,)}
 
     function: FunctionSelector
@@ -4082,40 +2825,6 @@ class AccelNoise(Command[R]):
             return (AccelNoiseResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AccelNoise[R], int]:
-        noise: types.Vector3f | None = None
-        v = _ACCEL_NOISE_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _ACCEL_NOISE_1.read(raw, at)
-            at += 12
-            noise = types.Vector3f._make(v[0:3])
-            done, end = 1, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, noise), at
-
-    def _write(self) -> bytes:
-        out = _ACCEL_NOISE_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _ACCEL_NOISE_GROUPS)
-        if there >= 1:
-            out += _ACCEL_NOISE_1.write(*codec.elements("noise", self.noise, 3))
-        return codec.finished(out)
-
-
-_GYRO_NOISE_0 = codec.Block("B", "function")
-_GYRO_NOISE_1 = codec.Block("fff", *["noise"] * 3)
-_GYRO_NOISE_GROUPS = ((1, ("noise",), False),)
-
 
 class GyroNoise(Command[R]):
     """Gyroscope noise (0x0D,0x1B).
@@ -4125,11 +2834,7 @@ class GyroNoise(Command[R]):
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GyroNoiseResponse`.
     Probably changes `filter_data.EulerAnglesUncertainty`,
     `filter_data.QuaternionAttitudeUncertainty` and `filter_data.GyroBiasUncertainty`. Supported by
-    3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45. Probably supported by 3DM-CL5-15, 3DM-CL5-25,
-    3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15,
-    3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS,
-    3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
-    3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
 
     The factory values suit most laboratory conditions.
 
@@ -4147,6 +2852,9 @@ class GyroNoise(Command[R]):
     ROLE = "command"
     RESPONSES = (GyroNoiseResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (("function", "B", FunctionSelector), ("noise", "fff", types.Vector3f))
+    _ALWAYS = 1
+
     _VECTORS = {"noise": (types.Vector3f,)}
 
     function: FunctionSelector
@@ -4195,41 +2903,6 @@ class GyroNoise(Command[R]):
             return (GyroNoiseResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GyroNoise[R], int]:
-        noise: types.Vector3f | None = None
-        v = _GYRO_NOISE_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _GYRO_NOISE_1.read(raw, at)
-            at += 12
-            noise = types.Vector3f._make(v[0:3])
-            done, end = 1, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, noise), at
-
-    def _write(self) -> bytes:
-        out = _GYRO_NOISE_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _GYRO_NOISE_GROUPS)
-        if there >= 1:
-            out += _GYRO_NOISE_1.write(*codec.elements("noise", self.noise, 3))
-        return codec.finished(out)
-
-
-_ACCEL_BIAS_MODEL_0 = codec.Block("B", "function")
-_ACCEL_BIAS_MODEL_1 = codec.Block("fff", *["beta"] * 3)
-_ACCEL_BIAS_MODEL_2 = codec.Block("fff", *["noise"] * 3)
-_ACCEL_BIAS_MODEL_GROUPS = ((1, ("beta",), False), (2, ("noise",), False))
-
 
 class AccelBiasModel(Command[R]):
     """Accelerometer bias model (0x0D,0x1C).
@@ -4238,9 +2911,7 @@ class AccelBiasModel(Command[R]):
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AccelBiasModelResponse`.
     Probably changes `filter_data.AccelBias` and `filter_data.AccelBiasUncertainty`. Supported by
-    3DM-CV7-GNSS/INS and 3DM-GX5-45. Probably supported by 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-45,
-    3DM-CX7-INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GV7-INS, 3DM-GX4-45, 3DM-RQ1-45-LT and
-    3DM-RQ1-45-ST.
+    3DM-CV7-GNSS/INS and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
     """
@@ -4255,6 +2926,13 @@ class AccelBiasModel(Command[R]):
     ROLE = "command"
     RESPONSES = (AccelBiasModelResponse,)
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("beta", "fff", types.Vector3f),
+        ("noise", "fff", types.Vector3f),
+    )
+    _ALWAYS = 1
+
     _VECTORS = {"beta": (types.Vector3f,), "noise": (types.Vector3f,)}
 
     function: FunctionSelector
@@ -4313,50 +2991,6 @@ class AccelBiasModel(Command[R]):
             return (AccelBiasModelResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AccelBiasModel[R], int]:
-        beta: types.Vector3f | None = None
-        noise: types.Vector3f | None = None
-        v = _ACCEL_BIAS_MODEL_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _ACCEL_BIAS_MODEL_1.read(raw, at)
-            at += 12
-            beta = types.Vector3f._make(v[0:3])
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _ACCEL_BIAS_MODEL_2.read(raw, at)
-            at += 12
-            noise = types.Vector3f._make(v[0:3])
-            done, end = 2, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, beta, noise), at
-
-    def _write(self) -> bytes:
-        out = _ACCEL_BIAS_MODEL_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _ACCEL_BIAS_MODEL_GROUPS)
-        if there >= 1:
-            out += _ACCEL_BIAS_MODEL_1.write(*codec.elements("beta", self.beta, 3))
-        if there >= 2:
-            out += _ACCEL_BIAS_MODEL_2.write(*codec.elements("noise", self.noise, 3))
-        return codec.finished(out)
-
-
-_GYRO_BIAS_MODEL_0 = codec.Block("B", "function")
-_GYRO_BIAS_MODEL_1 = codec.Block("fff", *["beta"] * 3)
-_GYRO_BIAS_MODEL_2 = codec.Block("fff", *["noise"] * 3)
-_GYRO_BIAS_MODEL_GROUPS = ((1, ("beta",), False), (2, ("noise",), False))
-
 
 class GyroBiasModel(Command[R]):
     """Gyroscope bias model (0x0D,0x1D).
@@ -4365,11 +2999,7 @@ class GyroBiasModel(Command[R]):
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GyroBiasModelResponse`.
     Probably changes `filter_data.GyroBias` and `filter_data.GyroBiasUncertainty`. Supported by
-    3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45. Probably supported by 3DM-CL5-15, 3DM-CL5-25,
-    3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15,
-    3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS,
-    3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
-    3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D)
     - 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
@@ -4385,6 +3015,13 @@ class GyroBiasModel(Command[R]):
     ROLE = "command"
     RESPONSES = (GyroBiasModelResponse,)
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("beta", "fff", types.Vector3f),
+        ("noise", "fff", types.Vector3f),
+    )
+    _ALWAYS = 1
+
     _VECTORS = {"beta": (types.Vector3f,), "noise": (types.Vector3f,)}
 
     function: FunctionSelector
@@ -4443,50 +3080,6 @@ class GyroBiasModel(Command[R]):
             return (GyroBiasModelResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GyroBiasModel[R], int]:
-        beta: types.Vector3f | None = None
-        noise: types.Vector3f | None = None
-        v = _GYRO_BIAS_MODEL_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _GYRO_BIAS_MODEL_1.read(raw, at)
-            at += 12
-            beta = types.Vector3f._make(v[0:3])
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _GYRO_BIAS_MODEL_2.read(raw, at)
-            at += 12
-            noise = types.Vector3f._make(v[0:3])
-            done, end = 2, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, beta, noise), at
-
-    def _write(self) -> bytes:
-        out = _GYRO_BIAS_MODEL_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _GYRO_BIAS_MODEL_GROUPS)
-        if there >= 1:
-            out += _GYRO_BIAS_MODEL_1.write(*codec.elements("beta", self.beta, 3))
-        if there >= 2:
-            out += _GYRO_BIAS_MODEL_2.write(*codec.elements("noise", self.noise, 3))
-        return codec.finished(out)
-
-
-_AUTO_ZUPT_0 = codec.Block("B", "function")
-_AUTO_ZUPT_1 = codec.Block("B", "enable")
-_AUTO_ZUPT_2 = codec.Block("f", "threshold")
-_AUTO_ZUPT_GROUPS = ((1, ("enable",), False), (2, ("threshold",), False))
-
 
 class AutoZupt(Command[R]):
     """Automatic zero velocity update (0x0D,0x1E).
@@ -4496,9 +3089,7 @@ class AutoZupt(Command[R]):
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AutoZuptResponse`.
     Probably changes `filter_data.NedVelocity`, `filter_data.EcefVelocity`,
     `filter_data.NedVelocityUncertainty` and `filter_data.EcefVelocityUncertainty`. Supported by
-    3DM-GQ7-GNSS/INS and 3DM-GX5-45. Probably supported by 3DM-CV5-45, 3DM-CX5-45, 3DM-GQ4-45,
-    3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the MicroStrain MIP
-    SDK.
+    3DM-GQ7-GNSS/INS and 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
     The update applies while the magnitude of the GNSS velocity vector is at or below the threshold.
 
@@ -4515,6 +3106,8 @@ class AutoZupt(Command[R]):
     ROLE = "command"
     RESPONSES = (AutoZuptResponse,)
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (("function", "B", FunctionSelector), ("enable", "B", None), ("threshold", "f", None))
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -4561,59 +3154,13 @@ class AutoZupt(Command[R]):
             return (AutoZuptResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AutoZupt[R], int]:
-        enable: int | None = None
-        threshold: float | None = None
-        v = _AUTO_ZUPT_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _AUTO_ZUPT_1.read(raw, at)
-            at += 1
-            enable = v[0]
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _AUTO_ZUPT_2.read(raw, at)
-            at += 4
-            threshold = v[0]
-            done, end = 2, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, enable, threshold), at
-
-    def _write(self) -> bytes:
-        out = _AUTO_ZUPT_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _AUTO_ZUPT_GROUPS)
-        if there >= 1:
-            out += _AUTO_ZUPT_1.write(self.enable)
-        if there >= 2:
-            out += _AUTO_ZUPT_2.write(self.threshold)
-        return codec.finished(out)
-
-
-_EXTERNAL_HEADING_UPDATE_WITH_TIME_0 = codec.Block(
-    "dHffB", "tow", "week_number", "heading", "heading_uncertainty", "type"
-)
-
 
 class ExternalHeadingUpdateWithTime(Command[None]):
     """External heading update with time (0x0D,0x1F).
 
     Sends one measurement of the heading of the sensor frame with its GPS time to the filter.
 
-    Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45. Probably supported by 3DM-CL5-15,
-    3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
-    3DM-CX7-INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GV7-INS, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25,
-    3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
 
     Better than `ExternalHeadingUpdate` if the heading changes quickly; the time must be accurate.
     Refused unless external heading updates are enabled, by `HeadingSource` on the 3DM-GX5 and by
@@ -4670,29 +3217,6 @@ class ExternalHeadingUpdateWithTime(Command[None]):
         self.heading_uncertainty = heading_uncertainty
         self.type = type
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ExternalHeadingUpdateWithTime, int]:
-        v = _EXTERNAL_HEADING_UPDATE_WITH_TIME_0.read(raw, at)
-        at += 19
-        tow = v[0]
-        week_number = v[1]
-        heading = v[2]
-        heading_uncertainty = v[3]
-        type = HeadingType(v[4])
-        return cls(tow, week_number, heading, heading_uncertainty, type), at
-
-    def _write(self) -> bytes:
-        out = _EXTERNAL_HEADING_UPDATE_WITH_TIME_0.write(
-            self.tow, self.week_number, self.heading, self.heading_uncertainty, self.type
-        )
-        return codec.finished(out)
-
-
-_AUTO_ANGULAR_ZUPT_0 = codec.Block("B", "function")
-_AUTO_ANGULAR_ZUPT_1 = codec.Block("B", "enable")
-_AUTO_ANGULAR_ZUPT_2 = codec.Block("f", "threshold")
-_AUTO_ANGULAR_ZUPT_GROUPS = ((1, ("enable",), False), (2, ("threshold",), False))
-
 
 class AutoAngularZupt(Command[R]):
     """Zero angular rate update (0x0D,0x20).
@@ -4703,10 +3227,6 @@ class AutoAngularZupt(Command[R]):
     Probably changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`,
     `filter_data.EulerAngles`, `filter_data.GyroBias` and `filter_data.GyroBiasUncertainty`.
     Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
-    Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS,
-    3DM-CV7-AR, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
-    3DM-GQ4-45, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
-    3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     The update applies while the magnitude of the angular rate vector is at or below the threshold.
 
@@ -4724,6 +3244,8 @@ class AutoAngularZupt(Command[R]):
     ROLE = "command"
     RESPONSES = (AutoAngularZuptResponse,)
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (("function", "B", FunctionSelector), ("enable", "B", None), ("threshold", "f", None))
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -4774,49 +3296,6 @@ class AutoAngularZupt(Command[R]):
             return (AutoAngularZuptResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AutoAngularZupt[R], int]:
-        enable: int | None = None
-        threshold: float | None = None
-        v = _AUTO_ANGULAR_ZUPT_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _AUTO_ANGULAR_ZUPT_1.read(raw, at)
-            at += 1
-            enable = v[0]
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _AUTO_ANGULAR_ZUPT_2.read(raw, at)
-            at += 4
-            threshold = v[0]
-            done, end = 2, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, enable, threshold), at
-
-    def _write(self) -> bytes:
-        out = _AUTO_ANGULAR_ZUPT_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _AUTO_ANGULAR_ZUPT_GROUPS)
-        if there >= 1:
-            out += _AUTO_ANGULAR_ZUPT_1.write(self.enable)
-        if there >= 2:
-            out += _AUTO_ANGULAR_ZUPT_2.write(self.threshold)
-        return codec.finished(out)
-
-
-_TARE_ORIENTATION_0 = codec.Block("B", "function")
-_TARE_ORIENTATION_1 = codec.Block("B", "axes")
-_TARE_ORIENTATION_GROUPS = ((1, ("axes",), False),)
-
 
 class TareOrientation(Command[R]):
     """Tare orientation (0x0D,0x21).
@@ -4828,10 +3307,8 @@ class TareOrientation(Command[R]):
     `sensor.DeltaVelocity`, `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`,
     `filter_data.EulerAngles`, `filter_data.LinearAccel`, `filter_data.CompAngularRate`,
     `filter_data.GravityVector` and `filter_data.CompAccel`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
-    Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15,
-    3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25,
-    3DM-RQ1-45-LT and 3DM-RQ1-45-ST. On the 3DM-GX5-15: `write`, `save`, `load` and `default` only.
-    On the 3DM-GX5-45: `write`, `save`, `load` and `default` only.
+    On the 3DM-GX5-15: `write`, `save`, `load` and `default` only. On the 3DM-GX5-45: `write`,
+    `save`, `load` and `default` only.
 
     Refused while the filter has no valid attitude.
 
@@ -4849,6 +3326,8 @@ class TareOrientation(Command[R]):
     ROLE = "command"
     RESPONSES = (TareOrientationResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (("function", "B", FunctionSelector), ("axes", "B", TareAxes))
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -4890,35 +3369,6 @@ class TareOrientation(Command[R]):
             return (TareOrientationResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[TareOrientation[R], int]:
-        axes: TareAxes | None = None
-        v = _TARE_ORIENTATION_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _TARE_ORIENTATION_1.read(raw, at)
-            at += 1
-            axes = TareAxes(v[0])
-            done, end = 1, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, axes), at
-
-    def _write(self) -> bytes:
-        out = _TARE_ORIENTATION_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _TARE_ORIENTATION_GROUPS)
-        if there >= 1:
-            out += _TARE_ORIENTATION_1.write(self.axes)
-        return codec.finished(out)
-
 
 class CommandedZupt(Command[None]):
     """Commanded zero velocity update (0x0D,0x22).
@@ -4927,8 +3377,7 @@ class CommandedZupt(Command[None]):
 
     Probably changes `filter_data.NedVelocity`, `filter_data.EcefVelocity`,
     `filter_data.NedVelocityUncertainty` and `filter_data.EcefVelocityUncertainty`. Supported by
-    3DM-GX5-45. Probably supported by 3DM-CV5-45, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX4-45, 3DM-RQ1-45-LT
-    and 3DM-RQ1-45-ST. Known only from the MicroStrain MIP SDK.
+    3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
     The highest rate depends on the device.
 
@@ -4943,13 +3392,6 @@ class CommandedZupt(Command[None]):
     NAME = "filter.commanded_zupt"
     ROLE = "command"
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[CommandedZupt, int]:
-        return cls(), at
-
-    def _write(self) -> bytes:
-        return b""
-
 
 class CommandedAngularZupt(Command[None]):
     """Commanded zero angular rate update (0x0D,0x23).
@@ -4958,9 +3400,7 @@ class CommandedAngularZupt(Command[None]):
 
     Probably changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`,
     `filter_data.EulerAngles`, `filter_data.GyroBias` and `filter_data.GyroBiasUncertainty`.
-    Supported by 3DM-GX5-15 and 3DM-GX5-45. Probably supported by 3DM-CL5-15, 3DM-CL5-25,
-    3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX4-15,
-    3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    Supported by 3DM-GX5-15 and 3DM-GX5-45.
 
     At most 10 per second.
 
@@ -4975,26 +3415,6 @@ class CommandedAngularZupt(Command[None]):
     NAME = "filter.commanded_angular_zupt"
     ROLE = "command"
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[CommandedAngularZupt, int]:
-        return cls(), at
-
-    def _write(self) -> bytes:
-        return b""
-
-
-_REFERENCE_POSITION_0 = codec.Block("B", "function")
-_REFERENCE_POSITION_1 = codec.Block("B", "enable")
-_REFERENCE_POSITION_2 = codec.Block("d", "latitude")
-_REFERENCE_POSITION_3 = codec.Block("d", "longitude")
-_REFERENCE_POSITION_4 = codec.Block("d", "altitude")
-_REFERENCE_POSITION_GROUPS = (
-    (1, ("enable",), False),
-    (2, ("latitude",), False),
-    (3, ("longitude",), False),
-    (4, ("altitude",), False),
-)
-
 
 class ReferencePosition(Command[R]):
     """Set reference position (0x0D,0x26).
@@ -5004,9 +3424,7 @@ class ReferencePosition(Command[R]):
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `ReferencePositionResponse`. Changes `filter_data.Wgs84GravityMagnitude` and
-    `filter_data.MagneticModel`. Supported by 3DM-GX5-15. Probably supported by 3DM-CL5-15,
-    3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-15, 3DM-CX5-25, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-25
-    and 3DM-GX5-45.
+    `filter_data.MagneticModel`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26)
     """
@@ -5021,6 +3439,14 @@ class ReferencePosition(Command[R]):
     ROLE = "command"
     RESPONSES = (ReferencePositionResponse,)
     REQUIRED = {1: 4, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("enable", "B", None),
+        ("latitude", "d", None),
+        ("longitude", "d", None),
+        ("altitude", "d", None),
+    )
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -5097,65 +3523,6 @@ class ReferencePosition(Command[R]):
             return (ReferencePositionResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ReferencePosition[R], int]:
-        enable: int | None = None
-        latitude: float | None = None
-        longitude: float | None = None
-        altitude: float | None = None
-        v = _REFERENCE_POSITION_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _REFERENCE_POSITION_1.read(raw, at)
-            at += 1
-            enable = v[0]
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _REFERENCE_POSITION_2.read(raw, at)
-            at += 8
-            latitude = v[0]
-            done, end = 2, at
-            if at == len(raw) and required < 3:
-                raise Truncated(1, 0)
-            v = _REFERENCE_POSITION_3.read(raw, at)
-            at += 8
-            longitude = v[0]
-            done, end = 3, at
-            if at == len(raw) and required < 4:
-                raise Truncated(1, 0)
-            v = _REFERENCE_POSITION_4.read(raw, at)
-            at += 8
-            altitude = v[0]
-            done, end = 4, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, enable, latitude, longitude, altitude), at
-
-    def _write(self) -> bytes:
-        out = _REFERENCE_POSITION_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _REFERENCE_POSITION_GROUPS)
-        if there >= 1:
-            out += _REFERENCE_POSITION_1.write(self.enable)
-        if there >= 2:
-            out += _REFERENCE_POSITION_2.write(self.latitude)
-        if there >= 3:
-            out += _REFERENCE_POSITION_3.write(self.longitude)
-        if there >= 4:
-            out += _REFERENCE_POSITION_4.write(self.altitude)
-        return codec.finished(out)
-
-
-_MAG_CAPTURE_AUTO_CALIBRATION_0 = codec.Block("B", "function")
-
 
 class MagCaptureAutoCalibration(Command[None]):
     """Capture automatic magnetometer calibration (0x0D,0x27).
@@ -5163,8 +3530,7 @@ class MagCaptureAutoCalibration(Command[None]):
     Moves the result of the automatic magnetometer calibration into the fixed calibration.
 
     Also called `mag_capture_auto_cal`. Functions: `write` and `save`. Changes `sensor.ScaledMag`,
-    `filter_data.MagOffset` and `filter_data.MagMatrix`. Supported by 3DM-GX5-45. Probably supported
-    by 3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45 and 3DM-GX5-25. Known only from
+    `filter_data.MagOffset` and `filter_data.MagMatrix`. Supported by 3DM-GX5-45. Known only from
     the MicroStrain MIP SDK.
 
     A write combines the automatic calibration with `mip_3dm.MagHardIronOffset` and
@@ -5183,6 +3549,7 @@ class MagCaptureAutoCalibration(Command[None]):
     NAME = "filter.mag_capture_auto_calibration"
     ROLE = "command"
     REQUIRED = {1: 0, 3: 0}
+    _LAYOUT = (("function", "B", FunctionSelector),)
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -5200,22 +3567,6 @@ class MagCaptureAutoCalibration(Command[None]):
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagCaptureAutoCalibration, int]:
-        v = _MAG_CAPTURE_AUTO_CALIBRATION_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        return cls(function), at
-
-    def _write(self) -> bytes:
-        out = _MAG_CAPTURE_AUTO_CALIBRATION_0.write(self.function)
-        return codec.finished(out)
-
-
-_GRAVITY_NOISE_0 = codec.Block("B", "function")
-_GRAVITY_NOISE_1 = codec.Block("fff", *["noise"] * 3)
-_GRAVITY_NOISE_GROUPS = ((1, ("noise",), False),)
-
 
 class GravityNoise(Command[R]):
     """Gravity noise (0x0D,0x28).
@@ -5225,9 +3576,7 @@ class GravityNoise(Command[R]):
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GravityNoiseResponse`.
     Probably changes `filter_data.EulerAnglesUncertainty` and
     `filter_data.QuaternionAttitudeUncertainty`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and
-    3DM-GX5-45. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
-    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS,
-    3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS and 3DM-GX5-25.
+    3DM-GX5-45.
 
     The factory values suit most laboratory conditions.
 
@@ -5245,6 +3594,9 @@ class GravityNoise(Command[R]):
     ROLE = "command"
     RESPONSES = (GravityNoiseResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (("function", "B", FunctionSelector), ("noise", "fff", types.Vector3f))
+    _ALWAYS = 1
+
     _VECTORS = {"noise": (types.Vector3f,)}
 
     function: FunctionSelector
@@ -5293,40 +3645,6 @@ class GravityNoise(Command[R]):
             return (GravityNoiseResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GravityNoise[R], int]:
-        noise: types.Vector3f | None = None
-        v = _GRAVITY_NOISE_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _GRAVITY_NOISE_1.read(raw, at)
-            at += 12
-            noise = types.Vector3f._make(v[0:3])
-            done, end = 1, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, noise), at
-
-    def _write(self) -> bytes:
-        out = _GRAVITY_NOISE_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _GRAVITY_NOISE_GROUPS)
-        if there >= 1:
-            out += _GRAVITY_NOISE_1.write(*codec.elements("noise", self.noise, 3))
-        return codec.finished(out)
-
-
-_PRESSURE_ALTITUDE_NOISE_0 = codec.Block("B", "function")
-_PRESSURE_ALTITUDE_NOISE_1 = codec.Block("f", "noise")
-_PRESSURE_ALTITUDE_NOISE_GROUPS = ((1, ("noise",), False),)
-
 
 class PressureAltitudeNoise(Command[R]):
     """Pressure altitude noise (0x0D,0x29).
@@ -5335,8 +3653,7 @@ class PressureAltitudeNoise(Command[R]):
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `PressureAltitudeNoiseResponse`. Probably changes `filter_data.LlhPosition` and
-    `filter_data.LlhPositionUncertainty`. Supported by 3DM-GX5-45. Probably supported by 3DM-CL5-25,
-    3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45 and 3DM-GX5-25. Known only from the MicroStrain
+    `filter_data.LlhPositionUncertainty`. Supported by 3DM-GX5-45. Known only from the MicroStrain
     MIP SDK.
 
     With a small value, the altitude follows the pressure faster, but weather and draughts appear as
@@ -5355,6 +3672,8 @@ class PressureAltitudeNoise(Command[R]):
     ROLE = "command"
     RESPONSES = (PressureAltitudeNoiseResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (("function", "B", FunctionSelector), ("noise", "f", None))
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -5402,40 +3721,6 @@ class PressureAltitudeNoise(Command[R]):
             return (PressureAltitudeNoiseResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[PressureAltitudeNoise[R], int]:
-        noise: float | None = None
-        v = _PRESSURE_ALTITUDE_NOISE_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _PRESSURE_ALTITUDE_NOISE_1.read(raw, at)
-            at += 4
-            noise = v[0]
-            done, end = 1, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, noise), at
-
-    def _write(self) -> bytes:
-        out = _PRESSURE_ALTITUDE_NOISE_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _PRESSURE_ALTITUDE_NOISE_GROUPS)
-        if there >= 1:
-            out += _PRESSURE_ALTITUDE_NOISE_1.write(self.noise)
-        return codec.finished(out)
-
-
-_HARD_IRON_OFFSET_NOISE_0 = codec.Block("B", "function")
-_HARD_IRON_OFFSET_NOISE_1 = codec.Block("fff", *["noise"] * 3)
-_HARD_IRON_OFFSET_NOISE_GROUPS = ((1, ("noise",), False),)
-
 
 class HardIronOffsetNoise(Command[R]):
     """Hard iron offset noise (0x0D,0x2B).
@@ -5444,9 +3729,8 @@ class HardIronOffsetNoise(Command[R]):
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `HardIronOffsetNoiseResponse`. Probably changes `filter_data.MagOffset` and
-    `filter_data.MagOffsetUncertainty`. Supported by 3DM-GX5-45. Probably supported by 3DM-CL5-25,
-    3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45 and 3DM-GX5-25. Known only from the MicroStrain
-    MIP SDK.
+    `filter_data.MagOffsetUncertainty`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP
+    SDK.
 
     - mip-sdk-4: Hard iron offset noise (0x0D,0x2B)
     """
@@ -5461,6 +3745,9 @@ class HardIronOffsetNoise(Command[R]):
     ROLE = "command"
     RESPONSES = (HardIronOffsetNoiseResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (("function", "B", FunctionSelector), ("noise", "fff", types.Vector3f))
+    _ALWAYS = 1
+
     _VECTORS = {"noise": (types.Vector3f,)}
 
     function: FunctionSelector
@@ -5511,40 +3798,6 @@ class HardIronOffsetNoise(Command[R]):
             return (HardIronOffsetNoiseResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[HardIronOffsetNoise[R], int]:
-        noise: types.Vector3f | None = None
-        v = _HARD_IRON_OFFSET_NOISE_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _HARD_IRON_OFFSET_NOISE_1.read(raw, at)
-            at += 12
-            noise = types.Vector3f._make(v[0:3])
-            done, end = 1, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, noise), at
-
-    def _write(self) -> bytes:
-        out = _HARD_IRON_OFFSET_NOISE_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _HARD_IRON_OFFSET_NOISE_GROUPS)
-        if there >= 1:
-            out += _HARD_IRON_OFFSET_NOISE_1.write(*codec.elements("noise", self.noise, 3))
-        return codec.finished(out)
-
-
-_SOFT_IRON_MATRIX_NOISE_0 = codec.Block("B", "function")
-_SOFT_IRON_MATRIX_NOISE_1 = codec.Block("fffffffff", *["noise"] * 9)
-_SOFT_IRON_MATRIX_NOISE_GROUPS = ((1, ("noise",), False),)
-
 
 class SoftIronMatrixNoise(Command[R]):
     """Soft iron matrix noise (0x0D,0x2C).
@@ -5553,9 +3806,8 @@ class SoftIronMatrixNoise(Command[R]):
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `SoftIronMatrixNoiseResponse`. Probably changes `filter_data.MagMatrix` and
-    `filter_data.MagMatrixUncertainty`. Supported by 3DM-GX5-45. Probably supported by 3DM-CL5-25,
-    3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45 and 3DM-GX5-25. Known only from the MicroStrain
-    MIP SDK.
+    `filter_data.MagMatrixUncertainty`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP
+    SDK.
 
     - mip-sdk-4: Soft iron matrix noise (0x0D,0x2C)
     """
@@ -5570,6 +3822,9 @@ class SoftIronMatrixNoise(Command[R]):
     ROLE = "command"
     RESPONSES = (SoftIronMatrixNoiseResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (("function", "B", FunctionSelector), ("noise", "fffffffff", types.Matrix3f))
+    _ALWAYS = 1
+
     _VECTORS = {"noise": (types.Matrix3f,)}
 
     function: FunctionSelector
@@ -5620,40 +3875,6 @@ class SoftIronMatrixNoise(Command[R]):
             return (SoftIronMatrixNoiseResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SoftIronMatrixNoise[R], int]:
-        noise: types.Matrix3f | None = None
-        v = _SOFT_IRON_MATRIX_NOISE_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _SOFT_IRON_MATRIX_NOISE_1.read(raw, at)
-            at += 36
-            noise = types.Matrix3f._make(v[0:9])
-            done, end = 1, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, noise), at
-
-    def _write(self) -> bytes:
-        out = _SOFT_IRON_MATRIX_NOISE_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _SOFT_IRON_MATRIX_NOISE_GROUPS)
-        if there >= 1:
-            out += _SOFT_IRON_MATRIX_NOISE_1.write(*codec.elements("noise", self.noise, 9))
-        return codec.finished(out)
-
-
-_ENABLE_MEASUREMENTS_0 = codec.Block("B", "function")
-_ENABLE_MEASUREMENTS_1 = codec.Block("H", "control")
-_ENABLE_MEASUREMENTS_GROUPS = ((1, ("control",), False),)
-
 
 class EnableMeasurements(Command[R]):
     """Enable or disable measurements (0x0D,0x41).
@@ -5663,9 +3884,7 @@ class EnableMeasurements(Command[R]):
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `EnableMeasurementsResponse`. Probably changes `filter_data.AttitudeQuaternion`,
     `filter_data.AttitudeDcm`, `filter_data.EulerAngles`, `filter_data.EulerAnglesUncertainty` and
-    `filter_data.QuaternionAttitudeUncertainty`. Supported by 3DM-GX5-15. Probably supported by
-    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-15, 3DM-CX5-25, 3DM-GX4-25 and
-    3DM-GX5-25.
+    `filter_data.QuaternionAttitudeUncertainty`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41)
     """
@@ -5680,6 +3899,8 @@ class EnableMeasurements(Command[R]):
     ROLE = "command"
     RESPONSES = (EnableMeasurementsResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (("function", "B", FunctionSelector), ("control", "H", MeasurementFlags))
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -5728,40 +3949,6 @@ class EnableMeasurements(Command[R]):
             return (EnableMeasurementsResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EnableMeasurements[R], int]:
-        control: MeasurementFlags | None = None
-        v = _ENABLE_MEASUREMENTS_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _ENABLE_MEASUREMENTS_1.read(raw, at)
-            at += 2
-            control = MeasurementFlags(v[0])
-            done, end = 1, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, control), at
-
-    def _write(self) -> bytes:
-        out = _ENABLE_MEASUREMENTS_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _ENABLE_MEASUREMENTS_GROUPS)
-        if there >= 1:
-            out += _ENABLE_MEASUREMENTS_1.write(self.control)
-        return codec.finished(out)
-
-
-_MAG_NOISE_0 = codec.Block("B", "function")
-_MAG_NOISE_1 = codec.Block("fff", *["noise"] * 3)
-_MAG_NOISE_GROUPS = ((1, ("noise",), False),)
-
 
 class MagNoise(Command[R]):
     """Magnetometer noise (0x0D,0x42).
@@ -5770,10 +3957,9 @@ class MagNoise(Command[R]):
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `MagNoiseResponse`.
     Probably changes `filter_data.EulerAnglesUncertainty` and
-    `filter_data.QuaternionAttitudeUncertainty`. Supported by 3DM-GX5-45. Probably supported by
-    3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX4-25, 3DM-GX4-45,
-    3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the MicroStrain MIP SDK. Uncertain:
-    The SDK calls it process noise, although the noise is that of a measurement.
+    `filter_data.QuaternionAttitudeUncertainty`. Supported by 3DM-GX5-45. Known only from the
+    MicroStrain MIP SDK. Uncertain: The SDK calls it process noise, although the noise is that of a
+    measurement.
 
     - mip-sdk-4: Mag Noise (0x0D,0x42)
     """
@@ -5788,6 +3974,9 @@ class MagNoise(Command[R]):
     ROLE = "command"
     RESPONSES = (MagNoiseResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (("function", "B", FunctionSelector), ("noise", "fff", types.Vector3f))
+    _ALWAYS = 1
+
     _VECTORS = {"noise": (types.Vector3f,)}
 
     function: FunctionSelector
@@ -5834,41 +4023,6 @@ class MagNoise(Command[R]):
             return (MagNoiseResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagNoise[R], int]:
-        noise: types.Vector3f | None = None
-        v = _MAG_NOISE_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _MAG_NOISE_1.read(raw, at)
-            at += 12
-            noise = types.Vector3f._make(v[0:3])
-            done, end = 1, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, noise), at
-
-    def _write(self) -> bytes:
-        out = _MAG_NOISE_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _MAG_NOISE_GROUPS)
-        if there >= 1:
-            out += _MAG_NOISE_1.write(*codec.elements("noise", self.noise, 3))
-        return codec.finished(out)
-
-
-_MAGNETIC_DECLINATION_SOURCE_0 = codec.Block("B", "function")
-_MAGNETIC_DECLINATION_SOURCE_1 = codec.Block("B", "source")
-_MAGNETIC_DECLINATION_SOURCE_2 = codec.Block("f", "declination")
-_MAGNETIC_DECLINATION_SOURCE_GROUPS = ((1, ("source",), False), (2, ("declination",), False))
-
 
 class MagneticDeclinationSource(Command[R]):
     """Magnetic declination source (0x0D,0x43).
@@ -5878,10 +4032,7 @@ class MagneticDeclinationSource(Command[R]):
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `MagneticDeclinationSourceResponse`. Probably changes `filter_data.AttitudeQuaternion`,
     `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
-    3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Probably supported by 3DM-CL5-25, 3DM-CV5-25,
-    3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
-    3DM-GQ4-45, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25,
-    3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Refused by 3DM-GX3-25.
+    3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45.
 
     Without a good declination source, keep automatic magnetometer calibration off.
 
@@ -5899,6 +4050,12 @@ class MagneticDeclinationSource(Command[R]):
     ROLE = "command"
     RESPONSES = (MagneticDeclinationSourceResponse,)
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("source", "B", MagParameterSource),
+        ("declination", "f", None),
+    )
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -5961,63 +4118,6 @@ class MagneticDeclinationSource(Command[R]):
             return (MagneticDeclinationSourceResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagneticDeclinationSource[R], int]:
-        source: MagParameterSource | None = None
-        declination: float | None = None
-        v = _MAGNETIC_DECLINATION_SOURCE_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _MAGNETIC_DECLINATION_SOURCE_1.read(raw, at)
-            at += 1
-            source = MagParameterSource(v[0])
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _MAGNETIC_DECLINATION_SOURCE_2.read(raw, at)
-            at += 4
-            declination = v[0]
-            done, end = 2, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, source, declination), at
-
-    def _write(self) -> bytes:
-        out = _MAGNETIC_DECLINATION_SOURCE_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _MAGNETIC_DECLINATION_SOURCE_GROUPS)
-        if there >= 1:
-            out += _MAGNETIC_DECLINATION_SOURCE_1.write(self.source)
-        if there >= 2:
-            out += _MAGNETIC_DECLINATION_SOURCE_2.write(self.declination)
-        return codec.finished(out)
-
-
-_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_0 = codec.Block("B", "function")
-_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_1 = codec.Block("B", "adaptive_measurement")
-_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_2 = codec.Block("f", "frequency")
-_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_3 = codec.Block("f", "low_limit")
-_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_4 = codec.Block("f", "high_limit")
-_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_5 = codec.Block("f", "low_limit_uncertainty")
-_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_6 = codec.Block("f", "high_limit_uncertainty")
-_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_7 = codec.Block("f", "minimum_uncertainty")
-_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_GROUPS = (
-    (1, ("adaptive_measurement",), False),
-    (2, ("frequency",), False),
-    (3, ("low_limit",), False),
-    (4, ("high_limit",), False),
-    (5, ("low_limit_uncertainty",), False),
-    (6, ("high_limit_uncertainty",), False),
-    (7, ("minimum_uncertainty",), False),
-)
-
 
 class AccelMagnitudeErrorAdaptiveMeasurement(Command[R]):
     """Gravity magnitude error adaptive measurement (0x0D,0x44).
@@ -6028,9 +4128,7 @@ class AccelMagnitudeErrorAdaptiveMeasurement(Command[R]):
     `AccelMagnitudeErrorAdaptiveMeasurementResponse`. Probably changes
     `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
     `filter_data.EulerAnglesUncertainty` and `filter_data.QuaternionAttitudeUncertainty`. Supported
-    by 3DM-GX5-15 and 3DM-GX5-45. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15,
-    3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15,
-    3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Refused by 3DM-CV7-AR.
+    by 3DM-GX5-15 and 3DM-GX5-45.
 
     Also called accelerometer magnitude error adaptive measurement. All parameters after the
     selector keep their values if they are left out. Filter and limits take effect only with
@@ -6069,6 +4167,17 @@ class AccelMagnitudeErrorAdaptiveMeasurement(Command[R]):
     ROLE = "command"
     RESPONSES = (AccelMagnitudeErrorAdaptiveMeasurementResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("adaptive_measurement", "B", AdaptiveMeasurementSelector),
+        ("frequency", "f", None),
+        ("low_limit", "f", None),
+        ("high_limit", "f", None),
+        ("low_limit_uncertainty", "f", None),
+        ("high_limit_uncertainty", "f", None),
+        ("minimum_uncertainty", "f", None),
+    )
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -6169,117 +4278,6 @@ class AccelMagnitudeErrorAdaptiveMeasurement(Command[R]):
             return (AccelMagnitudeErrorAdaptiveMeasurementResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AccelMagnitudeErrorAdaptiveMeasurement[R], int]:
-        adaptive_measurement: AdaptiveMeasurementSelector | None = None
-        frequency: float | None = None
-        low_limit: float | None = None
-        high_limit: float | None = None
-        low_limit_uncertainty: float | None = None
-        high_limit_uncertainty: float | None = None
-        minimum_uncertainty: float | None = None
-        v = _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_1.read(raw, at)
-            at += 1
-            adaptive_measurement = AdaptiveMeasurementSelector(v[0])
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_2.read(raw, at)
-            at += 4
-            frequency = v[0]
-            done, end = 2, at
-            if at == len(raw) and required < 3:
-                raise Truncated(1, 0)
-            v = _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_3.read(raw, at)
-            at += 4
-            low_limit = v[0]
-            done, end = 3, at
-            if at == len(raw) and required < 4:
-                raise Truncated(1, 0)
-            v = _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_4.read(raw, at)
-            at += 4
-            high_limit = v[0]
-            done, end = 4, at
-            if at == len(raw) and required < 5:
-                raise Truncated(1, 0)
-            v = _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_5.read(raw, at)
-            at += 4
-            low_limit_uncertainty = v[0]
-            done, end = 5, at
-            if at == len(raw) and required < 6:
-                raise Truncated(1, 0)
-            v = _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_6.read(raw, at)
-            at += 4
-            high_limit_uncertainty = v[0]
-            done, end = 6, at
-            if at == len(raw) and required < 7:
-                raise Truncated(1, 0)
-            v = _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_7.read(raw, at)
-            at += 4
-            minimum_uncertainty = v[0]
-            done, end = 7, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(
-            function,
-            adaptive_measurement,
-            frequency,
-            low_limit,
-            high_limit,
-            low_limit_uncertainty,
-            high_limit_uncertainty,
-            minimum_uncertainty,
-        ), at
-
-    def _write(self) -> bytes:
-        out = _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_GROUPS)
-        if there >= 1:
-            out += _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_1.write(self.adaptive_measurement)
-        if there >= 2:
-            out += _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_2.write(self.frequency)
-        if there >= 3:
-            out += _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_3.write(self.low_limit)
-        if there >= 4:
-            out += _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_4.write(self.high_limit)
-        if there >= 5:
-            out += _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_5.write(self.low_limit_uncertainty)
-        if there >= 6:
-            out += _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_6.write(self.high_limit_uncertainty)
-        if there >= 7:
-            out += _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_7.write(self.minimum_uncertainty)
-        return codec.finished(out)
-
-
-_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_0 = codec.Block("B", "function")
-_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_1 = codec.Block("B", "adaptive_measurement")
-_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_2 = codec.Block("f", "frequency")
-_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_3 = codec.Block("f", "low_limit")
-_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_4 = codec.Block("f", "high_limit")
-_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_5 = codec.Block("f", "low_limit_uncertainty")
-_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_6 = codec.Block("f", "high_limit_uncertainty")
-_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_7 = codec.Block("f", "minimum_uncertainty")
-_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_GROUPS = (
-    (1, ("adaptive_measurement",), False),
-    (2, ("frequency",), False),
-    (3, ("low_limit",), False),
-    (4, ("high_limit",), False),
-    (5, ("low_limit_uncertainty",), False),
-    (6, ("high_limit_uncertainty",), False),
-    (7, ("minimum_uncertainty",), False),
-)
-
 
 class MagMagnitudeErrorAdaptiveMeasurement(Command[R]):
     """Magnetometer magnitude error adaptive measurement (0x0D,0x45).
@@ -6290,9 +4288,7 @@ class MagMagnitudeErrorAdaptiveMeasurement(Command[R]):
     `MagMagnitudeErrorAdaptiveMeasurementResponse`. Probably changes
     `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
     `filter_data.EulerAnglesUncertainty` and `filter_data.QuaternionAttitudeUncertainty`. Supported
-    by 3DM-GX5-45. Probably supported by 3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45,
-    3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and
-    3DM-RQ1-45-ST. Known only from the MicroStrain MIP SDK. Uncertain: Whether the parameters after
+    by 3DM-GX5-45. Known only from the MicroStrain MIP SDK. Uncertain: Whether the parameters after
     the selector may be left out on write, as those of `AccelMagnitudeErrorAdaptiveMeasurement` may.
 
     The limits and the low-pass filter take effect only with `fixed`; with `auto` the device
@@ -6330,6 +4326,17 @@ class MagMagnitudeErrorAdaptiveMeasurement(Command[R]):
     ROLE = "command"
     RESPONSES = (MagMagnitudeErrorAdaptiveMeasurementResponse,)
     REQUIRED = {1: 7, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("adaptive_measurement", "B", AdaptiveMeasurementSelector),
+        ("frequency", "f", None),
+        ("low_limit", "f", None),
+        ("high_limit", "f", None),
+        ("low_limit_uncertainty", "f", None),
+        ("high_limit_uncertainty", "f", None),
+        ("minimum_uncertainty", "f", None),
+    )
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -6444,113 +4451,6 @@ class MagMagnitudeErrorAdaptiveMeasurement(Command[R]):
             return (MagMagnitudeErrorAdaptiveMeasurementResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagMagnitudeErrorAdaptiveMeasurement[R], int]:
-        adaptive_measurement: AdaptiveMeasurementSelector | None = None
-        frequency: float | None = None
-        low_limit: float | None = None
-        high_limit: float | None = None
-        low_limit_uncertainty: float | None = None
-        high_limit_uncertainty: float | None = None
-        minimum_uncertainty: float | None = None
-        v = _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_1.read(raw, at)
-            at += 1
-            adaptive_measurement = AdaptiveMeasurementSelector(v[0])
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_2.read(raw, at)
-            at += 4
-            frequency = v[0]
-            done, end = 2, at
-            if at == len(raw) and required < 3:
-                raise Truncated(1, 0)
-            v = _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_3.read(raw, at)
-            at += 4
-            low_limit = v[0]
-            done, end = 3, at
-            if at == len(raw) and required < 4:
-                raise Truncated(1, 0)
-            v = _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_4.read(raw, at)
-            at += 4
-            high_limit = v[0]
-            done, end = 4, at
-            if at == len(raw) and required < 5:
-                raise Truncated(1, 0)
-            v = _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_5.read(raw, at)
-            at += 4
-            low_limit_uncertainty = v[0]
-            done, end = 5, at
-            if at == len(raw) and required < 6:
-                raise Truncated(1, 0)
-            v = _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_6.read(raw, at)
-            at += 4
-            high_limit_uncertainty = v[0]
-            done, end = 6, at
-            if at == len(raw) and required < 7:
-                raise Truncated(1, 0)
-            v = _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_7.read(raw, at)
-            at += 4
-            minimum_uncertainty = v[0]
-            done, end = 7, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(
-            function,
-            adaptive_measurement,
-            frequency,
-            low_limit,
-            high_limit,
-            low_limit_uncertainty,
-            high_limit_uncertainty,
-            minimum_uncertainty,
-        ), at
-
-    def _write(self) -> bytes:
-        out = _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_GROUPS)
-        if there >= 1:
-            out += _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_1.write(self.adaptive_measurement)
-        if there >= 2:
-            out += _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_2.write(self.frequency)
-        if there >= 3:
-            out += _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_3.write(self.low_limit)
-        if there >= 4:
-            out += _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_4.write(self.high_limit)
-        if there >= 5:
-            out += _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_5.write(self.low_limit_uncertainty)
-        if there >= 6:
-            out += _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_6.write(self.high_limit_uncertainty)
-        if there >= 7:
-            out += _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_7.write(self.minimum_uncertainty)
-        return codec.finished(out)
-
-
-_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_0 = codec.Block("B", "function")
-_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_1 = codec.Block("B", "enable")
-_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_2 = codec.Block("f", "frequency")
-_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_3 = codec.Block("f", "high_limit")
-_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_4 = codec.Block("f", "high_limit_uncertainty")
-_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_5 = codec.Block("f", "minimum_uncertainty")
-_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_GROUPS = (
-    (1, ("enable",), False),
-    (2, ("frequency",), False),
-    (3, ("high_limit",), False),
-    (4, ("high_limit_uncertainty",), False),
-    (5, ("minimum_uncertainty",), False),
-)
-
 
 class MagDipAngleErrorAdaptiveMeasurement(Command[R]):
     """Magnetometer dip angle error adaptive measurement (0x0D,0x46).
@@ -6561,9 +4461,7 @@ class MagDipAngleErrorAdaptiveMeasurement(Command[R]):
     `MagDipAngleErrorAdaptiveMeasurementResponse`. Probably changes
     `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
     `filter_data.EulerAnglesUncertainty` and `filter_data.QuaternionAttitudeUncertainty`. Supported
-    by 3DM-GX5-45. Probably supported by 3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45,
-    3DM-GQ4-45, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from
-    the MicroStrain MIP SDK.
+    by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
     It has no effect while `AccelMagnitudeErrorAdaptiveMeasurement` or
     `MagMagnitudeErrorAdaptiveMeasurement` is set to `auto`. High limits suit high dynamics but do
@@ -6596,6 +4494,15 @@ class MagDipAngleErrorAdaptiveMeasurement(Command[R]):
     ROLE = "command"
     RESPONSES = (MagDipAngleErrorAdaptiveMeasurementResponse,)
     REQUIRED = {1: 5, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("enable", "B", codec.truth),
+        ("frequency", "f", None),
+        ("high_limit", "f", None),
+        ("high_limit_uncertainty", "f", None),
+        ("minimum_uncertainty", "f", None),
+    )
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -6686,78 +4593,6 @@ class MagDipAngleErrorAdaptiveMeasurement(Command[R]):
             return (MagDipAngleErrorAdaptiveMeasurementResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagDipAngleErrorAdaptiveMeasurement[R], int]:
-        enable: bool | None = None
-        frequency: float | None = None
-        high_limit: float | None = None
-        high_limit_uncertainty: float | None = None
-        minimum_uncertainty: float | None = None
-        v = _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_1.read(raw, at)
-            at += 1
-            enable = codec.truth(v[0])
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_2.read(raw, at)
-            at += 4
-            frequency = v[0]
-            done, end = 2, at
-            if at == len(raw) and required < 3:
-                raise Truncated(1, 0)
-            v = _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_3.read(raw, at)
-            at += 4
-            high_limit = v[0]
-            done, end = 3, at
-            if at == len(raw) and required < 4:
-                raise Truncated(1, 0)
-            v = _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_4.read(raw, at)
-            at += 4
-            high_limit_uncertainty = v[0]
-            done, end = 4, at
-            if at == len(raw) and required < 5:
-                raise Truncated(1, 0)
-            v = _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_5.read(raw, at)
-            at += 4
-            minimum_uncertainty = v[0]
-            done, end = 5, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(
-            function, enable, frequency, high_limit, high_limit_uncertainty, minimum_uncertainty
-        ), at
-
-    def _write(self) -> bytes:
-        out = _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_GROUPS)
-        if there >= 1:
-            out += _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_1.write(self.enable)
-        if there >= 2:
-            out += _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_2.write(self.frequency)
-        if there >= 3:
-            out += _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_3.write(self.high_limit)
-        if there >= 4:
-            out += _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_4.write(self.high_limit_uncertainty)
-        if there >= 5:
-            out += _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_5.write(self.minimum_uncertainty)
-        return codec.finished(out)
-
-
-_ALTITUDE_AIDING_0 = codec.Block("B", "function")
-_ALTITUDE_AIDING_1 = codec.Block("B", "selector")
-_ALTITUDE_AIDING_GROUPS = ((1, ("selector",), False),)
-
 
 class AltitudeAiding(Command[R]):
     """Altitude aiding (0x0D,0x47).
@@ -6766,8 +4601,7 @@ class AltitudeAiding(Command[R]):
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AltitudeAidingResponse`.
     Probably changes `filter_data.LlhPosition` and `filter_data.LlhPositionUncertainty`. Supported
-    by 3DM-GX5-45. Probably supported by 3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45
-    and 3DM-GX5-25. Known only from the MicroStrain MIP SDK.
+    by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
     GNSS remains the main source of altitude; the aid improves it and bridges outages. Weather and
     location shift the pressure altitude, sometimes by more than 40 m.
@@ -6785,6 +4619,8 @@ class AltitudeAiding(Command[R]):
     ROLE = "command"
     RESPONSES = (AltitudeAidingResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (("function", "B", FunctionSelector), ("selector", "B", AltitudeAidingSource))
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -6830,40 +4666,6 @@ class AltitudeAiding(Command[R]):
             return (AltitudeAidingResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AltitudeAiding[R], int]:
-        selector: AltitudeAidingSource | None = None
-        v = _ALTITUDE_AIDING_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _ALTITUDE_AIDING_1.read(raw, at)
-            at += 1
-            selector = AltitudeAidingSource(v[0])
-            done, end = 1, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, selector), at
-
-    def _write(self) -> bytes:
-        out = _ALTITUDE_AIDING_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _ALTITUDE_AIDING_GROUPS)
-        if there >= 1:
-            out += _ALTITUDE_AIDING_1.write(self.selector)
-        return codec.finished(out)
-
-
-_PITCH_ROLL_AIDING_0 = codec.Block("B", "function")
-_PITCH_ROLL_AIDING_1 = codec.Block("B", "aiding")
-_PITCH_ROLL_AIDING_GROUPS = ((1, ("aiding",), False),)
-
 
 class PitchRollAiding(Command[R]):
     """Pitch and roll aiding (0x0D,0x4B).
@@ -6873,9 +4675,7 @@ class PitchRollAiding(Command[R]):
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `PitchRollAidingResponse`.
     Probably changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`,
     `filter_data.EulerAngles`, `filter_data.EulerAnglesUncertainty` and
-    `filter_data.QuaternionAttitudeUncertainty`. Supported by 3DM-GX5-15 and 3DM-GX5-45. Probably
-    supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25,
-    3DM-CX5-45 and 3DM-GX5-25. Refused by 3DM-CV7-AR.
+    `filter_data.QuaternionAttitudeUncertainty`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
 
     - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
     """
@@ -6890,6 +4690,8 @@ class PitchRollAiding(Command[R]):
     ROLE = "command"
     RESPONSES = (PitchRollAidingResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (("function", "B", FunctionSelector), ("aiding", "B", PitchRollAidingSource))
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -6935,41 +4737,6 @@ class PitchRollAiding(Command[R]):
             return (PitchRollAidingResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[PitchRollAiding[R], int]:
-        aiding: PitchRollAidingSource | None = None
-        v = _PITCH_ROLL_AIDING_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _PITCH_ROLL_AIDING_1.read(raw, at)
-            at += 1
-            aiding = PitchRollAidingSource(v[0])
-            done, end = 1, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, aiding), at
-
-    def _write(self) -> bytes:
-        out = _PITCH_ROLL_AIDING_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _PITCH_ROLL_AIDING_GROUPS)
-        if there >= 1:
-            out += _PITCH_ROLL_AIDING_1.write(self.aiding)
-        return codec.finished(out)
-
-
-_MAGNETIC_INCLINATION_SOURCE_0 = codec.Block("B", "function")
-_MAGNETIC_INCLINATION_SOURCE_1 = codec.Block("B", "source")
-_MAGNETIC_INCLINATION_SOURCE_2 = codec.Block("f", "inclination")
-_MAGNETIC_INCLINATION_SOURCE_GROUPS = ((1, ("source",), False), (2, ("inclination",), False))
-
 
 class MagneticInclinationSource(Command[R]):
     """Magnetic inclination source (0x0D,0x4C).
@@ -6996,6 +4763,12 @@ class MagneticInclinationSource(Command[R]):
     ROLE = "command"
     RESPONSES = (MagneticInclinationSourceResponse,)
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("source", "B", MagParameterSource),
+        ("inclination", "f", None),
+    )
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -7052,50 +4825,6 @@ class MagneticInclinationSource(Command[R]):
             return (MagneticInclinationSourceResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagneticInclinationSource[R], int]:
-        source: MagParameterSource | None = None
-        inclination: float | None = None
-        v = _MAGNETIC_INCLINATION_SOURCE_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _MAGNETIC_INCLINATION_SOURCE_1.read(raw, at)
-            at += 1
-            source = MagParameterSource(v[0])
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _MAGNETIC_INCLINATION_SOURCE_2.read(raw, at)
-            at += 4
-            inclination = v[0]
-            done, end = 2, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, source, inclination), at
-
-    def _write(self) -> bytes:
-        out = _MAGNETIC_INCLINATION_SOURCE_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _MAGNETIC_INCLINATION_SOURCE_GROUPS)
-        if there >= 1:
-            out += _MAGNETIC_INCLINATION_SOURCE_1.write(self.source)
-        if there >= 2:
-            out += _MAGNETIC_INCLINATION_SOURCE_2.write(self.inclination)
-        return codec.finished(out)
-
-
-_MAGNETIC_MAGNITUDE_SOURCE_0 = codec.Block("B", "function")
-_MAGNETIC_MAGNITUDE_SOURCE_1 = codec.Block("B", "source")
-_MAGNETIC_MAGNITUDE_SOURCE_2 = codec.Block("f", "magnitude")
-_MAGNETIC_MAGNITUDE_SOURCE_GROUPS = ((1, ("source",), False), (2, ("magnitude",), False))
-
 
 class MagneticMagnitudeSource(Command[R]):
     """Magnetic field magnitude source (0x0D,0x4D).
@@ -7123,6 +4852,12 @@ class MagneticMagnitudeSource(Command[R]):
     ROLE = "command"
     RESPONSES = (MagneticMagnitudeSourceResponse,)
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("source", "B", MagParameterSource),
+        ("magnitude", "f", None),
+    )
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -7179,49 +4914,6 @@ class MagneticMagnitudeSource(Command[R]):
             return (MagneticMagnitudeSourceResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagneticMagnitudeSource[R], int]:
-        source: MagParameterSource | None = None
-        magnitude: float | None = None
-        v = _MAGNETIC_MAGNITUDE_SOURCE_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _MAGNETIC_MAGNITUDE_SOURCE_1.read(raw, at)
-            at += 1
-            source = MagParameterSource(v[0])
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _MAGNETIC_MAGNITUDE_SOURCE_2.read(raw, at)
-            at += 4
-            magnitude = v[0]
-            done, end = 2, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, source, magnitude), at
-
-    def _write(self) -> bytes:
-        out = _MAGNETIC_MAGNITUDE_SOURCE_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _MAGNETIC_MAGNITUDE_SOURCE_GROUPS)
-        if there >= 1:
-            out += _MAGNETIC_MAGNITUDE_SOURCE_1.write(self.source)
-        if there >= 2:
-            out += _MAGNETIC_MAGNITUDE_SOURCE_2.write(self.magnitude)
-        return codec.finished(out)
-
-
-_SENSOR_TO_VEHICLE_ROTATION_DCM_0 = codec.Block("B", "function")
-_SENSOR_TO_VEHICLE_ROTATION_DCM_1 = codec.Block("fffffffff", *["dcm"] * 9)
-_SENSOR_TO_VEHICLE_ROTATION_DCM_GROUPS = ((1, ("dcm",), False),)
-
 
 class SensorToVehicleRotationDcm(Command[R]):
     """Sensor to vehicle rotation, matrix (0x0D,0x4E).
@@ -7253,6 +4945,9 @@ class SensorToVehicleRotationDcm(Command[R]):
     ROLE = "command"
     RESPONSES = (SensorToVehicleRotationDcmResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (("function", "B", FunctionSelector), ("dcm", "fffffffff", types.Matrix3f))
+    _ALWAYS = 1
+
     _VECTORS = {"dcm": (types.Matrix3f,)}
 
     function: FunctionSelector
@@ -7303,40 +4998,6 @@ class SensorToVehicleRotationDcm(Command[R]):
             return (SensorToVehicleRotationDcmResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleRotationDcm[R], int]:
-        dcm: types.Matrix3f | None = None
-        v = _SENSOR_TO_VEHICLE_ROTATION_DCM_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _SENSOR_TO_VEHICLE_ROTATION_DCM_1.read(raw, at)
-            at += 36
-            dcm = types.Matrix3f._make(v[0:9])
-            done, end = 1, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, dcm), at
-
-    def _write(self) -> bytes:
-        out = _SENSOR_TO_VEHICLE_ROTATION_DCM_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _SENSOR_TO_VEHICLE_ROTATION_DCM_GROUPS)
-        if there >= 1:
-            out += _SENSOR_TO_VEHICLE_ROTATION_DCM_1.write(*codec.elements("dcm", self.dcm, 9))
-        return codec.finished(out)
-
-
-_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_0 = codec.Block("B", "function")
-_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_1 = codec.Block("ffff", *["q"] * 4)
-_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_GROUPS = ((1, ("q",), False),)
-
 
 class SensorToVehicleRotationQuaternion(Command[R]):
     """Sensor to vehicle rotation, quaternion (0x0D,0x4F).
@@ -7367,6 +5028,9 @@ class SensorToVehicleRotationQuaternion(Command[R]):
     ROLE = "command"
     RESPONSES = (SensorToVehicleRotationQuaternionResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (("function", "B", FunctionSelector), ("q", "ffff", types.Quatf))
+    _ALWAYS = 1
+
     _VECTORS = {"q": (types.Quatf,)}
 
     function: FunctionSelector
@@ -7423,41 +5087,6 @@ class SensorToVehicleRotationQuaternion(Command[R]):
             return (SensorToVehicleRotationQuaternionResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleRotationQuaternion[R], int]:
-        q: types.Quatf | None = None
-        v = _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_1.read(raw, at)
-            at += 16
-            q = types.Quatf._make(v[0:4])
-            done, end = 1, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, q), at
-
-    def _write(self) -> bytes:
-        out = _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_GROUPS)
-        if there >= 1:
-            out += _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_1.write(*codec.elements("q", self.q, 4))
-        return codec.finished(out)
-
-
-_AIDING_MEASUREMENT_ENABLE_0 = codec.Block("B", "function")
-_AIDING_MEASUREMENT_ENABLE_1 = codec.Block("H", "aiding_source")
-_AIDING_MEASUREMENT_ENABLE_2 = codec.Block("B", "enable")
-_AIDING_MEASUREMENT_ENABLE_GROUPS = ((1, ("aiding_source",), False), (2, ("enable",), False))
-
 
 class AidingMeasurementEnable(Command[R]):
     """Aiding measurement control (0x0D,0x50).
@@ -7466,9 +5095,7 @@ class AidingMeasurementEnable(Command[R]):
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `AidingMeasurementEnableResponse`. Changes `filter_data.AidingMeasurementSummary`. Probably
-    changes filter_data (0x82). Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably
-    supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS,
-    3DM-GV7-AR and 3DM-GV7-INS.
+    changes filter_data (0x82). Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
     """
@@ -7483,6 +5110,12 @@ class AidingMeasurementEnable(Command[R]):
     ROLE = "command"
     RESPONSES = (AidingMeasurementEnableResponse,)
     REQUIRED = {1: 2, 2: 1, 3: 1, 4: 1, 5: 1}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("aiding_source", "H", AidingSource),
+        ("enable", "B", codec.truth),
+    )
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -7555,55 +5188,6 @@ class AidingMeasurementEnable(Command[R]):
             return (AidingMeasurementEnableResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AidingMeasurementEnable[R], int]:
-        aiding_source: AidingSource | None = None
-        enable: bool | None = None
-        v = _AIDING_MEASUREMENT_ENABLE_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _AIDING_MEASUREMENT_ENABLE_1.read(raw, at)
-            at += 2
-            aiding_source = AidingSource(v[0])
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _AIDING_MEASUREMENT_ENABLE_2.read(raw, at)
-            at += 1
-            enable = codec.truth(v[0])
-            done, end = 2, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, aiding_source, enable), at
-
-    def _write(self) -> bytes:
-        out = _AIDING_MEASUREMENT_ENABLE_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _AIDING_MEASUREMENT_ENABLE_GROUPS)
-        if there >= 1:
-            out += _AIDING_MEASUREMENT_ENABLE_1.write(self.aiding_source)
-        if there >= 2:
-            out += _AIDING_MEASUREMENT_ENABLE_2.write(self.enable)
-        return codec.finished(out)
-
-
-_KINEMATIC_CONSTRAINT_0 = codec.Block("B", "function")
-_KINEMATIC_CONSTRAINT_1 = codec.Block("B", "accel_constraint")
-_KINEMATIC_CONSTRAINT_2 = codec.Block("B", "velocity_constraint")
-_KINEMATIC_CONSTRAINT_3 = codec.Block("B", "angular_constraint")
-_KINEMATIC_CONSTRAINT_GROUPS = (
-    (1, ("accel_constraint",), False),
-    (2, ("velocity_constraint",), False),
-    (3, ("angular_constraint",), False),
-)
-
 
 class KinematicConstraint(Command[R]):
     """Kinematic constraint (0x0D,0x51).
@@ -7630,6 +5214,13 @@ class KinematicConstraint(Command[R]):
     ROLE = "command"
     RESPONSES = (KinematicConstraintResponse,)
     REQUIRED = {1: 3, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("accel_constraint", "B", AccelConstraint),
+        ("velocity_constraint", "B", VelocityConstraint),
+        ("angular_constraint", "B", AngularConstraint),
+    )
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -7696,76 +5287,6 @@ class KinematicConstraint(Command[R]):
             return (KinematicConstraintResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[KinematicConstraint[R], int]:
-        accel_constraint: AccelConstraint | None = None
-        velocity_constraint: VelocityConstraint | None = None
-        angular_constraint: AngularConstraint | None = None
-        v = _KINEMATIC_CONSTRAINT_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _KINEMATIC_CONSTRAINT_1.read(raw, at)
-            at += 1
-            accel_constraint = AccelConstraint(v[0])
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _KINEMATIC_CONSTRAINT_2.read(raw, at)
-            at += 1
-            velocity_constraint = VelocityConstraint(v[0])
-            done, end = 2, at
-            if at == len(raw) and required < 3:
-                raise Truncated(1, 0)
-            v = _KINEMATIC_CONSTRAINT_3.read(raw, at)
-            at += 1
-            angular_constraint = AngularConstraint(v[0])
-            done, end = 3, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, accel_constraint, velocity_constraint, angular_constraint), at
-
-    def _write(self) -> bytes:
-        out = _KINEMATIC_CONSTRAINT_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _KINEMATIC_CONSTRAINT_GROUPS)
-        if there >= 1:
-            out += _KINEMATIC_CONSTRAINT_1.write(self.accel_constraint)
-        if there >= 2:
-            out += _KINEMATIC_CONSTRAINT_2.write(self.velocity_constraint)
-        if there >= 3:
-            out += _KINEMATIC_CONSTRAINT_3.write(self.angular_constraint)
-        return codec.finished(out)
-
-
-_INITIALIZATION_CONFIG_0 = codec.Block("B", "function")
-_INITIALIZATION_CONFIG_1 = codec.Block("B", "wait_for_run_command")
-_INITIALIZATION_CONFIG_2 = codec.Block("B", "initial_condition_source")
-_INITIALIZATION_CONFIG_3 = codec.Block("B", "auto_heading_alignment_selector")
-_INITIALIZATION_CONFIG_4 = codec.Block("f", "initial_heading")
-_INITIALIZATION_CONFIG_5 = codec.Block("f", "initial_pitch")
-_INITIALIZATION_CONFIG_6 = codec.Block("f", "initial_roll")
-_INITIALIZATION_CONFIG_7 = codec.Block("fff", *["initial_position"] * 3)
-_INITIALIZATION_CONFIG_8 = codec.Block("fff", *["initial_velocity"] * 3)
-_INITIALIZATION_CONFIG_9 = codec.Block("B", "reference_frame_selector")
-_INITIALIZATION_CONFIG_GROUPS = (
-    (1, ("wait_for_run_command",), False),
-    (2, ("initial_condition_source",), False),
-    (3, ("auto_heading_alignment_selector",), False),
-    (4, ("initial_heading",), False),
-    (5, ("initial_pitch",), False),
-    (6, ("initial_roll",), False),
-    (7, ("initial_position",), False),
-    (8, ("initial_velocity",), False),
-    (9, ("reference_frame_selector",), False),
-)
-
 
 class InitializationConfig(Command[R]):
     """Navigation filter initialization (0x0D,0x52).
@@ -7777,7 +5298,6 @@ class InitializationConfig(Command[R]):
     `filter_data.LlhPosition`, `filter_data.EcefPosition`, `filter_data.NedVelocity`,
     `filter_data.EcefVelocity`, `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and
     `filter_data.EulerAngles`. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GQ7-GNSS/INS.
-    Probably supported by 3DM-CX7-INS and 3DM-GV7-INS.
 
     Single precision resolves the latitude and longitude of the initial position to about a metre
     only. Kinematic alignment sets the heading once the speed reaches 2 m/s. External alignment
@@ -7818,6 +5338,20 @@ class InitializationConfig(Command[R]):
     ROLE = "command"
     RESPONSES = (InitializationConfigResponse,)
     REQUIRED = {1: 9, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("wait_for_run_command", "B", None),
+        ("initial_condition_source", "B", InitialConditionSource),
+        ("auto_heading_alignment_selector", "B", HeadingAlignment),
+        ("initial_heading", "f", None),
+        ("initial_pitch", "f", None),
+        ("initial_roll", "f", None),
+        ("initial_position", "fff", types.Vector3f),
+        ("initial_velocity", "fff", types.Vector3f),
+        ("reference_frame_selector", "B", ReferenceFrame),
+    )
+    _ALWAYS = 1
+
     _VECTORS = {"initial_position": (types.Vector3f,), "initial_velocity": (types.Vector3f,)}
 
     function: FunctionSelector
@@ -7937,128 +5471,6 @@ class InitializationConfig(Command[R]):
             return (InitializationConfigResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[InitializationConfig[R], int]:
-        wait_for_run_command: int | None = None
-        initial_condition_source: InitialConditionSource | None = None
-        auto_heading_alignment_selector: HeadingAlignment | None = None
-        initial_heading: float | None = None
-        initial_pitch: float | None = None
-        initial_roll: float | None = None
-        initial_position: types.Vector3f | None = None
-        initial_velocity: types.Vector3f | None = None
-        reference_frame_selector: ReferenceFrame | None = None
-        v = _INITIALIZATION_CONFIG_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _INITIALIZATION_CONFIG_1.read(raw, at)
-            at += 1
-            wait_for_run_command = v[0]
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _INITIALIZATION_CONFIG_2.read(raw, at)
-            at += 1
-            initial_condition_source = InitialConditionSource(v[0])
-            done, end = 2, at
-            if at == len(raw) and required < 3:
-                raise Truncated(1, 0)
-            v = _INITIALIZATION_CONFIG_3.read(raw, at)
-            at += 1
-            auto_heading_alignment_selector = HeadingAlignment(v[0])
-            done, end = 3, at
-            if at == len(raw) and required < 4:
-                raise Truncated(1, 0)
-            v = _INITIALIZATION_CONFIG_4.read(raw, at)
-            at += 4
-            initial_heading = v[0]
-            done, end = 4, at
-            if at == len(raw) and required < 5:
-                raise Truncated(1, 0)
-            v = _INITIALIZATION_CONFIG_5.read(raw, at)
-            at += 4
-            initial_pitch = v[0]
-            done, end = 5, at
-            if at == len(raw) and required < 6:
-                raise Truncated(1, 0)
-            v = _INITIALIZATION_CONFIG_6.read(raw, at)
-            at += 4
-            initial_roll = v[0]
-            done, end = 6, at
-            if at == len(raw) and required < 7:
-                raise Truncated(1, 0)
-            v = _INITIALIZATION_CONFIG_7.read(raw, at)
-            at += 12
-            initial_position = types.Vector3f._make(v[0:3])
-            done, end = 7, at
-            if at == len(raw) and required < 8:
-                raise Truncated(1, 0)
-            v = _INITIALIZATION_CONFIG_8.read(raw, at)
-            at += 12
-            initial_velocity = types.Vector3f._make(v[0:3])
-            done, end = 8, at
-            if at == len(raw) and required < 9:
-                raise Truncated(1, 0)
-            v = _INITIALIZATION_CONFIG_9.read(raw, at)
-            at += 1
-            reference_frame_selector = ReferenceFrame(v[0])
-            done, end = 9, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(
-            function,
-            wait_for_run_command,
-            initial_condition_source,
-            auto_heading_alignment_selector,
-            initial_heading,
-            initial_pitch,
-            initial_roll,
-            initial_position,
-            initial_velocity,
-            reference_frame_selector,
-        ), at
-
-    def _write(self) -> bytes:
-        out = _INITIALIZATION_CONFIG_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _INITIALIZATION_CONFIG_GROUPS)
-        if there >= 1:
-            out += _INITIALIZATION_CONFIG_1.write(self.wait_for_run_command)
-        if there >= 2:
-            out += _INITIALIZATION_CONFIG_2.write(self.initial_condition_source)
-        if there >= 3:
-            out += _INITIALIZATION_CONFIG_3.write(self.auto_heading_alignment_selector)
-        if there >= 4:
-            out += _INITIALIZATION_CONFIG_4.write(self.initial_heading)
-        if there >= 5:
-            out += _INITIALIZATION_CONFIG_5.write(self.initial_pitch)
-        if there >= 6:
-            out += _INITIALIZATION_CONFIG_6.write(self.initial_roll)
-        if there >= 7:
-            out += _INITIALIZATION_CONFIG_7.write(
-                *codec.elements("initial_position", self.initial_position, 3)
-            )
-        if there >= 8:
-            out += _INITIALIZATION_CONFIG_8.write(
-                *codec.elements("initial_velocity", self.initial_velocity, 3)
-            )
-        if there >= 9:
-            out += _INITIALIZATION_CONFIG_9.write(self.reference_frame_selector)
-        return codec.finished(out)
-
-
-_ADAPTIVE_FILTER_OPTIONS_0 = codec.Block("B", "function")
-_ADAPTIVE_FILTER_OPTIONS_1 = codec.Block("B", "level")
-_ADAPTIVE_FILTER_OPTIONS_2 = codec.Block("H", "time_limit")
-_ADAPTIVE_FILTER_OPTIONS_GROUPS = ((1, ("level",), False), (2, ("time_limit",), False))
-
 
 class AdaptiveFilterOptions(Command[R]):
     """Adaptive filter control (0x0D,0x53).
@@ -8067,9 +5479,7 @@ class AdaptiveFilterOptions(Command[R]):
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `AdaptiveFilterOptionsResponse`. Probably changes filter_data (0x82). Supported by
-    3DM-CV7-GNSS/INS. Probably supported by 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS,
-    3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR,
-    3DM-GV7-INS and 3DM-GX5-45.
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
     """
@@ -8084,6 +5494,12 @@ class AdaptiveFilterOptions(Command[R]):
     ROLE = "command"
     RESPONSES = (AdaptiveFilterOptionsResponse,)
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("level", "B", AdaptiveLevel),
+        ("time_limit", "H", None),
+    )
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -8142,50 +5558,6 @@ class AdaptiveFilterOptions(Command[R]):
             return (AdaptiveFilterOptionsResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AdaptiveFilterOptions[R], int]:
-        level: AdaptiveLevel | None = None
-        time_limit: int | None = None
-        v = _ADAPTIVE_FILTER_OPTIONS_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _ADAPTIVE_FILTER_OPTIONS_1.read(raw, at)
-            at += 1
-            level = AdaptiveLevel(v[0])
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _ADAPTIVE_FILTER_OPTIONS_2.read(raw, at)
-            at += 2
-            time_limit = v[0]
-            done, end = 2, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, level, time_limit), at
-
-    def _write(self) -> bytes:
-        out = _ADAPTIVE_FILTER_OPTIONS_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _ADAPTIVE_FILTER_OPTIONS_GROUPS)
-        if there >= 1:
-            out += _ADAPTIVE_FILTER_OPTIONS_1.write(self.level)
-        if there >= 2:
-            out += _ADAPTIVE_FILTER_OPTIONS_2.write(self.time_limit)
-        return codec.finished(out)
-
-
-_MULTI_ANTENNA_OFFSET_0 = codec.Block("B", "function")
-_MULTI_ANTENNA_OFFSET_1 = codec.Block("B", "receiver_id")
-_MULTI_ANTENNA_OFFSET_2 = codec.Block("fff", *["antenna_offset"] * 3)
-_MULTI_ANTENNA_OFFSET_GROUPS = ((1, ("receiver_id",), False), (2, ("antenna_offset",), False))
-
 
 class MultiAntennaOffset(Command[R]):
     """GNSS multi-antenna offset (0x0D,0x54).
@@ -8196,9 +5568,8 @@ class MultiAntennaOffset(Command[R]):
     `MultiAntennaOffsetResponse`. Probably changes `filter_data.LlhPosition`,
     `filter_data.EcefPosition`, `filter_data.NedVelocity`, `filter_data.EcefVelocity`,
     `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
-    `filter_data.MultiAntennaOffsetCorrection` and `filter_data.GnssDualAntennaStatus`. Flagged by
-    `filter_data.Cv7StatusFlags.ANTENNA_LEVER_ARM_WARNING` of `filter_data.Cv7StatusFlags`.
-    Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-GQ7-GNSS/INS. Refused by 3DM-GX3-25.
+    `filter_data.MultiAntennaOffsetCorrection` and `filter_data.GnssDualAntennaStatus`. Supported by
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54)
     """
@@ -8213,6 +5584,13 @@ class MultiAntennaOffset(Command[R]):
     ROLE = "command"
     RESPONSES = (MultiAntennaOffsetResponse,)
     REQUIRED = {1: 2, 2: 1, 3: 1, 4: 1, 5: 1}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("receiver_id", "B", None),
+        ("antenna_offset", "fff", types.Vector3f),
+    )
+    _ALWAYS = 1
+
     _VECTORS = {"antenna_offset": (types.Vector3f,)}
 
     function: FunctionSelector
@@ -8273,57 +5651,6 @@ class MultiAntennaOffset(Command[R]):
             return (MultiAntennaOffsetResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MultiAntennaOffset[R], int]:
-        receiver_id: int | None = None
-        antenna_offset: types.Vector3f | None = None
-        v = _MULTI_ANTENNA_OFFSET_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _MULTI_ANTENNA_OFFSET_1.read(raw, at)
-            at += 1
-            receiver_id = v[0]
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _MULTI_ANTENNA_OFFSET_2.read(raw, at)
-            at += 12
-            antenna_offset = types.Vector3f._make(v[0:3])
-            done, end = 2, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, receiver_id, antenna_offset), at
-
-    def _write(self) -> bytes:
-        out = _MULTI_ANTENNA_OFFSET_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _MULTI_ANTENNA_OFFSET_GROUPS)
-        if there >= 1:
-            out += _MULTI_ANTENNA_OFFSET_1.write(self.receiver_id)
-        if there >= 2:
-            out += _MULTI_ANTENNA_OFFSET_2.write(
-                *codec.elements("antenna_offset", self.antenna_offset, 3)
-            )
-        return codec.finished(out)
-
-
-_RELATIVE_POSITION_CONFIG_0 = codec.Block("B", "function")
-_RELATIVE_POSITION_CONFIG_1 = codec.Block("B", "source")
-_RELATIVE_POSITION_CONFIG_2 = codec.Block("B", "reference_frame_selector")
-_RELATIVE_POSITION_CONFIG_3 = codec.Block("ddd", *["reference_coordinates"] * 3)
-_RELATIVE_POSITION_CONFIG_GROUPS = (
-    (1, ("source",), False),
-    (2, ("reference_frame_selector",), False),
-    (3, ("reference_coordinates",), False),
-)
-
 
 class RelativePositionConfig(Command[R]):
     """Relative position configuration (0x0D,0x55).
@@ -8332,8 +5659,7 @@ class RelativePositionConfig(Command[R]):
 
     Also called `rel_pos_configuration`. Functions: `write`, `read`, `save`, `load` and `default`.
     Answered by `RelativePositionConfigResponse`. Changes `filter_data.NedRelativePosition`.
-    Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS
-    and 3DM-GV7-INS.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
     """
@@ -8348,6 +5674,14 @@ class RelativePositionConfig(Command[R]):
     ROLE = "command"
     RESPONSES = (RelativePositionConfigResponse,)
     REQUIRED = {1: 3, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("source", "B", RelativePositionSource),
+        ("reference_frame_selector", "B", ReferenceFrame),
+        ("reference_coordinates", "ddd", types.Vector3d),
+    )
+    _ALWAYS = 1
+
     _VECTORS = {"reference_coordinates": (types.Vector3d,)}
 
     function: FunctionSelector
@@ -8419,64 +5753,6 @@ class RelativePositionConfig(Command[R]):
             return (RelativePositionConfigResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[RelativePositionConfig[R], int]:
-        source: RelativePositionSource | None = None
-        reference_frame_selector: ReferenceFrame | None = None
-        reference_coordinates: types.Vector3d | None = None
-        v = _RELATIVE_POSITION_CONFIG_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _RELATIVE_POSITION_CONFIG_1.read(raw, at)
-            at += 1
-            source = RelativePositionSource(v[0])
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _RELATIVE_POSITION_CONFIG_2.read(raw, at)
-            at += 1
-            reference_frame_selector = ReferenceFrame(v[0])
-            done, end = 2, at
-            if at == len(raw) and required < 3:
-                raise Truncated(1, 0)
-            v = _RELATIVE_POSITION_CONFIG_3.read(raw, at)
-            at += 24
-            reference_coordinates = types.Vector3d._make(v[0:3])
-            done, end = 3, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, source, reference_frame_selector, reference_coordinates), at
-
-    def _write(self) -> bytes:
-        out = _RELATIVE_POSITION_CONFIG_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _RELATIVE_POSITION_CONFIG_GROUPS)
-        if there >= 1:
-            out += _RELATIVE_POSITION_CONFIG_1.write(self.source)
-        if there >= 2:
-            out += _RELATIVE_POSITION_CONFIG_2.write(self.reference_frame_selector)
-        if there >= 3:
-            out += _RELATIVE_POSITION_CONFIG_3.write(
-                *codec.elements("reference_coordinates", self.reference_coordinates, 3)
-            )
-        return codec.finished(out)
-
-
-_REFERENCE_POINT_LEVER_ARM_0 = codec.Block("B", "function")
-_REFERENCE_POINT_LEVER_ARM_1 = codec.Block("B", "reference_point")
-_REFERENCE_POINT_LEVER_ARM_2 = codec.Block("fff", *["lever_arm_offset"] * 3)
-_REFERENCE_POINT_LEVER_ARM_GROUPS = (
-    (1, ("reference_point",), False),
-    (2, ("lever_arm_offset",), False),
-)
-
 
 class ReferencePointLeverArm(Command[R]):
     """Reference point lever arm (0x0D,0x56).
@@ -8486,8 +5762,7 @@ class ReferencePointLeverArm(Command[R]):
     Also called `ref_point_lever_arm`. Functions: `write`, `read`, `save`, `load` and `default`.
     Answered by `ReferencePointLeverArmResponse`. Changes `filter_data.LlhPosition`,
     `filter_data.EcefPosition`, `filter_data.NedVelocity`, `filter_data.EcefVelocity` and
-    `filter_data.NedRelativePosition`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
-    3DM-CV7-INS, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS and 3DM-GV7-INS.
+    `filter_data.NedRelativePosition`. Supported by 3DM-CV7-GNSS/INS.
 
     The shift of positions depends on the attitude, that of velocities on the angular rate as well.
 
@@ -8504,6 +5779,13 @@ class ReferencePointLeverArm(Command[R]):
     ROLE = "command"
     RESPONSES = (ReferencePointLeverArmResponse,)
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("reference_point", "B", ReferencePoint),
+        ("lever_arm_offset", "fff", types.Vector3f),
+    )
+    _ALWAYS = 1
+
     _VECTORS = {"lever_arm_offset": (types.Vector3f,)}
 
     function: FunctionSelector
@@ -8566,49 +5848,6 @@ class ReferencePointLeverArm(Command[R]):
             return (ReferencePointLeverArmResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ReferencePointLeverArm[R], int]:
-        reference_point: ReferencePoint | None = None
-        lever_arm_offset: types.Vector3f | None = None
-        v = _REFERENCE_POINT_LEVER_ARM_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _REFERENCE_POINT_LEVER_ARM_1.read(raw, at)
-            at += 1
-            reference_point = ReferencePoint(v[0])
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _REFERENCE_POINT_LEVER_ARM_2.read(raw, at)
-            at += 12
-            lever_arm_offset = types.Vector3f._make(v[0:3])
-            done, end = 2, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, reference_point, lever_arm_offset), at
-
-    def _write(self) -> bytes:
-        out = _REFERENCE_POINT_LEVER_ARM_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _REFERENCE_POINT_LEVER_ARM_GROUPS)
-        if there >= 1:
-            out += _REFERENCE_POINT_LEVER_ARM_1.write(self.reference_point)
-        if there >= 2:
-            out += _REFERENCE_POINT_LEVER_ARM_2.write(
-                *codec.elements("lever_arm_offset", self.lever_arm_offset, 3)
-            )
-        return codec.finished(out)
-
-
-_SPEED_MEASUREMENT_0 = codec.Block("Bfff", "source", "tow", "speed", "speed_uncertainty")
-
 
 class SpeedMeasurement(Command[None]):
     """Speed measurement (0x0D,0x60).
@@ -8658,26 +5897,6 @@ class SpeedMeasurement(Command[None]):
         self.speed = speed
         self.speed_uncertainty = speed_uncertainty
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SpeedMeasurement, int]:
-        v = _SPEED_MEASUREMENT_0.read(raw, at)
-        at += 13
-        source = v[0]
-        tow = v[1]
-        speed = v[2]
-        speed_uncertainty = v[3]
-        return cls(tow, speed, speed_uncertainty, source=source), at
-
-    def _write(self) -> bytes:
-        out = _SPEED_MEASUREMENT_0.write(self.source, self.tow, self.speed, self.speed_uncertainty)
-        return codec.finished(out)
-
-
-_SPEED_LEVER_ARM_0 = codec.Block("B", "function")
-_SPEED_LEVER_ARM_1 = codec.Block("B", "source")
-_SPEED_LEVER_ARM_2 = codec.Block("fff", *["lever_arm_offset"] * 3)
-_SPEED_LEVER_ARM_GROUPS = ((1, ("source",), False), (2, ("lever_arm_offset",), False))
-
 
 class SpeedLeverArm(Command[R]):
     """Speed measurement lever arm (0x0D,0x61).
@@ -8687,8 +5906,7 @@ class SpeedLeverArm(Command[R]):
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `SpeedLeverArmResponse`.
     Probably changes `filter_data.NedVelocity`, `filter_data.EcefVelocity` and
-    `filter_data.OdometerScaleFactorError`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
-    3DM-GQ7-GNSS/INS.
+    `filter_data.OdometerScaleFactorError`. Supported by 3DM-CV7-GNSS/INS.
 
     It corrects for the part of the speed at that point that is due to the rotation of the vehicle.
 
@@ -8705,6 +5923,13 @@ class SpeedLeverArm(Command[R]):
     ROLE = "command"
     RESPONSES = (SpeedLeverArmResponse,)
     REQUIRED = {1: 2, 2: 1, 3: 1, 4: 1, 5: 1}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("source", "B", None),
+        ("lever_arm_offset", "fff", types.Vector3f),
+    )
+    _ALWAYS = 1
+
     _VECTORS = {"lever_arm_offset": (types.Vector3f,)}
 
     function: FunctionSelector
@@ -8759,51 +5984,6 @@ class SpeedLeverArm(Command[R]):
             return (SpeedLeverArmResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SpeedLeverArm[R], int]:
-        source: int | None = None
-        lever_arm_offset: types.Vector3f | None = None
-        v = _SPEED_LEVER_ARM_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _SPEED_LEVER_ARM_1.read(raw, at)
-            at += 1
-            source = v[0]
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _SPEED_LEVER_ARM_2.read(raw, at)
-            at += 12
-            lever_arm_offset = types.Vector3f._make(v[0:3])
-            done, end = 2, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, source, lever_arm_offset), at
-
-    def _write(self) -> bytes:
-        out = _SPEED_LEVER_ARM_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _SPEED_LEVER_ARM_GROUPS)
-        if there >= 1:
-            out += _SPEED_LEVER_ARM_1.write(self.source)
-        if there >= 2:
-            out += _SPEED_LEVER_ARM_2.write(
-                *codec.elements("lever_arm_offset", self.lever_arm_offset, 3)
-            )
-        return codec.finished(out)
-
-
-_VERTICAL_GYRO_CONSTRAINT_CONTROL_0 = codec.Block("B", "function")
-_VERTICAL_GYRO_CONSTRAINT_CONTROL_1 = codec.Block("B", "enable")
-_VERTICAL_GYRO_CONSTRAINT_CONTROL_GROUPS = ((1, ("enable",), False),)
-
 
 class VerticalGyroConstraintControl(Command[R]):
     """Vertical gyro constraint (0x0D,0x62).
@@ -8830,6 +6010,8 @@ class VerticalGyroConstraintControl(Command[R]):
     ROLE = "command"
     RESPONSES = (VerticalGyroConstraintControlResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (("function", "B", FunctionSelector), ("enable", "B", None))
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -8881,40 +6063,6 @@ class VerticalGyroConstraintControl(Command[R]):
             return (VerticalGyroConstraintControlResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[VerticalGyroConstraintControl[R], int]:
-        enable: int | None = None
-        v = _VERTICAL_GYRO_CONSTRAINT_CONTROL_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _VERTICAL_GYRO_CONSTRAINT_CONTROL_1.read(raw, at)
-            at += 1
-            enable = v[0]
-            done, end = 1, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, enable), at
-
-    def _write(self) -> bytes:
-        out = _VERTICAL_GYRO_CONSTRAINT_CONTROL_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _VERTICAL_GYRO_CONSTRAINT_CONTROL_GROUPS)
-        if there >= 1:
-            out += _VERTICAL_GYRO_CONSTRAINT_CONTROL_1.write(self.enable)
-        return codec.finished(out)
-
-
-_WHEELED_VEHICLE_CONSTRAINT_CONTROL_0 = codec.Block("B", "function")
-_WHEELED_VEHICLE_CONSTRAINT_CONTROL_1 = codec.Block("B", "enable")
-_WHEELED_VEHICLE_CONSTRAINT_CONTROL_GROUPS = ((1, ("enable",), False),)
-
 
 class WheeledVehicleConstraintControl(Command[R]):
     """Wheeled vehicle constraint (0x0D,0x63).
@@ -8924,8 +6072,7 @@ class WheeledVehicleConstraintControl(Command[R]):
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `WheeledVehicleConstraintControlResponse`. Probably changes `filter_data.NedVelocity`,
     `filter_data.EcefVelocity`, `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and
-    `filter_data.EulerAngles`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
-    3DM-GQ7-GNSS/INS.
+    `filter_data.EulerAngles`. Supported by 3DM-CV7-GNSS/INS.
 
     It improves the heading of cars and similar vehicles, especially with intermittent GNSS. Do not
     use it for vehicles that move sideways, such as aircraft.
@@ -8943,6 +6090,8 @@ class WheeledVehicleConstraintControl(Command[R]):
     ROLE = "command"
     RESPONSES = (WheeledVehicleConstraintControlResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (("function", "B", FunctionSelector), ("enable", "B", None))
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -8994,41 +6143,6 @@ class WheeledVehicleConstraintControl(Command[R]):
             return (WheeledVehicleConstraintControlResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[WheeledVehicleConstraintControl[R], int]:
-        enable: int | None = None
-        v = _WHEELED_VEHICLE_CONSTRAINT_CONTROL_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _WHEELED_VEHICLE_CONSTRAINT_CONTROL_1.read(raw, at)
-            at += 1
-            enable = v[0]
-            done, end = 1, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, enable), at
-
-    def _write(self) -> bytes:
-        out = _WHEELED_VEHICLE_CONSTRAINT_CONTROL_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _WHEELED_VEHICLE_CONSTRAINT_CONTROL_GROUPS)
-        if there >= 1:
-            out += _WHEELED_VEHICLE_CONSTRAINT_CONTROL_1.write(self.enable)
-        return codec.finished(out)
-
-
-_GNSS_ANTENNA_CALIBRATION_CONTROL_0 = codec.Block("B", "function")
-_GNSS_ANTENNA_CALIBRATION_CONTROL_1 = codec.Block("B", "enable")
-_GNSS_ANTENNA_CALIBRATION_CONTROL_2 = codec.Block("f", "max_offset")
-_GNSS_ANTENNA_CALIBRATION_CONTROL_GROUPS = ((1, ("enable",), False), (2, ("max_offset",), False))
-
 
 class GnssAntennaCalibrationControl(Command[R]):
     """GNSS antenna offset calibration (0x0D,0x64).
@@ -9055,6 +6169,12 @@ class GnssAntennaCalibrationControl(Command[R]):
     ROLE = "command"
     RESPONSES = (GnssAntennaCalibrationControlResponse,)
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("enable", "B", None),
+        ("max_offset", "f", None),
+    )
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -9114,44 +6234,6 @@ class GnssAntennaCalibrationControl(Command[R]):
         if self.function == FunctionSelector.READ:
             return (GnssAntennaCalibrationControlResponse,)
         return ()
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssAntennaCalibrationControl[R], int]:
-        enable: int | None = None
-        max_offset: float | None = None
-        v = _GNSS_ANTENNA_CALIBRATION_CONTROL_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _GNSS_ANTENNA_CALIBRATION_CONTROL_1.read(raw, at)
-            at += 1
-            enable = v[0]
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _GNSS_ANTENNA_CALIBRATION_CONTROL_2.read(raw, at)
-            at += 4
-            max_offset = v[0]
-            done, end = 2, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, enable, max_offset), at
-
-    def _write(self) -> bytes:
-        out = _GNSS_ANTENNA_CALIBRATION_CONTROL_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _GNSS_ANTENNA_CALIBRATION_CONTROL_GROUPS)
-        if there >= 1:
-            out += _GNSS_ANTENNA_CALIBRATION_CONTROL_1.write(self.enable)
-        if there >= 2:
-            out += _GNSS_ANTENNA_CALIBRATION_CONTROL_2.write(self.max_offset)
-        return codec.finished(out)
 
 
 VehicleDynamicsModeResponse.COMMANDS = (VehicleDynamicsMode,)

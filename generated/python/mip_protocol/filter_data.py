@@ -362,25 +362,12 @@ class Cv7StatusFlags(IntFlag):
         return Cv7StatusFlags(int(self) & ~0xF000 | value << 12)
 
 
-_LLH_POSITION_0 = codec.Block("dddH", "latitude", "longitude", "ellipsoid_height", "valid_flags")
-
-
 class LlhPosition(Data):
     """LLH position (0x82,0x01).
 
     Estimated position.
 
-    Also called `position_llh`. Changed by `filter.SensorToVehicleOffset` and
-    `filter.ReferencePointLeverArm`. Probably changed by `filter.AntennaOffset`,
-    `filter.GnssSource`, `filter.PressureAltitudeNoise`, `filter.AltitudeAiding`,
-    `filter.InitializationConfig` and `filter.MultiAntennaOffset`. Flagged by
-    `Gx5StatusFlags.RUN_GPS_UNAVAILABLE` of `Gx5StatusFlags`,
-    `Gx5StatusFlags.RUN_POSITION_COVARIANCE_WARNING` of `Gx5StatusFlags`,
-    `Gx5StatusFlags.INIT_NO_POSITION_VELOCITY` of `Gx5StatusFlags` and
-    `Cv7StatusFlags.POSITION_WARNING` of `Cv7StatusFlags`. Supported by 3DM-CV7-GNSS/INS and
-    3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-45, 3DM-CX7-INS,
-    3DM-GQ4-45, 3DM-GV7-INS, 3DM-GX3-45, 3DM-GX4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
-    Refused by 3DM-GX3-25 and 3DM-GX5-25.
+    Also called `position_llh`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: LLH Position (0x82,0x01)
     """
@@ -423,42 +410,13 @@ class LlhPosition(Data):
         self.ellipsoid_height = ellipsoid_height
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[LlhPosition, int]:
-        v = _LLH_POSITION_0.read(raw, at)
-        at += 26
-        latitude = v[0]
-        longitude = v[1]
-        ellipsoid_height = v[2]
-        valid_flags = ValidFlags(v[3])
-        return cls(latitude, longitude, ellipsoid_height, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _LLH_POSITION_0.write(
-            self.latitude, self.longitude, self.ellipsoid_height, self.valid_flags
-        )
-        return codec.finished(out)
-
-
-_NED_VELOCITY_0 = codec.Block("fffH", "north", "east", "down", "valid_flags")
-
 
 class NedVelocity(Data):
     """NED velocity (0x82,0x02).
 
     Estimated velocity.
 
-    Also called `velocity_ned`. Changed by `filter.ReferencePointLeverArm`. Probably changed by
-    `filter.AntennaOffset`, `filter.GnssSource`, `filter.AutoZupt`, `filter.CommandedZupt`,
-    `filter.KinematicConstraint`, `filter.InitializationConfig`, `filter.MultiAntennaOffset`,
-    `filter.SpeedLeverArm` and `filter.WheeledVehicleConstraintControl`. Flagged by
-    `Gx5StatusFlags.RUN_GPS_UNAVAILABLE` of `Gx5StatusFlags`,
-    `Gx5StatusFlags.RUN_VELOCITY_COVARIANCE_WARNING` of `Gx5StatusFlags`,
-    `Gx5StatusFlags.INIT_NO_POSITION_VELOCITY` of `Gx5StatusFlags` and
-    `Cv7StatusFlags.VELOCITY_WARNING` of `Cv7StatusFlags`. Supported by 3DM-CV7-GNSS/INS and
-    3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-45, 3DM-CX7-INS,
-    3DM-GQ4-45, 3DM-GV7-INS, 3DM-GX3-45, 3DM-GX4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
-    Refused by 3DM-GX3-25 and 3DM-GX5-25.
+    Also called `velocity_ned`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Velocity NED (0x82,0x02)
     """
@@ -499,48 +457,13 @@ class NedVelocity(Data):
         self.down = down
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[NedVelocity, int]:
-        v = _NED_VELOCITY_0.read(raw, at)
-        at += 14
-        north = v[0]
-        east = v[1]
-        down = v[2]
-        valid_flags = ValidFlags(v[3])
-        return cls(north, east, down, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _NED_VELOCITY_0.write(self.north, self.east, self.down, self.valid_flags)
-        return codec.finished(out)
-
-
-_ATTITUDE_QUATERNION_0 = codec.Block("ffffH", *["q"] * 4, "valid_flags")
-
 
 class AttitudeQuaternion(Data):
     """Attitude quaternion (0x82,0x03).
 
     Estimated orientation of the vehicle frame in the NED frame as a quaternion.
 
-    Changed by `mip_3dm.SensorToVehicleTransformEuler`,
-    `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm`,
-    `filter.SetInitialAttitude`, `filter.SetInitialHeading`, `filter.SetInitialAttitudeFromImu`,
-    `filter.SensorToVehicleRotationEuler`, `filter.TareOrientation`,
-    `filter.SensorToVehicleRotationDcm` and `filter.SensorToVehicleRotationQuaternion`. Probably
-    changed by `filter.HeadingSource`, `filter.AutoAngularZupt`, `filter.CommandedAngularZupt`,
-    `filter.EnableMeasurements`, `filter.MagneticDeclinationSource`,
-    `filter.AccelMagnitudeErrorAdaptiveMeasurement`, `filter.MagMagnitudeErrorAdaptiveMeasurement`,
-    `filter.MagDipAngleErrorAdaptiveMeasurement`, `filter.PitchRollAiding`,
-    `filter.MagneticInclinationSource`, `filter.MagneticMagnitudeSource`,
-    `filter.KinematicConstraint`, `filter.InitializationConfig`, `filter.MultiAntennaOffset`,
-    `filter.VerticalGyroConstraintControl` and `filter.WheeledVehicleConstraintControl`. Flagged by
-    `Gx5StatusFlags.INIT_NO_ATTITUDE` of `Gx5StatusFlags`, `Cv7StatusFlags.ROLL_PITCH_WARNING` of
-    `Cv7StatusFlags` and `Cv7StatusFlags.HEADING_WARNING` of `Cv7StatusFlags`. Supported by
-    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15. Probably supported
-    by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15,
-    3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR,
-    3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45. Refused by
-    3DM-GX3-25.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
 
     `v_vehicle = q^-1 * v_ned * q`. The 3DM-GX5-15 manual documents the inverse rotation.
 
@@ -557,6 +480,7 @@ class AttitudeQuaternion(Data):
     NAME = "filter_data.attitude_quaternion"
     ROLE = "data"
     _LAYOUT = (("q", "ffff", types.Quatf), ("valid_flags", "H", ValidFlags))
+
     _VECTORS = {"q": (types.Quatf,)}
 
     q: types.Quatf
@@ -570,45 +494,13 @@ class AttitudeQuaternion(Data):
         self.q = codec.vector(q, types.Quatf)
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AttitudeQuaternion, int]:
-        v = _ATTITUDE_QUATERNION_0.read(raw, at)
-        at += 18
-        q = types.Quatf._make(v[0:4])
-        valid_flags = ValidFlags(v[4])
-        return cls(q, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _ATTITUDE_QUATERNION_0.write(*codec.elements("q", self.q, 4), self.valid_flags)
-        return codec.finished(out)
-
-
-_ATTITUDE_DCM_0 = codec.Block("fffffffffH", *["dcm"] * 9, "valid_flags")
-
 
 class AttitudeDcm(Data):
     """Attitude direction cosine matrix (0x82,0x04).
 
     Estimated orientation of the vehicle frame in the NED frame as a rotation matrix.
 
-    Changed by `mip_3dm.SensorToVehicleTransformEuler`,
-    `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm`,
-    `filter.SetInitialAttitude`, `filter.SetInitialHeading`, `filter.SetInitialAttitudeFromImu`,
-    `filter.SensorToVehicleRotationEuler`, `filter.TareOrientation`,
-    `filter.SensorToVehicleRotationDcm` and `filter.SensorToVehicleRotationQuaternion`. Probably
-    changed by `filter.HeadingSource`, `filter.AutoAngularZupt`, `filter.CommandedAngularZupt`,
-    `filter.EnableMeasurements`, `filter.MagneticDeclinationSource`,
-    `filter.AccelMagnitudeErrorAdaptiveMeasurement`, `filter.MagMagnitudeErrorAdaptiveMeasurement`,
-    `filter.MagDipAngleErrorAdaptiveMeasurement`, `filter.PitchRollAiding`,
-    `filter.MagneticInclinationSource`, `filter.MagneticMagnitudeSource`,
-    `filter.KinematicConstraint`, `filter.InitializationConfig`, `filter.MultiAntennaOffset`,
-    `filter.VerticalGyroConstraintControl` and `filter.WheeledVehicleConstraintControl`. Flagged by
-    `Gx5StatusFlags.INIT_NO_ATTITUDE` of `Gx5StatusFlags`, `Cv7StatusFlags.ROLL_PITCH_WARNING` of
-    `Cv7StatusFlags` and `Cv7StatusFlags.HEADING_WARNING` of `Cv7StatusFlags`. Supported by
-    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45. Probably supported by
-    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25,
-    3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR,
-    3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45 and 3DM-GX5-25.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
 
     The matrix transforms vectors from the NED frame to the vehicle frame: `v_vehicle = dcm *
     v_ned`.
@@ -626,6 +518,7 @@ class AttitudeDcm(Data):
     NAME = "filter_data.attitude_dcm"
     ROLE = "data"
     _LAYOUT = (("dcm", "fffffffff", types.Matrix3f), ("valid_flags", "H", ValidFlags))
+
     _VECTORS = {"dcm": (types.Matrix3f,)}
 
     dcm: types.Matrix3f
@@ -640,48 +533,14 @@ class AttitudeDcm(Data):
         self.dcm = codec.vector(dcm, types.Matrix3f)
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AttitudeDcm, int]:
-        v = _ATTITUDE_DCM_0.read(raw, at)
-        at += 38
-        dcm = types.Matrix3f._make(v[0:9])
-        valid_flags = ValidFlags(v[9])
-        return cls(dcm, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _ATTITUDE_DCM_0.write(*codec.elements("dcm", self.dcm, 9), self.valid_flags)
-        return codec.finished(out)
-
-
-_EULER_ANGLES_0 = codec.Block("fffH", "roll", "pitch", "yaw", "valid_flags")
-
 
 class EulerAngles(Data):
     """Euler angles (0x82,0x05).
 
     Estimated orientation of the vehicle frame in the NED frame as Euler angles.
 
-    Changed by `mip_3dm.SensorToVehicleTransformEuler`,
-    `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm`,
-    `filter.SetInitialAttitude`, `filter.SetInitialHeading`, `filter.SetInitialAttitudeFromImu`,
-    `filter.SensorToVehicleRotationEuler`, `filter.TareOrientation`,
-    `filter.SensorToVehicleRotationDcm` and `filter.SensorToVehicleRotationQuaternion`. Probably
-    changed by `filter.HeadingSource`, `filter.AutoAngularZupt`, `filter.CommandedAngularZupt`,
-    `filter.EnableMeasurements`, `filter.MagneticDeclinationSource`,
-    `filter.AccelMagnitudeErrorAdaptiveMeasurement`, `filter.MagMagnitudeErrorAdaptiveMeasurement`,
-    `filter.MagDipAngleErrorAdaptiveMeasurement`, `filter.PitchRollAiding`,
-    `filter.MagneticInclinationSource`, `filter.MagneticMagnitudeSource`,
-    `filter.KinematicConstraint`, `filter.InitializationConfig`, `filter.MultiAntennaOffset`,
-    `filter.VerticalGyroConstraintControl` and `filter.WheeledVehicleConstraintControl`. Flagged by
-    `Gx5StatusFlags.RUN_ATTITUDE_COVARIANCE_WARNING` of `Gx5StatusFlags`,
-    `Gx5StatusFlags.INIT_NO_ATTITUDE` of `Gx5StatusFlags`, `Cv7StatusFlags.ROLL_PITCH_WARNING` of
-    `Cv7StatusFlags` and `Cv7StatusFlags.HEADING_WARNING` of `Cv7StatusFlags`. Supported by
-    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
-    Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS,
-    3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ4-45,
-    3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
-    3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Uncertain: The ranges of the angles. Uncertain:
-    which no source states.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and
+    3DM-GX5-45. Uncertain: The ranges of the angles. Uncertain: which no source states.
 
     The rotations apply in the order yaw, pitch, roll (3-2-1).
 
@@ -728,37 +587,13 @@ class EulerAngles(Data):
         self.yaw = yaw
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EulerAngles, int]:
-        v = _EULER_ANGLES_0.read(raw, at)
-        at += 14
-        roll = v[0]
-        pitch = v[1]
-        yaw = v[2]
-        valid_flags = ValidFlags(v[3])
-        return cls(roll, pitch, yaw, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _EULER_ANGLES_0.write(self.roll, self.pitch, self.yaw, self.valid_flags)
-        return codec.finished(out)
-
-
-_GYRO_BIAS_0 = codec.Block("fffH", *["bias"] * 3, "valid_flags")
-
 
 class GyroBias(Data):
     """Gyroscope bias (0x82,0x06).
 
     Estimated bias of the gyroscope.
 
-    Changed by `filter.EstimationControl`. Probably changed by `mip_3dm.GyroBias`,
-    `mip_3dm.CaptureGyroBias`, `filter.GyroBiasModel`, `filter.AutoAngularZupt` and
-    `filter.CommandedAngularZupt`. Flagged by `Gx5StatusFlags.RUN_GYRO_BIAS_EST_HIGH_WARNING` of
-    `Gx5StatusFlags` and `Cv7StatusFlags.IMU_BIAS_WARNING` of `Cv7StatusFlags`. Supported by
-    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GX5-15. Probably supported by 3DM-CL5-15,
-    3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
-    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS,
-    3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Gyro Bias (0x82,0x06)
     - 3dm-gx5-15: 5.2.9 Gyro Bias (0x82, 0x06)
@@ -773,6 +608,7 @@ class GyroBias(Data):
     NAME = "filter_data.gyro_bias"
     ROLE = "data"
     _LAYOUT = (("bias", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
+
     _VECTORS = {"bias": (types.Vector3f,)}
 
     bias: types.Vector3f
@@ -786,32 +622,13 @@ class GyroBias(Data):
         self.bias = codec.vector(bias, types.Vector3f)
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GyroBias, int]:
-        v = _GYRO_BIAS_0.read(raw, at)
-        at += 14
-        bias = types.Vector3f._make(v[0:3])
-        valid_flags = ValidFlags(v[3])
-        return cls(bias, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _GYRO_BIAS_0.write(*codec.elements("bias", self.bias, 3), self.valid_flags)
-        return codec.finished(out)
-
-
-_ACCEL_BIAS_0 = codec.Block("fffH", *["bias"] * 3, "valid_flags")
-
 
 class AccelBias(Data):
     """Accelerometer bias (0x82,0x07).
 
     Estimated bias of the accelerometer.
 
-    Changed by `filter.EstimationControl`. Probably changed by `mip_3dm.AccelBias` and
-    `filter.AccelBiasModel`. Flagged by `Gx5StatusFlags.RUN_ACCEL_BIAS_EST_HIGH_WARNING` of
-    `Gx5StatusFlags` and `Cv7StatusFlags.IMU_BIAS_WARNING` of `Cv7StatusFlags`. Supported by
-    3DM-CV7-GNSS/INS. Probably supported by 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-45, 3DM-CX7-INS,
-    3DM-GQ7-GNSS/INS, 3DM-GV7-INS and 3DM-GX5-45. Refused by 3DM-GX4-25.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Accel Bias (0x82,0x07)
     """
@@ -825,6 +642,7 @@ class AccelBias(Data):
     NAME = "filter_data.accel_bias"
     ROLE = "data"
     _LAYOUT = (("bias", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
+
     _VECTORS = {"bias": (types.Vector3f,)}
 
     bias: types.Vector3f
@@ -838,32 +656,13 @@ class AccelBias(Data):
         self.bias = codec.vector(bias, types.Vector3f)
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AccelBias, int]:
-        v = _ACCEL_BIAS_0.read(raw, at)
-        at += 14
-        bias = types.Vector3f._make(v[0:3])
-        valid_flags = ValidFlags(v[3])
-        return cls(bias, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _ACCEL_BIAS_0.write(*codec.elements("bias", self.bias, 3), self.valid_flags)
-        return codec.finished(out)
-
-
-_LLH_POSITION_UNCERTAINTY_0 = codec.Block("fffH", "north", "east", "down", "valid_flags")
-
 
 class LlhPositionUncertainty(Data):
     """Position uncertainty (0x82,0x08).
 
     Standard deviation of the estimated position, in the NED frame.
 
-    Also called `position_llh_uncertainty`. Probably changed by `filter.AccelNoise`,
-    `filter.PressureAltitudeNoise` and `filter.AltitudeAiding`. Flagged by
-    `Gx5StatusFlags.RUN_POSITION_COVARIANCE_WARNING` of `Gx5StatusFlags`. Supported by
-    3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV5-45, 3DM-CV7-INS,
-    3DM-CX5-45, 3DM-CX7-INS, 3DM-GV7-INS and 3DM-GX5-45. Refused by 3DM-GX3-25 and 3DM-GX5-25.
+    Also called `position_llh_uncertainty`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: LLH Position Uncertainty (0x82,0x08)
     """
@@ -904,34 +703,13 @@ class LlhPositionUncertainty(Data):
         self.down = down
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[LlhPositionUncertainty, int]:
-        v = _LLH_POSITION_UNCERTAINTY_0.read(raw, at)
-        at += 14
-        north = v[0]
-        east = v[1]
-        down = v[2]
-        valid_flags = ValidFlags(v[3])
-        return cls(north, east, down, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _LLH_POSITION_UNCERTAINTY_0.write(self.north, self.east, self.down, self.valid_flags)
-        return codec.finished(out)
-
-
-_NED_VELOCITY_UNCERTAINTY_0 = codec.Block("fffH", "north", "east", "down", "valid_flags")
-
 
 class NedVelocityUncertainty(Data):
     """NED velocity uncertainty (0x82,0x09).
 
     Standard deviation of the estimated velocity.
 
-    Also called `velocity_ned_uncertainty`. Probably changed by `filter.AccelNoise`,
-    `filter.AutoZupt` and `filter.CommandedZupt`. Flagged by
-    `Gx5StatusFlags.RUN_VELOCITY_COVARIANCE_WARNING` of `Gx5StatusFlags`. Supported by
-    3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV5-45, 3DM-CV7-INS,
-    3DM-CX5-45, 3DM-CX7-INS, 3DM-GV7-INS and 3DM-GX5-45. Refused by 3DM-GX3-25.
+    Also called `velocity_ned_uncertainty`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: NED Velocity Uncertainty (0x82,0x09)
     """
@@ -972,38 +750,13 @@ class NedVelocityUncertainty(Data):
         self.down = down
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[NedVelocityUncertainty, int]:
-        v = _NED_VELOCITY_UNCERTAINTY_0.read(raw, at)
-        at += 14
-        north = v[0]
-        east = v[1]
-        down = v[2]
-        valid_flags = ValidFlags(v[3])
-        return cls(north, east, down, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _NED_VELOCITY_UNCERTAINTY_0.write(self.north, self.east, self.down, self.valid_flags)
-        return codec.finished(out)
-
-
-_EULER_ANGLES_UNCERTAINTY_0 = codec.Block("fffH", "roll", "pitch", "yaw", "valid_flags")
-
 
 class EulerAnglesUncertainty(Data):
     """Euler angles uncertainty (0x82,0x0A).
 
     Standard deviation of the estimated Euler angles.
 
-    Probably changed by `filter.GyroNoise`, `filter.GravityNoise`, `filter.EnableMeasurements`,
-    `filter.MagNoise`, `filter.AccelMagnitudeErrorAdaptiveMeasurement`,
-    `filter.MagMagnitudeErrorAdaptiveMeasurement`, `filter.MagDipAngleErrorAdaptiveMeasurement` and
-    `filter.PitchRollAiding`. Flagged by `Gx5StatusFlags.RUN_ATTITUDE_COVARIANCE_WARNING` of
-    `Gx5StatusFlags`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15. Probably
-    supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS,
-    3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR,
-    3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
-    3DM-GX5-25 and 3DM-GX5-45. Refused by 3DM-GX3-25.
+    Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
 
     3DM-GX5: derived from the quaternion, less accurate at steep pitch, and not valid beyond 70
     degrees of pitch up or down.
@@ -1048,35 +801,13 @@ class EulerAnglesUncertainty(Data):
         self.yaw = yaw
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EulerAnglesUncertainty, int]:
-        v = _EULER_ANGLES_UNCERTAINTY_0.read(raw, at)
-        at += 14
-        roll = v[0]
-        pitch = v[1]
-        yaw = v[2]
-        valid_flags = ValidFlags(v[3])
-        return cls(roll, pitch, yaw, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _EULER_ANGLES_UNCERTAINTY_0.write(self.roll, self.pitch, self.yaw, self.valid_flags)
-        return codec.finished(out)
-
-
-_GYRO_BIAS_UNCERTAINTY_0 = codec.Block("fffH", *["bias_uncertainty"] * 3, "valid_flags")
-
 
 class GyroBiasUncertainty(Data):
     """Gyroscope bias uncertainty (0x82,0x0B).
 
     Standard deviation of the estimated gyroscope bias.
 
-    Probably changed by `filter.EstimationControl`, `filter.GyroNoise`, `filter.GyroBiasModel`,
-    `filter.AutoAngularZupt` and `filter.CommandedAngularZupt`. Supported by 3DM-CV7-GNSS/INS and
-    3DM-GX5-15. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
-    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS,
-    3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15,
-    3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Gyro Bias Uncertainty (0x82,0x0B)
     - 3dm-gx5-15: 5.2.10 Gyro Bias Uncertainty (0x82, 0x0B)
@@ -1091,6 +822,7 @@ class GyroBiasUncertainty(Data):
     NAME = "filter_data.gyro_bias_uncertainty"
     ROLE = "data"
     _LAYOUT = (("bias_uncertainty", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
+
     _VECTORS = {"bias_uncertainty": (types.Vector3f,)}
 
     bias_uncertainty: types.Vector3f
@@ -1106,32 +838,13 @@ class GyroBiasUncertainty(Data):
         self.bias_uncertainty = codec.vector(bias_uncertainty, types.Vector3f)
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GyroBiasUncertainty, int]:
-        v = _GYRO_BIAS_UNCERTAINTY_0.read(raw, at)
-        at += 14
-        bias_uncertainty = types.Vector3f._make(v[0:3])
-        valid_flags = ValidFlags(v[3])
-        return cls(bias_uncertainty, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _GYRO_BIAS_UNCERTAINTY_0.write(
-            *codec.elements("bias_uncertainty", self.bias_uncertainty, 3), self.valid_flags
-        )
-        return codec.finished(out)
-
-
-_ACCEL_BIAS_UNCERTAINTY_0 = codec.Block("fffH", *["bias_uncertainty"] * 3, "valid_flags")
-
 
 class AccelBiasUncertainty(Data):
     """Accelerometer bias uncertainty (0x82,0x0C).
 
     Standard deviation of the estimated accelerometer bias.
 
-    Probably changed by `filter.EstimationControl`, `filter.AccelNoise` and `filter.AccelBiasModel`.
-    Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-45,
-    3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-INS and 3DM-GX5-45.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Accel Bias Uncertainty (0x82,0x0C)
     """
@@ -1145,6 +858,7 @@ class AccelBiasUncertainty(Data):
     NAME = "filter_data.accel_bias_uncertainty"
     ROLE = "data"
     _LAYOUT = (("bias_uncertainty", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
+
     _VECTORS = {"bias_uncertainty": (types.Vector3f,)}
 
     bias_uncertainty: types.Vector3f
@@ -1160,37 +874,13 @@ class AccelBiasUncertainty(Data):
         self.bias_uncertainty = codec.vector(bias_uncertainty, types.Vector3f)
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AccelBiasUncertainty, int]:
-        v = _ACCEL_BIAS_UNCERTAINTY_0.read(raw, at)
-        at += 14
-        bias_uncertainty = types.Vector3f._make(v[0:3])
-        valid_flags = ValidFlags(v[3])
-        return cls(bias_uncertainty, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _ACCEL_BIAS_UNCERTAINTY_0.write(
-            *codec.elements("bias_uncertainty", self.bias_uncertainty, 3), self.valid_flags
-        )
-        return codec.finished(out)
-
-
-_LINEAR_ACCEL_0 = codec.Block("fffH", *["accel"] * 3, "valid_flags")
-
 
 class LinearAccel(Data):
     """Linear acceleration (0x82,0x0D).
 
     Rate of change of the velocity, with the effect of gravity removed.
 
-    Changed by `mip_3dm.SensorToVehicleTransformEuler`,
-    `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm`,
-    `mip_3dm.LowPassFilter`, `filter.SensorToVehicleRotationEuler`, `filter.TareOrientation`,
-    `filter.SensorToVehicleRotationDcm` and `filter.SensorToVehicleRotationQuaternion`. Supported by
-    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15. Probably supported
-    by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15,
-    3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR,
-    3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Linear Accel (0x82,0x0D)
     - 3dm-gx5-15: 5.2.12 Linear Acceleration (0x82, 0x0D)
@@ -1205,6 +895,7 @@ class LinearAccel(Data):
     NAME = "filter_data.linear_accel"
     ROLE = "data"
     _LAYOUT = (("accel", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
+
     _VECTORS = {"accel": (types.Vector3f,)}
 
     accel: types.Vector3f
@@ -1218,36 +909,14 @@ class LinearAccel(Data):
         self.accel = codec.vector(accel, types.Vector3f)
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[LinearAccel, int]:
-        v = _LINEAR_ACCEL_0.read(raw, at)
-        at += 14
-        accel = types.Vector3f._make(v[0:3])
-        valid_flags = ValidFlags(v[3])
-        return cls(accel, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _LINEAR_ACCEL_0.write(*codec.elements("accel", self.accel, 3), self.valid_flags)
-        return codec.finished(out)
-
-
-_COMP_ANGULAR_RATE_0 = codec.Block("fffH", *["gyro"] * 3, "valid_flags")
-
 
 class CompAngularRate(Data):
     """Compensated angular rate (0x82,0x0E).
 
     Angular rate without the estimated bias.
 
-    Changed by `mip_3dm.SensorToVehicleTransformEuler`,
-    `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm`,
-    `mip_3dm.LowPassFilter`, `filter.SensorToVehicleRotationEuler`, `filter.TareOrientation`,
-    `filter.SensorToVehicleRotationDcm` and `filter.SensorToVehicleRotationQuaternion`. Supported by
-    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
-    Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS,
-    3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS,
-    3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45 and 3DM-GX5-25. Refused by
-    3DM-GX3-25.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and
+    3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Comp Angular Rate (0x82,0x0E)
     - 3dm-gx5-15: 5.2.8 Compensated Angular Rate (0x82, 0x0E)
@@ -1262,6 +931,7 @@ class CompAngularRate(Data):
     NAME = "filter_data.comp_angular_rate"
     ROLE = "data"
     _LAYOUT = (("gyro", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
+
     _VECTORS = {"gyro": (types.Vector3f,)}
 
     gyro: types.Vector3f
@@ -1276,30 +946,13 @@ class CompAngularRate(Data):
         self.gyro = codec.vector(gyro, types.Vector3f)
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[CompAngularRate, int]:
-        v = _COMP_ANGULAR_RATE_0.read(raw, at)
-        at += 14
-        gyro = types.Vector3f._make(v[0:3])
-        valid_flags = ValidFlags(v[3])
-        return cls(gyro, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _COMP_ANGULAR_RATE_0.write(*codec.elements("gyro", self.gyro, 3), self.valid_flags)
-        return codec.finished(out)
-
-
-_WGS84_GRAVITY_MAGNITUDE_0 = codec.Block("fH", "gravity_magnitude", "valid_flags")
-
 
 class Wgs84GravityMagnitude(Data):
     """WGS84 local gravity magnitude (0x82,0x0F).
 
     Magnitude of gravity at the position of the device according to the WGS84 model.
 
-    Also called `wgs84_gravity_mag`. Changed by `filter.ReferencePosition`. Supported by 3DM-GX5-15.
-    Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15,
-    3DM-CX5-25, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45.
+    Also called `wgs84_gravity_mag`. Supported by 3DM-GX5-15.
 
     The model is valid up to an altitude of 20 km.
 
@@ -1327,33 +980,13 @@ class Wgs84GravityMagnitude(Data):
         self.gravity_magnitude = gravity_magnitude
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[Wgs84GravityMagnitude, int]:
-        v = _WGS84_GRAVITY_MAGNITUDE_0.read(raw, at)
-        at += 6
-        gravity_magnitude = v[0]
-        valid_flags = ValidFlags(v[1])
-        return cls(gravity_magnitude, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _WGS84_GRAVITY_MAGNITUDE_0.write(self.gravity_magnitude, self.valid_flags)
-        return codec.finished(out)
-
-
-_STATUS_0 = codec.Block("HHH", "filter_state", "dynamics_mode", "status_flags")
-
 
 class Status(Data):
     """Filter status (0x82,0x10).
 
     State, dynamics mode, condition and warnings of the filter.
 
-    Changed by `filter.Run`. Probably changed by `mip_3dm.GyroBias`, `mip_3dm.CaptureGyroBias` and
-    `filter.InitializationConfig`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
-    3DM-GQ7-GNSS/INS and 3DM-GX5-15. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15,
-    3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS,
-    3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25,
-    3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45. Refused by 3DM-GX3-25.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
 
     The meaning of all three values depends on the device. 3DM-CV7: 4, 1, 1 is normal operation
     (full navigation, default mode, stable). 5-series: bits 12 and 13 of the flags have other
@@ -1422,32 +1055,13 @@ class Status(Data):
         self.dynamics_mode = dynamics_mode
         self.status_flags = status_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[Status, int]:
-        v = _STATUS_0.read(raw, at)
-        at += 6
-        filter_state = v[0]
-        dynamics_mode = v[1]
-        status_flags = v[2]
-        return cls(filter_state, dynamics_mode, status_flags), at
-
-    def _write(self) -> bytes:
-        out = _STATUS_0.write(self.filter_state, self.dynamics_mode, self.status_flags)
-        return codec.finished(out)
-
-
-_TIMESTAMP_0 = codec.Block("dHH", "tow", "week_number", "valid_flags")
-
 
 class Timestamp(Data):
     """Filter timestamp (0x82,0x11).
 
     GPS time of the filter data.
 
-    Changed by `base.GpsTimeUpdate`. Flagged by `Cv7StatusFlags.GNSS_CLOCK_WARNING` of
-    `Cv7StatusFlags`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. Probably supported by
-    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
-    3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     Without PPS the internal clock drives the time, and the time jumps when the PPS returns. Without
     synchronization to a receiver or an external clock it is the internal system time. 3DM-CV7: the
@@ -1482,36 +1096,13 @@ class Timestamp(Data):
         self.week_number = week_number
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[Timestamp, int]:
-        v = _TIMESTAMP_0.read(raw, at)
-        at += 12
-        tow = v[0]
-        week_number = v[1]
-        valid_flags = ValidFlags(v[2])
-        return cls(tow, week_number, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _TIMESTAMP_0.write(self.tow, self.week_number, self.valid_flags)
-        return codec.finished(out)
-
-
-_QUATERNION_ATTITUDE_UNCERTAINTY_0 = codec.Block("ffffH", *["q"] * 4, "valid_flags")
-
 
 class QuaternionAttitudeUncertainty(Data):
     """Quaternion uncertainty (0x82,0x12).
 
     Standard deviation of the elements of the estimated attitude quaternion.
 
-    Probably changed by `filter.GyroNoise`, `filter.GravityNoise`, `filter.EnableMeasurements`,
-    `filter.MagNoise`, `filter.AccelMagnitudeErrorAdaptiveMeasurement`,
-    `filter.MagMagnitudeErrorAdaptiveMeasurement`, `filter.MagDipAngleErrorAdaptiveMeasurement` and
-    `filter.PitchRollAiding`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. Probably supported by
-    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR,
-    3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
-    3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
-    3DM-GX5-25 and 3DM-GX5-45.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Quaternion Attitude Uncertainty (0x82,0x12)
     - 3dm-gx5-15: 5.2.4 Attitude Uncertainty, Quaternion Elements (0x82, 0x12)
@@ -1526,6 +1117,7 @@ class QuaternionAttitudeUncertainty(Data):
     NAME = "filter_data.quaternion_attitude_uncertainty"
     ROLE = "data"
     _LAYOUT = (("q", "ffff", types.Quatf), ("valid_flags", "H", ValidFlags))
+
     _VECTORS = {"q": (types.Quatf,)}
 
     q: types.Quatf
@@ -1539,37 +1131,13 @@ class QuaternionAttitudeUncertainty(Data):
         self.q = codec.vector(q, types.Quatf)
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[QuaternionAttitudeUncertainty, int]:
-        v = _QUATERNION_ATTITUDE_UNCERTAINTY_0.read(raw, at)
-        at += 18
-        q = types.Quatf._make(v[0:4])
-        valid_flags = ValidFlags(v[4])
-        return cls(q, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _QUATERNION_ATTITUDE_UNCERTAINTY_0.write(
-            *codec.elements("q", self.q, 4), self.valid_flags
-        )
-        return codec.finished(out)
-
-
-_GRAVITY_VECTOR_0 = codec.Block("fffH", *["gravity"] * 3, "valid_flags")
-
 
 class GravityVector(Data):
     """Gravity vector (0x82,0x13).
 
     Estimated gravity.
 
-    Changed by `mip_3dm.SensorToVehicleTransformEuler`,
-    `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm`,
-    `filter.SensorToVehicleRotationEuler`, `filter.TareOrientation`,
-    `filter.SensorToVehicleRotationDcm` and `filter.SensorToVehicleRotationQuaternion`. Supported by
-    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GX5-15. Probably supported by 3DM-CL5-15,
-    3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
-    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS,
-    3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Gravity Vector (0x82,0x13)
     - 3dm-gx5-15: 5.2.14 Gravity Vector (0x82, 0x13)
@@ -1584,6 +1152,7 @@ class GravityVector(Data):
     NAME = "filter_data.gravity_vector"
     ROLE = "data"
     _LAYOUT = (("gravity", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
+
     _VECTORS = {"gravity": (types.Vector3f,)}
 
     gravity: types.Vector3f
@@ -1598,32 +1167,13 @@ class GravityVector(Data):
         self.gravity = codec.vector(gravity, types.Vector3f)
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GravityVector, int]:
-        v = _GRAVITY_VECTOR_0.read(raw, at)
-        at += 14
-        gravity = types.Vector3f._make(v[0:3])
-        valid_flags = ValidFlags(v[3])
-        return cls(gravity, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _GRAVITY_VECTOR_0.write(*codec.elements("gravity", self.gravity, 3), self.valid_flags)
-        return codec.finished(out)
-
-
-_HEADING_UPDATE_STATE_0 = codec.Block(
-    "ffHH", "heading", "heading_uncertainty", "source", "valid_flags"
-)
-
 
 class HeadingUpdateState(Data):
     """Heading update source state (0x82,0x14).
 
     The last heading that updated the filter and where it came from.
 
-    Changed by `filter.HeadingSource`. Supported by 3DM-GX5-15 and 3DM-GX5-45. Probably supported by
-    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
-    3DM-GX4-25, 3DM-GX4-45 and 3DM-GX5-25.
+    Supported by 3DM-GX5-15 and 3DM-GX5-45.
 
     The valid bit means that the source gave data within the last 2 seconds.
 
@@ -1673,42 +1223,13 @@ class HeadingUpdateState(Data):
         self.source = source
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[HeadingUpdateState, int]:
-        v = _HEADING_UPDATE_STATE_0.read(raw, at)
-        at += 12
-        heading = v[0]
-        heading_uncertainty = v[1]
-        source = HeadingSourceFlags(v[2])
-        valid_flags = ValidFlags(v[3])
-        return cls(heading, heading_uncertainty, source, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _HEADING_UPDATE_STATE_0.write(
-            self.heading, self.heading_uncertainty, self.source, self.valid_flags
-        )
-        return codec.finished(out)
-
-
-_MAGNETIC_MODEL_0 = codec.Block(
-    "fffffH",
-    "intensity_north",
-    "intensity_east",
-    "intensity_down",
-    "inclination",
-    "declination",
-    "valid_flags",
-)
-
 
 class MagneticModel(Data):
     """Magnetic model (0x82,0x15).
 
     Magnetic field at the position of the device according to the World Magnetic Model.
 
-    Changed by `filter.ReferencePosition`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
-    3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-INS,
-    3DM-GQ7-GNSS/INS, 3DM-GV7-INS, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45.
+    Supported by 3DM-CV7-GNSS/INS.
 
     It is valid only with a valid GNSS position.
 
@@ -1785,43 +1306,13 @@ class MagneticModel(Data):
         self.declination = declination
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagneticModel, int]:
-        v = _MAGNETIC_MODEL_0.read(raw, at)
-        at += 22
-        intensity_north = v[0]
-        intensity_east = v[1]
-        intensity_down = v[2]
-        inclination = v[3]
-        declination = v[4]
-        valid_flags = ValidFlags(v[5])
-        return cls(
-            intensity_north, intensity_east, intensity_down, inclination, declination, valid_flags
-        ), at
-
-    def _write(self) -> bytes:
-        out = _MAGNETIC_MODEL_0.write(
-            self.intensity_north,
-            self.intensity_east,
-            self.intensity_down,
-            self.inclination,
-            self.declination,
-            self.valid_flags,
-        )
-        return codec.finished(out)
-
-
-_GYRO_SCALE_FACTOR_0 = codec.Block("fffH", *["scale_factor"] * 3, "valid_flags")
-
 
 class GyroScaleFactor(Data):
     """Gyroscope scale factor (0x82,0x16).
 
     Estimated scale factor of the gyroscope.
 
-    Changed by `filter.EstimationControl`. Flagged by
-    `Gx5StatusFlags.RUN_GYRO_SCALE_FACTOR_EST_HIGH_WARNING` of `Gx5StatusFlags`. Not listed in any
-    device profile. Known only from the MicroStrain MIP SDK.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Gyro Scale Factor (0x82,0x16)
     """
@@ -1835,6 +1326,7 @@ class GyroScaleFactor(Data):
     NAME = "filter_data.gyro_scale_factor"
     ROLE = "data"
     _LAYOUT = (("scale_factor", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
+
     _VECTORS = {"scale_factor": (types.Vector3f,)}
 
     scale_factor: types.Vector3f
@@ -1850,32 +1342,13 @@ class GyroScaleFactor(Data):
         self.scale_factor = codec.vector(scale_factor, types.Vector3f)
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GyroScaleFactor, int]:
-        v = _GYRO_SCALE_FACTOR_0.read(raw, at)
-        at += 14
-        scale_factor = types.Vector3f._make(v[0:3])
-        valid_flags = ValidFlags(v[3])
-        return cls(scale_factor, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _GYRO_SCALE_FACTOR_0.write(
-            *codec.elements("scale_factor", self.scale_factor, 3), self.valid_flags
-        )
-        return codec.finished(out)
-
-
-_ACCEL_SCALE_FACTOR_0 = codec.Block("fffH", *["scale_factor"] * 3, "valid_flags")
-
 
 class AccelScaleFactor(Data):
     """Accelerometer scale factor (0x82,0x17).
 
     Estimated scale factor of the accelerometer.
 
-    Changed by `filter.EstimationControl`. Flagged by
-    `Gx5StatusFlags.RUN_ACCEL_SCALE_FACTOR_EST_HIGH_WARNING` of `Gx5StatusFlags`. Not listed in any
-    device profile. Known only from the MicroStrain MIP SDK.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Accel Scale Factor (0x82,0x17)
     """
@@ -1889,6 +1362,7 @@ class AccelScaleFactor(Data):
     NAME = "filter_data.accel_scale_factor"
     ROLE = "data"
     _LAYOUT = (("scale_factor", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
+
     _VECTORS = {"scale_factor": (types.Vector3f,)}
 
     scale_factor: types.Vector3f
@@ -1904,33 +1378,13 @@ class AccelScaleFactor(Data):
         self.scale_factor = codec.vector(scale_factor, types.Vector3f)
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AccelScaleFactor, int]:
-        v = _ACCEL_SCALE_FACTOR_0.read(raw, at)
-        at += 14
-        scale_factor = types.Vector3f._make(v[0:3])
-        valid_flags = ValidFlags(v[3])
-        return cls(scale_factor, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _ACCEL_SCALE_FACTOR_0.write(
-            *codec.elements("scale_factor", self.scale_factor, 3), self.valid_flags
-        )
-        return codec.finished(out)
-
-
-_GYRO_SCALE_FACTOR_UNCERTAINTY_0 = codec.Block(
-    "fffH", *["scale_factor_uncertainty"] * 3, "valid_flags"
-)
-
 
 class GyroScaleFactorUncertainty(Data):
     """Gyroscope scale factor uncertainty (0x82,0x18).
 
     Standard deviation of the estimated scale factor of the gyroscope.
 
-    Probably changed by `filter.EstimationControl`. Not listed in any device profile. Known only
-    from the MicroStrain MIP SDK.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Gyro Scale Factor Uncertainty (0x82,0x18)
     """
@@ -1947,6 +1401,7 @@ class GyroScaleFactorUncertainty(Data):
         ("scale_factor_uncertainty", "fff", types.Vector3f),
         ("valid_flags", "H", ValidFlags),
     )
+
     _VECTORS = {"scale_factor_uncertainty": (types.Vector3f,)}
 
     scale_factor_uncertainty: types.Vector3f
@@ -1962,34 +1417,13 @@ class GyroScaleFactorUncertainty(Data):
         self.scale_factor_uncertainty = codec.vector(scale_factor_uncertainty, types.Vector3f)
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GyroScaleFactorUncertainty, int]:
-        v = _GYRO_SCALE_FACTOR_UNCERTAINTY_0.read(raw, at)
-        at += 14
-        scale_factor_uncertainty = types.Vector3f._make(v[0:3])
-        valid_flags = ValidFlags(v[3])
-        return cls(scale_factor_uncertainty, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _GYRO_SCALE_FACTOR_UNCERTAINTY_0.write(
-            *codec.elements("scale_factor_uncertainty", self.scale_factor_uncertainty, 3),
-            self.valid_flags,
-        )
-        return codec.finished(out)
-
-
-_ACCEL_SCALE_FACTOR_UNCERTAINTY_0 = codec.Block(
-    "fffH", *["scale_factor_uncertainty"] * 3, "valid_flags"
-)
-
 
 class AccelScaleFactorUncertainty(Data):
     """Accelerometer scale factor uncertainty (0x82,0x19).
 
     Standard deviation of the estimated scale factor of the accelerometer.
 
-    Probably changed by `filter.EstimationControl`. Not listed in any device profile. Known only
-    from the MicroStrain MIP SDK.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Accel Scale Factor Uncertainty (0x82,0x19)
     """
@@ -2006,6 +1440,7 @@ class AccelScaleFactorUncertainty(Data):
         ("scale_factor_uncertainty", "fff", types.Vector3f),
         ("valid_flags", "H", ValidFlags),
     )
+
     _VECTORS = {"scale_factor_uncertainty": (types.Vector3f,)}
 
     scale_factor_uncertainty: types.Vector3f
@@ -2021,32 +1456,13 @@ class AccelScaleFactorUncertainty(Data):
         self.scale_factor_uncertainty = codec.vector(scale_factor_uncertainty, types.Vector3f)
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AccelScaleFactorUncertainty, int]:
-        v = _ACCEL_SCALE_FACTOR_UNCERTAINTY_0.read(raw, at)
-        at += 14
-        scale_factor_uncertainty = types.Vector3f._make(v[0:3])
-        valid_flags = ValidFlags(v[3])
-        return cls(scale_factor_uncertainty, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _ACCEL_SCALE_FACTOR_UNCERTAINTY_0.write(
-            *codec.elements("scale_factor_uncertainty", self.scale_factor_uncertainty, 3),
-            self.valid_flags,
-        )
-        return codec.finished(out)
-
-
-_MAG_BIAS_0 = codec.Block("fffH", *["bias"] * 3, "valid_flags")
-
 
 class MagBias(Data):
     """Magnetometer bias (0x82,0x1A).
 
     Estimated bias of the magnetometer.
 
-    Flagged by `Gx5StatusFlags.RUN_MAG_BIAS_EST_HIGH_WARNING` of `Gx5StatusFlags`. Not listed in any
-    device profile. Known only from the MicroStrain MIP SDK.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Mag Bias (0x82,0x1A)
     """
@@ -2060,6 +1476,7 @@ class MagBias(Data):
     NAME = "filter_data.mag_bias"
     ROLE = "data"
     _LAYOUT = (("bias", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
+
     _VECTORS = {"bias": (types.Vector3f,)}
 
     bias: types.Vector3f
@@ -2072,21 +1489,6 @@ class MagBias(Data):
     def __init__(self, bias: types.Vector3f | codec.Numbers, valid_flags: ValidFlags) -> None:
         self.bias = codec.vector(bias, types.Vector3f)
         self.valid_flags = valid_flags
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagBias, int]:
-        v = _MAG_BIAS_0.read(raw, at)
-        at += 14
-        bias = types.Vector3f._make(v[0:3])
-        valid_flags = ValidFlags(v[3])
-        return cls(bias, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _MAG_BIAS_0.write(*codec.elements("bias", self.bias, 3), self.valid_flags)
-        return codec.finished(out)
-
-
-_MAG_BIAS_UNCERTAINTY_0 = codec.Block("fffH", *["bias_uncertainty"] * 3, "valid_flags")
 
 
 class MagBiasUncertainty(Data):
@@ -2108,6 +1510,7 @@ class MagBiasUncertainty(Data):
     NAME = "filter_data.mag_bias_uncertainty"
     ROLE = "data"
     _LAYOUT = (("bias_uncertainty", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
+
     _VECTORS = {"bias_uncertainty": (types.Vector3f,)}
 
     bias_uncertainty: types.Vector3f
@@ -2123,37 +1526,13 @@ class MagBiasUncertainty(Data):
         self.bias_uncertainty = codec.vector(bias_uncertainty, types.Vector3f)
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagBiasUncertainty, int]:
-        v = _MAG_BIAS_UNCERTAINTY_0.read(raw, at)
-        at += 14
-        bias_uncertainty = types.Vector3f._make(v[0:3])
-        valid_flags = ValidFlags(v[3])
-        return cls(bias_uncertainty, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _MAG_BIAS_UNCERTAINTY_0.write(
-            *codec.elements("bias_uncertainty", self.bias_uncertainty, 3), self.valid_flags
-        )
-        return codec.finished(out)
-
-
-_COMP_ACCEL_0 = codec.Block("fffH", *["accel"] * 3, "valid_flags")
-
 
 class CompAccel(Data):
     """Compensated acceleration (0x82,0x1C).
 
     Acceleration without the estimated bias; it includes gravity.
 
-    Changed by `mip_3dm.LowPassFilter`, `filter.SensorToVehicleRotationEuler` and
-    `filter.TareOrientation`. Probably changed by `mip_3dm.SensorToVehicleTransformEuler`,
-    `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm`,
-    `filter.SensorToVehicleRotationDcm` and `filter.SensorToVehicleRotationQuaternion`. Supported by
-    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15. Probably supported
-    by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15,
-    3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR,
-    3DM-GV7-INS, 3DM-GX5-25 and 3DM-GX5-45.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Compensated Acceleration (0x82,0x1C)
     - 3dm-gx5-15: 5.2.11 Compensated Acceleration (0x82, 0x1C)
@@ -2168,6 +1547,7 @@ class CompAccel(Data):
     NAME = "filter_data.comp_accel"
     ROLE = "data"
     _LAYOUT = (("accel", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
+
     _VECTORS = {"accel": (types.Vector3f,)}
 
     accel: types.Vector3f
@@ -2182,37 +1562,13 @@ class CompAccel(Data):
         self.accel = codec.vector(accel, types.Vector3f)
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[CompAccel, int]:
-        v = _COMP_ACCEL_0.read(raw, at)
-        at += 14
-        accel = types.Vector3f._make(v[0:3])
-        valid_flags = ValidFlags(v[3])
-        return cls(accel, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _COMP_ACCEL_0.write(*codec.elements("accel", self.accel, 3), self.valid_flags)
-        return codec.finished(out)
-
-
-_STANDARD_ATMOSPHERE_0 = codec.Block(
-    "fffffH",
-    "geometric_altitude",
-    "geopotential_altitude",
-    "standard_temperature",
-    "standard_pressure",
-    "standard_density",
-    "valid_flags",
-)
-
 
 class StandardAtmosphere(Data):
     """Standard atmosphere (0x82,0x20).
 
     US Standard Atmosphere of 1976 at the altitude of the device.
 
-    Probably supported by 3DM-CV5-45, 3DM-CX5-45 and 3DM-GX5-45. Known only from the MicroStrain MIP
-    SDK.
+    No device is certain to support it. Known only from the MicroStrain MIP SDK.
 
     It is valid only with a valid GNSS position.
 
@@ -2287,49 +1643,13 @@ class StandardAtmosphere(Data):
         self.standard_density = standard_density
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[StandardAtmosphere, int]:
-        v = _STANDARD_ATMOSPHERE_0.read(raw, at)
-        at += 22
-        geometric_altitude = v[0]
-        geopotential_altitude = v[1]
-        standard_temperature = v[2]
-        standard_pressure = v[3]
-        standard_density = v[4]
-        valid_flags = ValidFlags(v[5])
-        return cls(
-            geometric_altitude,
-            geopotential_altitude,
-            standard_temperature,
-            standard_pressure,
-            standard_density,
-            valid_flags,
-        ), at
-
-    def _write(self) -> bytes:
-        out = _STANDARD_ATMOSPHERE_0.write(
-            self.geometric_altitude,
-            self.geopotential_altitude,
-            self.standard_temperature,
-            self.standard_pressure,
-            self.standard_density,
-            self.valid_flags,
-        )
-        return codec.finished(out)
-
-
-_PRESSURE_ALTITUDE_0 = codec.Block("fH", "pressure_altitude", "valid_flags")
-
 
 class PressureAltitude(Data):
     """Pressure altitude (0x82,0x21).
 
     Altitude from the measured pressure, by the US Standard Atmosphere of 1976.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. Probably supported by 3DM-CL5-15, 3DM-CL5-25,
-    3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15,
-    3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS,
-    3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX5-25 and 3DM-GX5-45.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     It needs a valid pressure. The model ends at a pressure of 0.0037 mbar, an altitude of 84852 m.
 
@@ -2357,21 +1677,6 @@ class PressureAltitude(Data):
     def __init__(self, pressure_altitude: float, valid_flags: ValidFlags) -> None:
         self.pressure_altitude = pressure_altitude
         self.valid_flags = valid_flags
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[PressureAltitude, int]:
-        v = _PRESSURE_ALTITUDE_0.read(raw, at)
-        at += 6
-        pressure_altitude = v[0]
-        valid_flags = ValidFlags(v[1])
-        return cls(pressure_altitude, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _PRESSURE_ALTITUDE_0.write(self.pressure_altitude, self.valid_flags)
-        return codec.finished(out)
-
-
-_DENSITY_ALTITUDE_0 = codec.Block("fH", "density_altitude", "valid_flags")
 
 
 class DensityAltitude(Data):
@@ -2407,32 +1712,14 @@ class DensityAltitude(Data):
         self.density_altitude = density_altitude
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[DensityAltitude, int]:
-        v = _DENSITY_ALTITUDE_0.read(raw, at)
-        at += 6
-        density_altitude = v[0]
-        valid_flags = ValidFlags(v[1])
-        return cls(density_altitude, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _DENSITY_ALTITUDE_0.write(self.density_altitude, self.valid_flags)
-        return codec.finished(out)
-
-
-_MAG_OFFSET_0 = codec.Block("fffH", *["hard_iron"] * 3, "valid_flags")
-
 
 class MagOffset(Data):
     """Magnetometer offset (0x82,0x25).
 
     Estimated hard iron offset of the magnetometer.
 
-    Also called `magnetometer_offset`. Changed by `filter.EstimationControl` and
-    `filter.MagCaptureAutoCalibration`. Probably changed by `filter.HardIronOffsetNoise`. Flagged by
-    `Gx5StatusFlags.RUN_MAG_HARD_IRON_EST_HIGH_WARNING` of `Gx5StatusFlags`. Probably supported by
-    3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX5-25 and 3DM-GX5-45. Known
-    only from the MicroStrain MIP SDK.
+    No device is certain to support it. Also called `magnetometer_offset`. Known only from the
+    MicroStrain MIP SDK.
 
     The filter adds it to the stored offset of `mip_3dm.MagHardIronOffset`.
 
@@ -2448,6 +1735,7 @@ class MagOffset(Data):
     NAME = "filter_data.mag_offset"
     ROLE = "data"
     _LAYOUT = (("hard_iron", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
+
     _VECTORS = {"hard_iron": (types.Vector3f,)}
 
     hard_iron: types.Vector3f
@@ -2461,32 +1749,14 @@ class MagOffset(Data):
         self.hard_iron = codec.vector(hard_iron, types.Vector3f)
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagOffset, int]:
-        v = _MAG_OFFSET_0.read(raw, at)
-        at += 14
-        hard_iron = types.Vector3f._make(v[0:3])
-        valid_flags = ValidFlags(v[3])
-        return cls(hard_iron, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _MAG_OFFSET_0.write(*codec.elements("hard_iron", self.hard_iron, 3), self.valid_flags)
-        return codec.finished(out)
-
-
-_MAG_MATRIX_0 = codec.Block("fffffffffH", *["soft_iron"] * 9, "valid_flags")
-
 
 class MagMatrix(Data):
     """Magnetometer matrix (0x82,0x26).
 
     Estimated soft iron matrix of the magnetometer.
 
-    Also called `magnetometer_matrix`. Changed by `filter.EstimationControl` and
-    `filter.MagCaptureAutoCalibration`. Probably changed by `filter.SoftIronMatrixNoise`. Flagged by
-    `Gx5StatusFlags.RUN_MAG_SOFT_IRON_EST_HIGH_WARNING` of `Gx5StatusFlags`. Probably supported by
-    3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX5-25 and 3DM-GX5-45. Known
-    only from the MicroStrain MIP SDK.
+    No device is certain to support it. Also called `magnetometer_matrix`. Known only from the
+    MicroStrain MIP SDK.
 
     The filter multiplies the stored matrix of `mip_3dm.MagSoftIronMatrix` by it, from the right.
 
@@ -2502,6 +1772,7 @@ class MagMatrix(Data):
     NAME = "filter_data.mag_matrix"
     ROLE = "data"
     _LAYOUT = (("soft_iron", "fffffffff", types.Matrix3f), ("valid_flags", "H", ValidFlags))
+
     _VECTORS = {"soft_iron": (types.Matrix3f,)}
 
     soft_iron: types.Matrix3f
@@ -2515,30 +1786,14 @@ class MagMatrix(Data):
         self.soft_iron = codec.vector(soft_iron, types.Matrix3f)
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagMatrix, int]:
-        v = _MAG_MATRIX_0.read(raw, at)
-        at += 38
-        soft_iron = types.Matrix3f._make(v[0:9])
-        valid_flags = ValidFlags(v[9])
-        return cls(soft_iron, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _MAG_MATRIX_0.write(*codec.elements("soft_iron", self.soft_iron, 9), self.valid_flags)
-        return codec.finished(out)
-
-
-_MAG_OFFSET_UNCERTAINTY_0 = codec.Block("fffH", *["hard_iron_uncertainty"] * 3, "valid_flags")
-
 
 class MagOffsetUncertainty(Data):
     """Magnetometer offset uncertainty (0x82,0x28).
 
     Standard deviation of the estimated hard iron offset.
 
-    Also called `magnetometer_offset_uncertainty`. Probably changed by `filter.EstimationControl`
-    and `filter.HardIronOffsetNoise`. Probably supported by 3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45,
-    3DM-CX5-25, 3DM-CX5-45, 3DM-GX5-25 and 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+    No device is certain to support it. Also called `magnetometer_offset_uncertainty`. Known only
+    from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Magnetometer offset uncertainty (0x82,0x28)
     """
@@ -2552,6 +1807,7 @@ class MagOffsetUncertainty(Data):
     NAME = "filter_data.mag_offset_uncertainty"
     ROLE = "data"
     _LAYOUT = (("hard_iron_uncertainty", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
+
     _VECTORS = {"hard_iron_uncertainty": (types.Vector3f,)}
 
     hard_iron_uncertainty: types.Vector3f
@@ -2567,33 +1823,14 @@ class MagOffsetUncertainty(Data):
         self.hard_iron_uncertainty = codec.vector(hard_iron_uncertainty, types.Vector3f)
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagOffsetUncertainty, int]:
-        v = _MAG_OFFSET_UNCERTAINTY_0.read(raw, at)
-        at += 14
-        hard_iron_uncertainty = types.Vector3f._make(v[0:3])
-        valid_flags = ValidFlags(v[3])
-        return cls(hard_iron_uncertainty, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _MAG_OFFSET_UNCERTAINTY_0.write(
-            *codec.elements("hard_iron_uncertainty", self.hard_iron_uncertainty, 3),
-            self.valid_flags,
-        )
-        return codec.finished(out)
-
-
-_MAG_MATRIX_UNCERTAINTY_0 = codec.Block("fffffffffH", *["soft_iron_uncertainty"] * 9, "valid_flags")
-
 
 class MagMatrixUncertainty(Data):
     """Magnetometer matrix uncertainty (0x82,0x29).
 
     Standard deviation of the estimated soft iron matrix.
 
-    Also called `magnetometer_matrix_uncertainty`. Probably changed by `filter.EstimationControl`
-    and `filter.SoftIronMatrixNoise`. Probably supported by 3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45,
-    3DM-CX5-25, 3DM-CX5-45, 3DM-GX5-25 and 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+    No device is certain to support it. Also called `magnetometer_matrix_uncertainty`. Known only
+    from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Magnetometer matrix uncertainty (0x82,0x29)
     """
@@ -2610,6 +1847,7 @@ class MagMatrixUncertainty(Data):
         ("soft_iron_uncertainty", "fffffffff", types.Matrix3f),
         ("valid_flags", "H", ValidFlags),
     )
+
     _VECTORS = {"soft_iron_uncertainty": (types.Matrix3f,)}
 
     soft_iron_uncertainty: types.Matrix3f
@@ -2624,24 +1862,6 @@ class MagMatrixUncertainty(Data):
     ) -> None:
         self.soft_iron_uncertainty = codec.vector(soft_iron_uncertainty, types.Matrix3f)
         self.valid_flags = valid_flags
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagMatrixUncertainty, int]:
-        v = _MAG_MATRIX_UNCERTAINTY_0.read(raw, at)
-        at += 38
-        soft_iron_uncertainty = types.Matrix3f._make(v[0:9])
-        valid_flags = ValidFlags(v[9])
-        return cls(soft_iron_uncertainty, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _MAG_MATRIX_UNCERTAINTY_0.write(
-            *codec.elements("soft_iron_uncertainty", self.soft_iron_uncertainty, 9),
-            self.valid_flags,
-        )
-        return codec.finished(out)
-
-
-_MAG_COVARIANCE_MATRIX_0 = codec.Block("fffffffffH", *["covariance"] * 9, "valid_flags")
 
 
 class MagCovarianceMatrix(Data):
@@ -2664,6 +1884,7 @@ class MagCovarianceMatrix(Data):
     NAME = "filter_data.mag_covariance_matrix"
     ROLE = "data"
     _LAYOUT = (("covariance", "fffffffff", types.Matrix3f), ("valid_flags", "H", ValidFlags))
+
     _VECTORS = {"covariance": (types.Matrix3f,)}
 
     covariance: types.Matrix3f
@@ -2677,23 +1898,6 @@ class MagCovarianceMatrix(Data):
     def __init__(self, covariance: types.Matrix3f | codec.Rows, valid_flags: ValidFlags) -> None:
         self.covariance = codec.vector(covariance, types.Matrix3f)
         self.valid_flags = valid_flags
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagCovarianceMatrix, int]:
-        v = _MAG_COVARIANCE_MATRIX_0.read(raw, at)
-        at += 38
-        covariance = types.Matrix3f._make(v[0:9])
-        valid_flags = ValidFlags(v[9])
-        return cls(covariance, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _MAG_COVARIANCE_MATRIX_0.write(
-            *codec.elements("covariance", self.covariance, 9), self.valid_flags
-        )
-        return codec.finished(out)
-
-
-_MAG_RESIDUAL_VECTOR_0 = codec.Block("fffH", *["residual"] * 3, "valid_flags")
 
 
 class MagResidualVector(Data):
@@ -2716,6 +1920,7 @@ class MagResidualVector(Data):
     NAME = "filter_data.mag_residual_vector"
     ROLE = "data"
     _LAYOUT = (("residual", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
+
     _VECTORS = {"residual": (types.Vector3f,)}
 
     residual: types.Vector3f
@@ -2729,32 +1934,13 @@ class MagResidualVector(Data):
         self.residual = codec.vector(residual, types.Vector3f)
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagResidualVector, int]:
-        v = _MAG_RESIDUAL_VECTOR_0.read(raw, at)
-        at += 14
-        residual = types.Vector3f._make(v[0:3])
-        valid_flags = ValidFlags(v[3])
-        return cls(residual, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _MAG_RESIDUAL_VECTOR_0.write(
-            *codec.elements("residual", self.residual, 3), self.valid_flags
-        )
-        return codec.finished(out)
-
-
-_ANTENNA_OFFSET_CORRECTION_0 = codec.Block("fffH", *["offset"] * 3, "valid_flags")
-
 
 class AntennaOffsetCorrection(Data):
     """Antenna offset correction (0x82,0x30).
 
     Estimated error of the offset of the GNSS antenna.
 
-    Changed by `filter.EstimationControl`. Probably changed by `filter.AntennaOffset`. Flagged by
-    `Gx5StatusFlags.RUN_ANTENNA_OFFSET_CORRECTION_EST_HIGH_WARNING` of `Gx5StatusFlags`. Not listed
-    in any device profile. Known only from the MicroStrain MIP SDK.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     The filter adds it to the stored offset of `filter.AntennaOffset`.
 
@@ -2770,6 +1956,7 @@ class AntennaOffsetCorrection(Data):
     NAME = "filter_data.antenna_offset_correction"
     ROLE = "data"
     _LAYOUT = (("offset", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
+
     _VECTORS = {"offset": (types.Vector3f,)}
 
     offset: types.Vector3f
@@ -2783,33 +1970,13 @@ class AntennaOffsetCorrection(Data):
         self.offset = codec.vector(offset, types.Vector3f)
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AntennaOffsetCorrection, int]:
-        v = _ANTENNA_OFFSET_CORRECTION_0.read(raw, at)
-        at += 14
-        offset = types.Vector3f._make(v[0:3])
-        valid_flags = ValidFlags(v[3])
-        return cls(offset, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _ANTENNA_OFFSET_CORRECTION_0.write(
-            *codec.elements("offset", self.offset, 3), self.valid_flags
-        )
-        return codec.finished(out)
-
-
-_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_0 = codec.Block(
-    "fffH", *["offset_uncertainty"] * 3, "valid_flags"
-)
-
 
 class AntennaOffsetCorrectionUncertainty(Data):
     """Antenna offset correction uncertainty (0x82,0x31).
 
     Standard deviation of the estimated error of the offset of the GNSS antenna.
 
-    Probably changed by `filter.EstimationControl`. Not listed in any device profile. Known only
-    from the MicroStrain MIP SDK.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Antenna offset correction uncertainty (0x82,0x31)
     """
@@ -2823,6 +1990,7 @@ class AntennaOffsetCorrectionUncertainty(Data):
     NAME = "filter_data.antenna_offset_correction_uncertainty"
     ROLE = "data"
     _LAYOUT = (("offset_uncertainty", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
+
     _VECTORS = {"offset_uncertainty": (types.Vector3f,)}
 
     offset_uncertainty: types.Vector3f
@@ -2838,31 +2006,13 @@ class AntennaOffsetCorrectionUncertainty(Data):
         self.offset_uncertainty = codec.vector(offset_uncertainty, types.Vector3f)
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AntennaOffsetCorrectionUncertainty, int]:
-        v = _ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_0.read(raw, at)
-        at += 14
-        offset_uncertainty = types.Vector3f._make(v[0:3])
-        valid_flags = ValidFlags(v[3])
-        return cls(offset_uncertainty, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_0.write(
-            *codec.elements("offset_uncertainty", self.offset_uncertainty, 3), self.valid_flags
-        )
-        return codec.finished(out)
-
-
-_CLOCK_CORRECTION_0 = codec.Block("BffH", "receiver_id", "bias", "bias_drift", "valid_flags")
-
 
 class ClockCorrection(Data):
     """Clock correction (0x82,0x32).
 
     Estimated clock error of one GNSS receiver.
 
-    Flagged by `Cv7StatusFlags.GNSS_CLOCK_WARNING` of `Cv7StatusFlags`. Not listed in any device
-    profile. Known only from the MicroStrain MIP SDK.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Clock correction (0x82,0x32)
     """
@@ -2898,27 +2048,6 @@ class ClockCorrection(Data):
         self.bias = bias
         self.bias_drift = bias_drift
         self.valid_flags = valid_flags
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ClockCorrection, int]:
-        v = _CLOCK_CORRECTION_0.read(raw, at)
-        at += 11
-        receiver_id = v[0]
-        bias = v[1]
-        bias_drift = v[2]
-        valid_flags = ValidFlags(v[3])
-        return cls(receiver_id, bias, bias_drift, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _CLOCK_CORRECTION_0.write(
-            self.receiver_id, self.bias, self.bias_drift, self.valid_flags
-        )
-        return codec.finished(out)
-
-
-_CLOCK_CORRECTION_UNCERTAINTY_0 = codec.Block(
-    "BffH", "receiver_id", "bias_uncertainty", "bias_drift_uncertainty", "valid_flags"
-)
 
 
 class ClockCorrectionUncertainty(Data):
@@ -2971,36 +2100,13 @@ class ClockCorrectionUncertainty(Data):
         self.bias_drift_uncertainty = bias_drift_uncertainty
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ClockCorrectionUncertainty, int]:
-        v = _CLOCK_CORRECTION_UNCERTAINTY_0.read(raw, at)
-        at += 11
-        receiver_id = v[0]
-        bias_uncertainty = v[1]
-        bias_drift_uncertainty = v[2]
-        valid_flags = ValidFlags(v[3])
-        return cls(receiver_id, bias_uncertainty, bias_drift_uncertainty, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _CLOCK_CORRECTION_UNCERTAINTY_0.write(
-            self.receiver_id, self.bias_uncertainty, self.bias_drift_uncertainty, self.valid_flags
-        )
-        return codec.finished(out)
-
-
-_MULTI_ANTENNA_OFFSET_CORRECTION_0 = codec.Block(
-    "BfffH", "receiver_id", *["offset"] * 3, "valid_flags"
-)
-
 
 class MultiAntennaOffsetCorrection(Data):
     """Multi-antenna offset correction (0x82,0x34).
 
     Estimated error of the offset of one GNSS antenna.
 
-    Changed by `filter.GnssAntennaCalibrationControl`. Probably changed by
-    `filter.MultiAntennaOffset`. Flagged by `Cv7StatusFlags.ANTENNA_LEVER_ARM_WARNING` of
-    `Cv7StatusFlags`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Refused by 3DM-CV7-AHRS.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     The filter adds it to the stored offset.
 
@@ -3020,6 +2126,7 @@ class MultiAntennaOffsetCorrection(Data):
         ("offset", "fff", types.Vector3f),
         ("valid_flags", "H", ValidFlags),
     )
+
     _VECTORS = {"offset": (types.Vector3f,)}
 
     receiver_id: int
@@ -3038,34 +2145,13 @@ class MultiAntennaOffsetCorrection(Data):
         self.offset = codec.vector(offset, types.Vector3f)
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MultiAntennaOffsetCorrection, int]:
-        v = _MULTI_ANTENNA_OFFSET_CORRECTION_0.read(raw, at)
-        at += 15
-        receiver_id = v[0]
-        offset = types.Vector3f._make(v[1:4])
-        valid_flags = ValidFlags(v[4])
-        return cls(receiver_id, offset, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _MULTI_ANTENNA_OFFSET_CORRECTION_0.write(
-            self.receiver_id, *codec.elements("offset", self.offset, 3), self.valid_flags
-        )
-        return codec.finished(out)
-
-
-_MULTI_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_0 = codec.Block(
-    "BfffH", "receiver_id", *["offset_uncertainty"] * 3, "valid_flags"
-)
-
 
 class MultiAntennaOffsetCorrectionUncertainty(Data):
     """Multi-antenna offset correction uncertainty (0x82,0x35).
 
     Standard deviation of the estimated error of the offset of one GNSS antenna.
 
-    Probably changed by `filter.GnssAntennaCalibrationControl`. Supported by 3DM-CV7-GNSS/INS.
-    Probably supported by 3DM-GQ7-GNSS/INS.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Multi Antenna Offset Correction Uncertainty (0x82,0x35)
     """
@@ -3083,6 +2169,7 @@ class MultiAntennaOffsetCorrectionUncertainty(Data):
         ("offset_uncertainty", "fff", types.Vector3f),
         ("valid_flags", "H", ValidFlags),
     )
+
     _VECTORS = {"offset_uncertainty": (types.Vector3f,)}
 
     receiver_id: int
@@ -3104,35 +2191,13 @@ class MultiAntennaOffsetCorrectionUncertainty(Data):
         self.offset_uncertainty = codec.vector(offset_uncertainty, types.Vector3f)
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MultiAntennaOffsetCorrectionUncertainty, int]:
-        v = _MULTI_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_0.read(raw, at)
-        at += 15
-        receiver_id = v[0]
-        offset_uncertainty = types.Vector3f._make(v[1:4])
-        valid_flags = ValidFlags(v[4])
-        return cls(receiver_id, offset_uncertainty, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _MULTI_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_0.write(
-            self.receiver_id,
-            *codec.elements("offset_uncertainty", self.offset_uncertainty, 3),
-            self.valid_flags,
-        )
-        return codec.finished(out)
-
-
-_ECEF_POSITION_UNCERTAINTY_0 = codec.Block("fffH", *["position_uncertainty"] * 3, "valid_flags")
-
 
 class EcefPositionUncertainty(Data):
     """ECEF position uncertainty (0x82,0x36).
 
     Standard deviation of the estimated position.
 
-    Also called `ecef_pos_uncertainty`. Probably changed by `filter.AccelNoise`. Supported by
-    3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-INS and
-    3DM-GV7-INS. Refused by 3DM-GX3-25.
+    Also called `ecef_pos_uncertainty`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: ECEF Position Uncertainty (0x82,0x36)
     """
@@ -3146,6 +2211,7 @@ class EcefPositionUncertainty(Data):
     NAME = "filter_data.ecef_position_uncertainty"
     ROLE = "data"
     _LAYOUT = (("position_uncertainty", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
+
     _VECTORS = {"position_uncertainty": (types.Vector3f,)}
 
     position_uncertainty: types.Vector3f
@@ -3161,32 +2227,13 @@ class EcefPositionUncertainty(Data):
         self.position_uncertainty = codec.vector(position_uncertainty, types.Vector3f)
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EcefPositionUncertainty, int]:
-        v = _ECEF_POSITION_UNCERTAINTY_0.read(raw, at)
-        at += 14
-        position_uncertainty = types.Vector3f._make(v[0:3])
-        valid_flags = ValidFlags(v[3])
-        return cls(position_uncertainty, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _ECEF_POSITION_UNCERTAINTY_0.write(
-            *codec.elements("position_uncertainty", self.position_uncertainty, 3), self.valid_flags
-        )
-        return codec.finished(out)
-
-
-_ECEF_VELOCITY_UNCERTAINTY_0 = codec.Block("fffH", *["velocity_uncertainty"] * 3, "valid_flags")
-
 
 class EcefVelocityUncertainty(Data):
     """ECEF velocity uncertainty (0x82,0x37).
 
     Standard deviation of the estimated velocity.
 
-    Also called `ecef_vel_uncertainty`. Probably changed by `filter.AccelNoise`, `filter.AutoZupt`
-    and `filter.CommandedZupt`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably
-    supported by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS. Refused by 3DM-GX3-25.
+    Also called `ecef_vel_uncertainty`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: ECEF Velocity Uncertainty (0x82,0x37)
     """
@@ -3200,6 +2247,7 @@ class EcefVelocityUncertainty(Data):
     NAME = "filter_data.ecef_velocity_uncertainty"
     ROLE = "data"
     _LAYOUT = (("velocity_uncertainty", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
+
     _VECTORS = {"velocity_uncertainty": (types.Vector3f,)}
 
     velocity_uncertainty: types.Vector3f
@@ -3215,34 +2263,13 @@ class EcefVelocityUncertainty(Data):
         self.velocity_uncertainty = codec.vector(velocity_uncertainty, types.Vector3f)
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EcefVelocityUncertainty, int]:
-        v = _ECEF_VELOCITY_UNCERTAINTY_0.read(raw, at)
-        at += 14
-        velocity_uncertainty = types.Vector3f._make(v[0:3])
-        valid_flags = ValidFlags(v[3])
-        return cls(velocity_uncertainty, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _ECEF_VELOCITY_UNCERTAINTY_0.write(
-            *codec.elements("velocity_uncertainty", self.velocity_uncertainty, 3), self.valid_flags
-        )
-        return codec.finished(out)
-
-
-_ECEF_POSITION_0 = codec.Block("dddH", *["position"] * 3, "valid_flags")
-
 
 class EcefPosition(Data):
     """ECEF position (0x82,0x40).
 
     Estimated position.
 
-    Also called `ecef_pos`. Changed by `filter.ReferencePointLeverArm`. Probably changed by
-    `filter.AntennaOffset`, `filter.GnssSource`, `filter.InitializationConfig` and
-    `filter.MultiAntennaOffset`. Flagged by `Cv7StatusFlags.POSITION_WARNING` of `Cv7StatusFlags`.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-INS,
-    3DM-CX7-INS and 3DM-GV7-INS. Refused by 3DM-GX3-25.
+    Also called `ecef_pos`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: ECEF Position (0x82,0x40)
     """
@@ -3256,6 +2283,7 @@ class EcefPosition(Data):
     NAME = "filter_data.ecef_position"
     ROLE = "data"
     _LAYOUT = (("position", "ddd", types.Vector3d), ("valid_flags", "H", ValidFlags))
+
     _VECTORS = {"position": (types.Vector3d,)}
 
     position: types.Vector3d
@@ -3269,36 +2297,13 @@ class EcefPosition(Data):
         self.position = codec.vector(position, types.Vector3d)
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EcefPosition, int]:
-        v = _ECEF_POSITION_0.read(raw, at)
-        at += 26
-        position = types.Vector3d._make(v[0:3])
-        valid_flags = ValidFlags(v[3])
-        return cls(position, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _ECEF_POSITION_0.write(
-            *codec.elements("position", self.position, 3), self.valid_flags
-        )
-        return codec.finished(out)
-
-
-_ECEF_VELOCITY_0 = codec.Block("fffH", *["velocity"] * 3, "valid_flags")
-
 
 class EcefVelocity(Data):
     """ECEF velocity (0x82,0x41).
 
     Estimated velocity.
 
-    Also called `ecef_vel`. Changed by `filter.ReferencePointLeverArm`. Probably changed by
-    `filter.AntennaOffset`, `filter.GnssSource`, `filter.AutoZupt`, `filter.CommandedZupt`,
-    `filter.KinematicConstraint`, `filter.InitializationConfig`, `filter.MultiAntennaOffset`,
-    `filter.SpeedLeverArm` and `filter.WheeledVehicleConstraintControl`. Flagged by
-    `Cv7StatusFlags.VELOCITY_WARNING` of `Cv7StatusFlags`. Supported by 3DM-CV7-GNSS/INS and
-    3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS. Refused by
-    3DM-GX3-25.
+    Also called `ecef_vel`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: ECEF Velocity (0x82,0x41)
     """
@@ -3312,6 +2317,7 @@ class EcefVelocity(Data):
     NAME = "filter_data.ecef_velocity"
     ROLE = "data"
     _LAYOUT = (("velocity", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
+
     _VECTORS = {"velocity": (types.Vector3f,)}
 
     velocity: types.Vector3f
@@ -3325,33 +2331,13 @@ class EcefVelocity(Data):
         self.velocity = codec.vector(velocity, types.Vector3f)
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EcefVelocity, int]:
-        v = _ECEF_VELOCITY_0.read(raw, at)
-        at += 14
-        velocity = types.Vector3f._make(v[0:3])
-        valid_flags = ValidFlags(v[3])
-        return cls(velocity, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _ECEF_VELOCITY_0.write(
-            *codec.elements("velocity", self.velocity, 3), self.valid_flags
-        )
-        return codec.finished(out)
-
-
-_NED_RELATIVE_POSITION_0 = codec.Block("dddH", *["relative_position"] * 3, "valid_flags")
-
 
 class NedRelativePosition(Data):
     """NED relative position (0x82,0x42).
 
     Estimated position relative to the point that `filter.RelativePositionConfig` sets.
 
-    Also called `rel_pos_ned`. Changed by `filter.RelativePositionConfig` and
-    `filter.ReferencePointLeverArm`. Flagged by `Cv7StatusFlags.POSITION_WARNING` of
-    `Cv7StatusFlags`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by
-    3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS.
+    Also called `rel_pos_ned`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: NED Relative Position (0x82,0x42)
     """
@@ -3365,6 +2351,7 @@ class NedRelativePosition(Data):
     NAME = "filter_data.ned_relative_position"
     ROLE = "data"
     _LAYOUT = (("relative_position", "ddd", types.Ned3d), ("valid_flags", "H", ValidFlags))
+
     _VECTORS = {"relative_position": (types.Ned3d,)}
 
     relative_position: types.Ned3d
@@ -3380,34 +2367,13 @@ class NedRelativePosition(Data):
         self.relative_position = codec.vector(relative_position, types.Ned3d)
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[NedRelativePosition, int]:
-        v = _NED_RELATIVE_POSITION_0.read(raw, at)
-        at += 26
-        relative_position = types.Ned3d._make(v[0:3])
-        valid_flags = ValidFlags(v[3])
-        return cls(relative_position, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _NED_RELATIVE_POSITION_0.write(
-            *codec.elements("relative_position", self.relative_position, 3), self.valid_flags
-        )
-        return codec.finished(out)
-
-
-_GNSS_POSITION_AIDING_STATUS_0 = codec.Block(
-    "BfHBBBBBBBB", "receiver_id", "tow", "status", *["reserved"] * 8
-)
-
 
 class GnssPositionAidingStatus(Data):
     """GNSS position aiding status (0x82,0x43).
 
     Use of the position measurements of one GNSS receiver by the filter.
 
-    Also called `gnss_pos_aid_status`. Probably changed by `filter.GnssSource`. Supported by
-    3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-INS and
-    3DM-GV7-INS. Refused by 3DM-CV7-AHRS, 3DM-GX3-25 and 3DM-GX5-25.
+    Also called `gnss_pos_aid_status`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     Single precision resolves the time of week to 0.0625 s at the end of the week.
 
@@ -3449,25 +2415,6 @@ class GnssPositionAidingStatus(Data):
         self.tow = tow
         self.status = status
         self.reserved = codec.several(reserved)
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssPositionAidingStatus, int]:
-        v = _GNSS_POSITION_AIDING_STATUS_0.read(raw, at)
-        at += 15
-        receiver_id = v[0]
-        tow = v[1]
-        status = GnssAidingStatus(v[2])
-        reserved = v[3:11]
-        return cls(receiver_id, tow, status, reserved), at
-
-    def _write(self) -> bytes:
-        out = _GNSS_POSITION_AIDING_STATUS_0.write(
-            self.receiver_id, self.tow, self.status, *codec.exactly("reserved", self.reserved, 8)
-        )
-        return codec.finished(out)
-
-
-_GNSS_ATTITUDE_AIDING_STATUS_0 = codec.Block("fHBBBBBBBB", "tow", "status", *["reserved"] * 8)
 
 
 class GnssAttitudeAidingStatus(Data):
@@ -3513,24 +2460,6 @@ class GnssAttitudeAidingStatus(Data):
         self.status = status
         self.reserved = codec.several(reserved)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssAttitudeAidingStatus, int]:
-        v = _GNSS_ATTITUDE_AIDING_STATUS_0.read(raw, at)
-        at += 14
-        tow = v[0]
-        status = GnssAidingStatus(v[1])
-        reserved = v[2:10]
-        return cls(tow, status, reserved), at
-
-    def _write(self) -> bytes:
-        out = _GNSS_ATTITUDE_AIDING_STATUS_0.write(
-            self.tow, self.status, *codec.exactly("reserved", self.reserved, 8)
-        )
-        return codec.finished(out)
-
-
-_HEADING_AIDING_STATUS_0 = codec.Block("fBff", "tow", "type", *["reserved"] * 2)
-
 
 class HeadingAidingStatus(Data):
     """Heading aiding status (0x82,0x45).
@@ -3571,32 +2500,13 @@ class HeadingAidingStatus(Data):
         self.type = type
         self.reserved = codec.several(reserved)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[HeadingAidingStatus, int]:
-        v = _HEADING_AIDING_STATUS_0.read(raw, at)
-        at += 13
-        tow = v[0]
-        type = HeadingAidingType(v[1])
-        reserved = v[2:4]
-        return cls(tow, type, reserved), at
-
-    def _write(self) -> bytes:
-        out = _HEADING_AIDING_STATUS_0.write(
-            self.tow, self.type, *codec.exactly("reserved", self.reserved, 2)
-        )
-        return codec.finished(out)
-
-
-_AIDING_MEASUREMENT_SUMMARY_0 = codec.Block("fBBB", "tow", "source", "type", "indicator")
-
 
 class AidingMeasurementSummary(Data):
     """Aiding measurement summary (0x82,0x46).
 
     Use of one kind of aiding measurement in the last measurement interval.
 
-    Changed by `filter.AidingMeasurementEnable`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
-    Probably supported by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     Single precision resolves the time of week to 0.0625 s at the end of the week.
 
@@ -3639,31 +2549,13 @@ class AidingMeasurementSummary(Data):
         self.type = type
         self.indicator = indicator
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AidingMeasurementSummary, int]:
-        v = _AIDING_MEASUREMENT_SUMMARY_0.read(raw, at)
-        at += 7
-        tow = v[0]
-        source = v[1]
-        type = AidingMeasurementType(v[2])
-        indicator = AidingMeasurementIndicator(v[3])
-        return cls(tow, source, type, indicator), at
-
-    def _write(self) -> bytes:
-        out = _AIDING_MEASUREMENT_SUMMARY_0.write(self.tow, self.source, self.type, self.indicator)
-        return codec.finished(out)
-
-
-_ODOMETER_SCALE_FACTOR_ERROR_0 = codec.Block("fH", "scale_factor_error", "valid_flags")
-
 
 class OdometerScaleFactorError(Data):
     """Odometer scale factor error (0x82,0x47).
 
     Estimated relative error of the odometer scale factor.
 
-    Probably changed by `filter.SpeedLeverArm`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
-    3DM-GQ7-GNSS/INS.
+    Supported by 3DM-CV7-GNSS/INS.
 
     Estimated scale factor = configured scale factor * (1 + error).
 
@@ -3689,30 +2581,13 @@ class OdometerScaleFactorError(Data):
         self.scale_factor_error = scale_factor_error
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[OdometerScaleFactorError, int]:
-        v = _ODOMETER_SCALE_FACTOR_ERROR_0.read(raw, at)
-        at += 6
-        scale_factor_error = v[0]
-        valid_flags = ValidFlags(v[1])
-        return cls(scale_factor_error, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _ODOMETER_SCALE_FACTOR_ERROR_0.write(self.scale_factor_error, self.valid_flags)
-        return codec.finished(out)
-
-
-_ODOMETER_SCALE_FACTOR_ERROR_UNCERTAINTY_0 = codec.Block(
-    "fH", "scale_factor_error_uncertainty", "valid_flags"
-)
-
 
 class OdometerScaleFactorErrorUncertainty(Data):
     """Odometer scale factor error uncertainty (0x82,0x48).
 
     Uncertainty of the estimated error of the odometer scale factor.
 
-    Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-GQ7-GNSS/INS.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Odometer Scale Factor Error Uncertainty (0x82,0x48)
     """
@@ -3738,33 +2613,13 @@ class OdometerScaleFactorErrorUncertainty(Data):
         self.scale_factor_error_uncertainty = scale_factor_error_uncertainty
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[OdometerScaleFactorErrorUncertainty, int]:
-        v = _ODOMETER_SCALE_FACTOR_ERROR_UNCERTAINTY_0.read(raw, at)
-        at += 6
-        scale_factor_error_uncertainty = v[0]
-        valid_flags = ValidFlags(v[1])
-        return cls(scale_factor_error_uncertainty, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _ODOMETER_SCALE_FACTOR_ERROR_UNCERTAINTY_0.write(
-            self.scale_factor_error_uncertainty, self.valid_flags
-        )
-        return codec.finished(out)
-
-
-_GNSS_DUAL_ANTENNA_STATUS_0 = codec.Block(
-    "fffBHH", "tow", "heading", "heading_uncertainty", "fix_type", "status_flags", "valid_flags"
-)
-
 
 class GnssDualAntennaStatus(Data):
     """GNSS dual antenna status (0x82,0x49).
 
     Heading that two GNSS antennas give.
 
-    Probably changed by `filter.MultiAntennaOffset`. Supported by 3DM-CV7-GNSS/INS and
-    3DM-GQ7-GNSS/INS. Refused by 3DM-CV7-AHRS and 3DM-GX5-25.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     Single precision resolves the time of week to 0.0625 s at the end of the week.
 
@@ -3830,42 +2685,13 @@ class GnssDualAntennaStatus(Data):
         self.status_flags = status_flags
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssDualAntennaStatus, int]:
-        v = _GNSS_DUAL_ANTENNA_STATUS_0.read(raw, at)
-        at += 17
-        tow = v[0]
-        heading = v[1]
-        heading_uncertainty = v[2]
-        fix_type = DualAntennaFixType(v[3])
-        status_flags = DualAntennaStatusFlags(v[4])
-        valid_flags = ValidFlags(v[5])
-        return cls(tow, heading, heading_uncertainty, fix_type, status_flags, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _GNSS_DUAL_ANTENNA_STATUS_0.write(
-            self.tow,
-            self.heading,
-            self.heading_uncertainty,
-            self.fix_type,
-            self.status_flags,
-            self.valid_flags,
-        )
-        return codec.finished(out)
-
-
-_AIDING_FRAME_CONFIG_ERROR_0 = codec.Block(
-    "Bfffffff", "frame_id", *["translation"] * 3, *["attitude"] * 4
-)
-
 
 class AidingFrameConfigError(Data):
     """Aiding frame configuration error (0x82,0x50).
 
     Estimated error of a frame that `aiding.FrameConfig` defines; it is corrected for.
 
-    Changed by `aiding.FrameConfig`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and
-    3DM-CV7-INS. Probably supported by 3DM-CX7-INS and 3DM-GV7-INS.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
 
     - 3dm-cv7-gnss-ins: Aiding Frame Configuration Error (0x82,0x50)
     """
@@ -3883,6 +2709,7 @@ class AidingFrameConfigError(Data):
         ("translation", "fff", types.Vector3f),
         ("attitude", "ffff", types.Quatf),
     )
+
     _VECTORS = {"translation": (types.Vector3f,), "attitude": (types.Quatf,)}
 
     frame_id: int
@@ -3902,36 +2729,13 @@ class AidingFrameConfigError(Data):
         self.translation = codec.vector(translation, types.Vector3f)
         self.attitude = codec.vector(attitude, types.Quatf)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AidingFrameConfigError, int]:
-        v = _AIDING_FRAME_CONFIG_ERROR_0.read(raw, at)
-        at += 29
-        frame_id = v[0]
-        translation = types.Vector3f._make(v[1:4])
-        attitude = types.Quatf._make(v[4:8])
-        return cls(frame_id, translation, attitude), at
-
-    def _write(self) -> bytes:
-        out = _AIDING_FRAME_CONFIG_ERROR_0.write(
-            self.frame_id,
-            *codec.elements("translation", self.translation, 3),
-            *codec.elements("attitude", self.attitude, 4),
-        )
-        return codec.finished(out)
-
-
-_AIDING_FRAME_CONFIG_ERROR_UNCERTAINTY_0 = codec.Block(
-    "Bffffff", "frame_id", *["translation_uncertainty"] * 3, *["attitude_uncertainty"] * 3
-)
-
 
 class AidingFrameConfigErrorUncertainty(Data):
     """Aiding frame configuration error uncertainty (0x82,0x51).
 
     Uncertainty of the estimated error of a frame that `aiding.FrameConfig` defines.
 
-    Probably changed by `aiding.FrameConfig`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
-    3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Aiding Frame Configuration Error Uncertainty (0x82,0x51)
     """
@@ -3949,6 +2753,7 @@ class AidingFrameConfigErrorUncertainty(Data):
         ("translation_uncertainty", "fff", types.Vector3f),
         ("attitude_uncertainty", "fff", types.Vector3f),
     )
+
     _VECTORS = {
         "translation_uncertainty": (types.Vector3f,),
         "attitude_uncertainty": (types.Vector3f,),
@@ -3973,23 +2778,6 @@ class AidingFrameConfigErrorUncertainty(Data):
         self.frame_id = frame_id
         self.translation_uncertainty = codec.vector(translation_uncertainty, types.Vector3f)
         self.attitude_uncertainty = codec.vector(attitude_uncertainty, types.Vector3f)
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AidingFrameConfigErrorUncertainty, int]:
-        v = _AIDING_FRAME_CONFIG_ERROR_UNCERTAINTY_0.read(raw, at)
-        at += 25
-        frame_id = v[0]
-        translation_uncertainty = types.Vector3f._make(v[1:4])
-        attitude_uncertainty = types.Vector3f._make(v[4:7])
-        return cls(frame_id, translation_uncertainty, attitude_uncertainty), at
-
-    def _write(self) -> bytes:
-        out = _AIDING_FRAME_CONFIG_ERROR_UNCERTAINTY_0.write(
-            self.frame_id,
-            *codec.elements("translation_uncertainty", self.translation_uncertainty, 3),
-            *codec.elements("attitude_uncertainty", self.attitude_uncertainty, 3),
-        )
-        return codec.finished(out)
 
 
 #: The types of each descriptor; several if constants or the size of the data distinguish layouts.

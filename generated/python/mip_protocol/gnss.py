@@ -11,12 +11,9 @@ from collections.abc import Sequence
 from enum import IntFlag
 from typing import Any
 
-from . import codec
-from .errors import Truncated
+from . import codec, wire
 from .field import ClassOf, Command, Field, R, Response, ResponseClasses, Structure
 from .protocol import FunctionSelector
-
-_RECEIVER_INFO_ENTRY_0 = codec.Block("BB", "receiver_id", "mip_data_descriptor_set")
 
 
 class ReceiverInfoEntry(Structure):
@@ -28,6 +25,12 @@ class ReceiverInfoEntry(Structure):
 
     __slots__ = ("receiver_id", "mip_data_descriptor_set", "description")
     __match_args__ = ("receiver_id", "mip_data_descriptor_set", "description")
+
+    _LAYOUT = (
+        ("receiver_id", "B", None),
+        ("mip_data_descriptor_set", "B", None),
+        ("description", "", wire.Text(32, 32)),
+    )
 
     receiver_id: int
     """Receiver, numbered as in `receiver_id`: 1 and 2 are internal, 4 and 5 external. Range: at
@@ -42,21 +45,6 @@ class ReceiverInfoEntry(Structure):
         self.receiver_id = receiver_id
         self.mip_data_descriptor_set = mip_data_descriptor_set
         self.description = description
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ReceiverInfoEntry, int]:
-        v = _RECEIVER_INFO_ENTRY_0.read(raw, at)
-        at += 2
-        receiver_id = v[0]
-        mip_data_descriptor_set = v[1]
-        description = codec.take(raw, at, 32).decode("latin-1")
-        at += 32
-        return cls(receiver_id, mip_data_descriptor_set, description), at
-
-    def _write(self) -> bytes:
-        out = _RECEIVER_INFO_ENTRY_0.write(self.receiver_id, self.mip_data_descriptor_set)
-        out += codec.padded("description", self.description, 32)
-        return out
 
 
 @codec.open_flag(8)
@@ -172,13 +160,10 @@ class SpartnConnection(codec.OpenEnum):
     """By satellite in the L band."""
 
 
-_RECEIVER_INFO_RESPONSE_0 = codec.Block("B", "num_receivers")
-
-
 class ReceiverInfoResponse(Response):
     """Receiver info response (0x0E,0x81).
 
-    Answers `ReceiverInfo`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-GQ7-GNSS/INS.
+    Answers `ReceiverInfo`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Receiver Info (0x0E,0x01)
     """
@@ -191,6 +176,10 @@ class ReceiverInfoResponse(Response):
     DESCRIPTOR = 0x81
     NAME = "gnss.receiver_info_response"
     ROLE = "response"
+    _LAYOUT = (
+        ("num_receivers", "B", wire.Counts("receiver_info", 7)),
+        ("receiver_info", "", wire.Items(ReceiverInfoEntry, "num_receivers", 7)),
+    )
 
     # On the wire only: num_receivers. Number of physical receivers. The number of elements of
     # `receiver_info`.
@@ -200,35 +189,12 @@ class ReceiverInfoResponse(Response):
     def __init__(self, receiver_info: Sequence[ReceiverInfoEntry]) -> None:
         self.receiver_info = codec.several(receiver_info)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ReceiverInfoResponse, int]:
-        v = _RECEIVER_INFO_RESPONSE_0.read(raw, at)
-        at += 1
-        num_receivers = v[0]
-        n = codec.counted(raw, at, num_receivers, 34, 7)
-        receiver_info, at = codec.read_structures(ReceiverInfoEntry, raw, at, n)
-        return cls(receiver_info), at
-
-    def _write(self) -> bytes:
-        out = _RECEIVER_INFO_RESPONSE_0.write(codec.count("receiver_info", self.receiver_info, 7))
-        out += codec.write_structures(
-            "receiver_info",
-            codec.at_most("receiver_info", self.receiver_info, 7),
-            ReceiverInfoEntry,
-        )
-        return codec.finished(out)
-
-
-_SIGNAL_CONFIG_RESPONSE_0 = codec.Block(
-    "BBBBBBBB", "gps_enable", "glonass_enable", "galileo_enable", "beidou_enable", *["reserved"] * 4
-)
-
 
 class SignalConfigResponse(Response):
     """Signal configuration response (0x0E,0x82).
 
     Also called `signal_configuration_response`. Answers `SignalConfig`. Supported by
-    3DM-CV7-GNSS/INS. Probably supported by 3DM-GQ7-GNSS/INS.
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Signal Configuration (0x0E,0x02)
     - 3dm-cv7-gnss-ins: GNSS
@@ -275,30 +241,6 @@ class SignalConfigResponse(Response):
         self.beidou_enable = beidou_enable
         self.reserved = codec.several(reserved)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SignalConfigResponse, int]:
-        v = _SIGNAL_CONFIG_RESPONSE_0.read(raw, at)
-        at += 8
-        gps_enable = GpsSignals(v[0])
-        glonass_enable = GlonassSignals(v[1])
-        galileo_enable = GalileoSignals(v[2])
-        beidou_enable = BeidouSignals(v[3])
-        reserved = v[4:8]
-        return cls(gps_enable, glonass_enable, galileo_enable, beidou_enable, reserved), at
-
-    def _write(self) -> bytes:
-        out = _SIGNAL_CONFIG_RESPONSE_0.write(
-            self.gps_enable,
-            self.glonass_enable,
-            self.galileo_enable,
-            self.beidou_enable,
-            *codec.exactly("reserved", self.reserved, 4),
-        )
-        return codec.finished(out)
-
-
-_RTK_CONFIG_RESPONSE_0 = codec.Block("BBBBB", "ambiguity_fix_mode", *["reserved"] * 4)
-
 
 class RtkConfigResponse(Response):
     """RTK configuration response (0x0E,0x84).
@@ -330,29 +272,12 @@ class RtkConfigResponse(Response):
         self.ambiguity_fix_mode = ambiguity_fix_mode
         self.reserved = codec.several(reserved)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[RtkConfigResponse, int]:
-        v = _RTK_CONFIG_RESPONSE_0.read(raw, at)
-        at += 5
-        ambiguity_fix_mode = AmbiguityFixMode(v[0])
-        reserved = v[1:5]
-        return cls(ambiguity_fix_mode, reserved), at
-
-    def _write(self) -> bytes:
-        out = _RTK_CONFIG_RESPONSE_0.write(
-            self.ambiguity_fix_mode, *codec.exactly("reserved", self.reserved, 4)
-        )
-        return codec.finished(out)
-
-
-_RTK_DONGLE_CONFIG_RESPONSE_0 = codec.Block("BBBB", "enable", *["reserved"] * 3)
-
 
 class RtkDongleConfigResponse(Response):
     """RTK dongle configuration response (0x0E,0x90).
 
-    Also called `rtk_dongle_configuration_response`. Answers `RtkDongleConfig`. Probably supported
-    by 3DM-GQ7-GNSS/INS. Known only from the MicroStrain MIP SDK.
+    No device is certain to support it. Also called `rtk_dongle_configuration_response`. Answers
+    `RtkDongleConfig`. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: RTK dongle configuration (0x0E,0x10)
     """
@@ -375,33 +300,6 @@ class RtkDongleConfigResponse(Response):
     def __init__(self, enable: int, reserved: Sequence[int] = (0, 0, 0)) -> None:
         self.enable = enable
         self.reserved = codec.several(reserved)
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[RtkDongleConfigResponse, int]:
-        v = _RTK_DONGLE_CONFIG_RESPONSE_0.read(raw, at)
-        at += 4
-        enable = v[0]
-        reserved = v[1:4]
-        return cls(enable, reserved), at
-
-    def _write(self) -> bytes:
-        out = _RTK_DONGLE_CONFIG_RESPONSE_0.write(
-            self.enable, *codec.exactly("reserved", self.reserved, 3)
-        )
-        return codec.finished(out)
-
-
-_SPARTN_CONFIG_RESPONSE_0 = codec.Block(
-    "BBIHBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBIHBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBB",
-    "enable",
-    "type",
-    "current_key_tow",
-    "current_key_week",
-    *["current_key"] * 32,
-    "next_key_tow",
-    "next_key_week",
-    *["next_key"] * 32,
-)
 
 
 class SpartnConfigResponse(Response):
@@ -489,50 +387,13 @@ class SpartnConfigResponse(Response):
         self.next_key_week = next_key_week
         self.next_key = codec.several(next_key)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SpartnConfigResponse, int]:
-        v = _SPARTN_CONFIG_RESPONSE_0.read(raw, at)
-        at += 78
-        enable = v[0]
-        type = SpartnConnection(v[1])
-        current_key_tow = v[2]
-        current_key_week = v[3]
-        current_key = v[4:36]
-        next_key_tow = v[36]
-        next_key_week = v[37]
-        next_key = v[38:70]
-        return cls(
-            enable,
-            type,
-            current_key_tow,
-            current_key_week,
-            current_key,
-            next_key_tow,
-            next_key_week,
-            next_key,
-        ), at
-
-    def _write(self) -> bytes:
-        out = _SPARTN_CONFIG_RESPONSE_0.write(
-            self.enable,
-            self.type,
-            self.current_key_tow,
-            self.current_key_week,
-            *codec.exactly("current_key", self.current_key, 32),
-            self.next_key_tow,
-            self.next_key_week,
-            *codec.exactly("next_key", self.next_key, 32),
-        )
-        return codec.finished(out)
-
 
 class ReceiverInfo(Command[ReceiverInfoResponse]):
     """Receiver info (0x0E,0x01).
 
     Gets the GNSS receivers of the device.
 
-    Answered by `ReceiverInfoResponse`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
-    3DM-GQ7-GNSS/INS.
+    Answered by `ReceiverInfoResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Receiver Info (0x0E,0x01)
     """
@@ -546,28 +407,6 @@ class ReceiverInfo(Command[ReceiverInfoResponse]):
     ROLE = "command"
     RESPONSES = (ReceiverInfoResponse,)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ReceiverInfo, int]:
-        return cls(), at
-
-    def _write(self) -> bytes:
-        return b""
-
-
-_SIGNAL_CONFIG_0 = codec.Block("B", "function")
-_SIGNAL_CONFIG_1 = codec.Block("B", "gps_enable")
-_SIGNAL_CONFIG_2 = codec.Block("B", "glonass_enable")
-_SIGNAL_CONFIG_3 = codec.Block("B", "galileo_enable")
-_SIGNAL_CONFIG_4 = codec.Block("B", "beidou_enable")
-_SIGNAL_CONFIG_5 = codec.Block("BBBB", *["reserved"] * 4)
-_SIGNAL_CONFIG_GROUPS = (
-    (1, ("gps_enable",), False),
-    (2, ("glonass_enable",), False),
-    (3, ("galileo_enable",), False),
-    (4, ("beidou_enable",), False),
-    (5, ("reserved",), False),
-)
-
 
 class SignalConfig(Command[R]):
     """Signal configuration (0x0E,0x02).
@@ -576,9 +415,8 @@ class SignalConfig(Command[R]):
 
     Also called `signal_configuration`. Functions: `write`, `read`, `save`, `load` and `default`.
     Answered by `SignalConfigResponse`. Probably changes `gnss_data.FixInfo`,
-    `gnss_data.SatelliteStatus` and `gnss_data.Raw`. Supported by 3DM-CV7-GNSS/INS. Probably
-    supported by 3DM-GQ7-GNSS/INS. Refused by 3DM-GX3-25. On the 3DM-GQ7-GNSS/INS: firmware >
-    1.0.10.
+    `gnss_data.SatelliteStatus` and `gnss_data.Raw`. Supported by 3DM-CV7-GNSS/INS. On the
+    3DM-GQ7-GNSS/INS: firmware > 1.0.10.
 
     A device accepts certain combinations only. The 3DM-CV7-GNSS/INS needs GPS or Galileo, and
     rejects GPS L1 with BeiDou L1 alone. For GPS and BeiDou it accepts none, L1, or L1 and L5; for
@@ -612,6 +450,15 @@ class SignalConfig(Command[R]):
     ROLE = "command"
     RESPONSES = (SignalConfigResponse,)
     REQUIRED = {1: 5, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("gps_enable", "B", GpsSignals),
+        ("glonass_enable", "B", GlonassSignals),
+        ("galileo_enable", "B", GalileoSignals),
+        ("beidou_enable", "B", BeidouSignals),
+        ("reserved", "BBBB", tuple),
+    )
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -686,76 +533,6 @@ class SignalConfig(Command[R]):
             return (SignalConfigResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SignalConfig[R], int]:
-        gps_enable: GpsSignals | None = None
-        glonass_enable: GlonassSignals | None = None
-        galileo_enable: GalileoSignals | None = None
-        beidou_enable: BeidouSignals | None = None
-        reserved: tuple[int, int, int, int] | None = None
-        v = _SIGNAL_CONFIG_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _SIGNAL_CONFIG_1.read(raw, at)
-            at += 1
-            gps_enable = GpsSignals(v[0])
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _SIGNAL_CONFIG_2.read(raw, at)
-            at += 1
-            glonass_enable = GlonassSignals(v[0])
-            done, end = 2, at
-            if at == len(raw) and required < 3:
-                raise Truncated(1, 0)
-            v = _SIGNAL_CONFIG_3.read(raw, at)
-            at += 1
-            galileo_enable = GalileoSignals(v[0])
-            done, end = 3, at
-            if at == len(raw) and required < 4:
-                raise Truncated(1, 0)
-            v = _SIGNAL_CONFIG_4.read(raw, at)
-            at += 1
-            beidou_enable = BeidouSignals(v[0])
-            done, end = 4, at
-            if at == len(raw) and required < 5:
-                raise Truncated(1, 0)
-            v = _SIGNAL_CONFIG_5.read(raw, at)
-            at += 4
-            reserved = v[0:4]
-            done, end = 5, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(
-            function, gps_enable, glonass_enable, galileo_enable, beidou_enable, reserved
-        ), at
-
-    def _write(self) -> bytes:
-        out = _SIGNAL_CONFIG_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _SIGNAL_CONFIG_GROUPS)
-        if there >= 1:
-            out += _SIGNAL_CONFIG_1.write(self.gps_enable)
-        if there >= 2:
-            out += _SIGNAL_CONFIG_2.write(self.glonass_enable)
-        if there >= 3:
-            out += _SIGNAL_CONFIG_3.write(self.galileo_enable)
-        if there >= 4:
-            out += _SIGNAL_CONFIG_4.write(self.beidou_enable)
-        if there >= 5:
-            out += _SIGNAL_CONFIG_5.write(*codec.exactly("reserved", self.reserved, 4))
-        return codec.finished(out)
-
-
-_RECEIVER_RESET_0 = codec.Block("BB", "receiver_id", "reset_type")
-
 
 class ReceiverReset(Command[None]):
     """Receiver reset (0x0E,0x03).
@@ -789,24 +566,6 @@ class ReceiverReset(Command[None]):
         self.receiver_id = receiver_id
         self.reset_type = reset_type
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ReceiverReset, int]:
-        v = _RECEIVER_RESET_0.read(raw, at)
-        at += 2
-        receiver_id = ReceiverId(v[0])
-        reset_type = ReceiverResetType(v[1])
-        return cls(receiver_id, reset_type), at
-
-    def _write(self) -> bytes:
-        out = _RECEIVER_RESET_0.write(self.receiver_id, self.reset_type)
-        return codec.finished(out)
-
-
-_RTK_CONFIG_0 = codec.Block("B", "function")
-_RTK_CONFIG_1 = codec.Block("B", "ambiguity_fix_mode")
-_RTK_CONFIG_2 = codec.Block("BBBB", *["reserved"] * 4)
-_RTK_CONFIG_GROUPS = ((1, ("ambiguity_fix_mode",), False), (2, ("reserved",), False))
-
 
 class RtkConfig(Command[R]):
     """RTK configuration (0x0E,0x04).
@@ -834,6 +593,12 @@ class RtkConfig(Command[R]):
     ROLE = "command"
     RESPONSES = (RtkConfigResponse,)
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("ambiguity_fix_mode", "B", AmbiguityFixMode),
+        ("reserved", "BBBB", tuple),
+    )
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -887,60 +652,15 @@ class RtkConfig(Command[R]):
             return (RtkConfigResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[RtkConfig[R], int]:
-        ambiguity_fix_mode: AmbiguityFixMode | None = None
-        reserved: tuple[int, int, int, int] | None = None
-        v = _RTK_CONFIG_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _RTK_CONFIG_1.read(raw, at)
-            at += 1
-            ambiguity_fix_mode = AmbiguityFixMode(v[0])
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _RTK_CONFIG_2.read(raw, at)
-            at += 4
-            reserved = v[0:4]
-            done, end = 2, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, ambiguity_fix_mode, reserved), at
-
-    def _write(self) -> bytes:
-        out = _RTK_CONFIG_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _RTK_CONFIG_GROUPS)
-        if there >= 1:
-            out += _RTK_CONFIG_1.write(self.ambiguity_fix_mode)
-        if there >= 2:
-            out += _RTK_CONFIG_2.write(*codec.exactly("reserved", self.reserved, 4))
-        return codec.finished(out)
-
-
-_RTK_DONGLE_CONFIG_0 = codec.Block("B", "function")
-_RTK_DONGLE_CONFIG_1 = codec.Block("B", "enable")
-_RTK_DONGLE_CONFIG_2 = codec.Block("BBB", *["reserved"] * 3)
-_RTK_DONGLE_CONFIG_GROUPS = ((1, ("enable",), False), (2, ("reserved",), False))
-
 
 class RtkDongleConfig(Command[R]):
     """RTK dongle configuration (0x0E,0x10).
 
     Switches the communication with a connected RTK dongle on or off.
 
-    Also called `rtk_dongle_configuration`. Functions: `write`, `read`, `save`, `load` and
-    `default`. Answered by `RtkDongleConfigResponse`. Probably changes
-    `gnss_data.RtkCorrectionsStatus`. Probably supported by 3DM-GQ7-GNSS/INS. Refused by 3DM-GX3-25.
-    Known only from the MicroStrain MIP SDK.
+    No device is certain to support it. Also called `rtk_dongle_configuration`. Functions: `write`,
+    `read`, `save`, `load` and `default`. Answered by `RtkDongleConfigResponse`. Probably changes
+    `gnss_data.RtkCorrectionsStatus`. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: RTK dongle configuration (0x0E,0x10)
     """
@@ -955,6 +675,12 @@ class RtkDongleConfig(Command[R]):
     ROLE = "command"
     RESPONSES = (RtkDongleConfigResponse,)
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("enable", "B", None),
+        ("reserved", "BBB", tuple),
+    )
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -1003,65 +729,6 @@ class RtkDongleConfig(Command[R]):
         if self.function == FunctionSelector.READ:
             return (RtkDongleConfigResponse,)
         return ()
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[RtkDongleConfig[R], int]:
-        enable: int | None = None
-        reserved: tuple[int, int, int] | None = None
-        v = _RTK_DONGLE_CONFIG_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _RTK_DONGLE_CONFIG_1.read(raw, at)
-            at += 1
-            enable = v[0]
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _RTK_DONGLE_CONFIG_2.read(raw, at)
-            at += 3
-            reserved = v[0:3]
-            done, end = 2, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, enable, reserved), at
-
-    def _write(self) -> bytes:
-        out = _RTK_DONGLE_CONFIG_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _RTK_DONGLE_CONFIG_GROUPS)
-        if there >= 1:
-            out += _RTK_DONGLE_CONFIG_1.write(self.enable)
-        if there >= 2:
-            out += _RTK_DONGLE_CONFIG_2.write(*codec.exactly("reserved", self.reserved, 3))
-        return codec.finished(out)
-
-
-_SPARTN_CONFIG_0 = codec.Block("B", "function")
-_SPARTN_CONFIG_1 = codec.Block("B", "enable")
-_SPARTN_CONFIG_2 = codec.Block("B", "type")
-_SPARTN_CONFIG_3 = codec.Block("I", "current_key_tow")
-_SPARTN_CONFIG_4 = codec.Block("H", "current_key_week")
-_SPARTN_CONFIG_5 = codec.Block("BBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBB", *["current_key"] * 32)
-_SPARTN_CONFIG_6 = codec.Block("I", "next_key_tow")
-_SPARTN_CONFIG_7 = codec.Block("H", "next_key_week")
-_SPARTN_CONFIG_8 = codec.Block("BBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBB", *["next_key"] * 32)
-_SPARTN_CONFIG_GROUPS = (
-    (1, ("enable",), False),
-    (2, ("type",), False),
-    (3, ("current_key_tow",), False),
-    (4, ("current_key_week",), False),
-    (5, ("current_key",), False),
-    (6, ("next_key_tow",), False),
-    (7, ("next_key_week",), False),
-    (8, ("next_key",), False),
-)
 
 
 class SpartnConfig(Command[R]):
@@ -1113,6 +780,18 @@ class SpartnConfig(Command[R]):
     ROLE = "command"
     RESPONSES = (SpartnConfigResponse,)
     REQUIRED = {1: 8, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("enable", "B", None),
+        ("type", "B", SpartnConnection),
+        ("current_key_tow", "I", None),
+        ("current_key_week", "H", None),
+        ("current_key", "BBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBB", tuple),
+        ("next_key_tow", "I", None),
+        ("next_key_week", "H", None),
+        ("next_key", "BBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBB", tuple),
+    )
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -1205,108 +884,6 @@ class SpartnConfig(Command[R]):
         if self.function == FunctionSelector.READ:
             return (SpartnConfigResponse,)
         return ()
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SpartnConfig[R], int]:
-        enable: int | None = None
-        type: SpartnConnection | None = None
-        current_key_tow: int | None = None
-        current_key_week: int | None = None
-        current_key: tuple[int, ...] | None = None
-        next_key_tow: int | None = None
-        next_key_week: int | None = None
-        next_key: tuple[int, ...] | None = None
-        v = _SPARTN_CONFIG_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _SPARTN_CONFIG_1.read(raw, at)
-            at += 1
-            enable = v[0]
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _SPARTN_CONFIG_2.read(raw, at)
-            at += 1
-            type = SpartnConnection(v[0])
-            done, end = 2, at
-            if at == len(raw) and required < 3:
-                raise Truncated(1, 0)
-            v = _SPARTN_CONFIG_3.read(raw, at)
-            at += 4
-            current_key_tow = v[0]
-            done, end = 3, at
-            if at == len(raw) and required < 4:
-                raise Truncated(1, 0)
-            v = _SPARTN_CONFIG_4.read(raw, at)
-            at += 2
-            current_key_week = v[0]
-            done, end = 4, at
-            if at == len(raw) and required < 5:
-                raise Truncated(1, 0)
-            v = _SPARTN_CONFIG_5.read(raw, at)
-            at += 32
-            current_key = v[0:32]
-            done, end = 5, at
-            if at == len(raw) and required < 6:
-                raise Truncated(1, 0)
-            v = _SPARTN_CONFIG_6.read(raw, at)
-            at += 4
-            next_key_tow = v[0]
-            done, end = 6, at
-            if at == len(raw) and required < 7:
-                raise Truncated(1, 0)
-            v = _SPARTN_CONFIG_7.read(raw, at)
-            at += 2
-            next_key_week = v[0]
-            done, end = 7, at
-            if at == len(raw) and required < 8:
-                raise Truncated(1, 0)
-            v = _SPARTN_CONFIG_8.read(raw, at)
-            at += 32
-            next_key = v[0:32]
-            done, end = 8, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(
-            function,
-            enable,
-            type,
-            current_key_tow,
-            current_key_week,
-            current_key,
-            next_key_tow,
-            next_key_week,
-            next_key,
-        ), at
-
-    def _write(self) -> bytes:
-        out = _SPARTN_CONFIG_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _SPARTN_CONFIG_GROUPS)
-        if there >= 1:
-            out += _SPARTN_CONFIG_1.write(self.enable)
-        if there >= 2:
-            out += _SPARTN_CONFIG_2.write(self.type)
-        if there >= 3:
-            out += _SPARTN_CONFIG_3.write(self.current_key_tow)
-        if there >= 4:
-            out += _SPARTN_CONFIG_4.write(self.current_key_week)
-        if there >= 5:
-            out += _SPARTN_CONFIG_5.write(*codec.exactly("current_key", self.current_key, 32))
-        if there >= 6:
-            out += _SPARTN_CONFIG_6.write(self.next_key_tow)
-        if there >= 7:
-            out += _SPARTN_CONFIG_7.write(self.next_key_week)
-        if there >= 8:
-            out += _SPARTN_CONFIG_8.write(*codec.exactly("next_key", self.next_key, 32))
-        return codec.finished(out)
 
 
 ReceiverInfoResponse.COMMANDS = (ReceiverInfo,)

@@ -697,29 +697,14 @@ class BeidouIonoCorrectionFlags(IntFlag):
     """All values are valid. Bits 0 to 4. Overlaps other bits."""
 
 
-_LLH_POSITION_0 = codec.Block(
-    "ddddffH",
-    "latitude",
-    "longitude",
-    "ellipsoid_height",
-    "msl_height",
-    "horizontal_accuracy",
-    "vertical_accuracy",
-    "valid_flags",
-)
-
-
 class LlhPosition(Shared, Data):
     """GNSS LLH position (0x03).
 
     GNSS position as latitude, longitude and height.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Also called `pos_llh`. Probably changed by
-    `mip_3dm.GpsDynamicsMode` and `gnss.RtkConfig`. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and
-    3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-INS,
-    3DM-GQ4-45, 3DM-GV7-INS, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-45, 3DM-GX5-35, 3DM-GX5-45,
-    3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Refused by 3DM-CV7-AHRS, 3DM-GX3-25 and 3DM-GX5-25.
+    (0x94) and gnss_external_2 (0x95). Also called `pos_llh`. Supported by 3DM-CV7-GNSS/INS,
+    3DM-CV7-INS and 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS LLH Position (0x91,0x03)
     - 3dm-cv7-gnss-ins: GNSS LLH Position (0x92,0x03)
@@ -804,42 +789,6 @@ class LlhPosition(Shared, Data):
         self.vertical_accuracy = vertical_accuracy
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[LlhPosition, int]:
-        v = _LLH_POSITION_0.read(raw, at)
-        at += 42
-        latitude = v[0]
-        longitude = v[1]
-        ellipsoid_height = v[2]
-        msl_height = v[3]
-        horizontal_accuracy = v[4]
-        vertical_accuracy = v[5]
-        valid_flags = LlhPositionFlags(v[6])
-        return cls(
-            latitude,
-            longitude,
-            ellipsoid_height,
-            msl_height,
-            horizontal_accuracy,
-            vertical_accuracy,
-            valid_flags,
-        ), at
-
-    def _write(self) -> bytes:
-        out = _LLH_POSITION_0.write(
-            self.latitude,
-            self.longitude,
-            self.ellipsoid_height,
-            self.msl_height,
-            self.horizontal_accuracy,
-            self.vertical_accuracy,
-            self.valid_flags,
-        )
-        return codec.finished(out)
-
-
-_ECEF_POSITION_0 = codec.Block("dddfH", *["position"] * 3, "position_accuracy", "valid_flags")
-
 
 class EcefPosition(Shared, Data):
     """GNSS ECEF position (0x04).
@@ -848,8 +797,7 @@ class EcefPosition(Shared, Data):
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
     (0x94) and gnss_external_2 (0x95). Also called `pos_ecef`. Supported by 3DM-CV7-GNSS/INS,
-    3DM-CV7-INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45,
-    3DM-GX5-35 and 3DM-GX5-45.
+    3DM-CV7-INS and 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS ECEF Position (0x91,0x04)
     - 3dm-cv7-gnss-ins: GNSS ECEF Position (0x92,0x04)
@@ -867,6 +815,7 @@ class EcefPosition(Shared, Data):
         ("position_accuracy", "f", None),
         ("valid_flags", "H", EcefPositionFlags),
     )
+
     _VECTORS = {"position": (types.Vector3d,)}
 
     position: types.Vector3d
@@ -890,33 +839,6 @@ class EcefPosition(Shared, Data):
         self.position_accuracy = position_accuracy
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EcefPosition, int]:
-        v = _ECEF_POSITION_0.read(raw, at)
-        at += 30
-        position = types.Vector3d._make(v[0:3])
-        position_accuracy = v[3]
-        valid_flags = EcefPositionFlags(v[4])
-        return cls(position, position_accuracy, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _ECEF_POSITION_0.write(
-            *codec.elements("position", self.position, 3), self.position_accuracy, self.valid_flags
-        )
-        return codec.finished(out)
-
-
-_NED_VELOCITY_0 = codec.Block(
-    "ffffffffH",
-    *["velocity"] * 3,
-    "speed",
-    "ground_speed",
-    "heading",
-    "speed_accuracy",
-    "heading_accuracy",
-    "valid_flags",
-)
-
 
 class NedVelocity(Shared, Data):
     """NED velocity (0x05).
@@ -924,11 +846,8 @@ class NedVelocity(Shared, Data):
     GNSS velocity in the local level frame.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Also called `vel_ned`. Probably changed by
-    `mip_3dm.GpsDynamicsMode`. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GQ7-GNSS/INS.
-    Probably supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GV7-INS,
-    3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
-    Refused by 3DM-GX3-25.
+    (0x94) and gnss_external_2 (0x95). Also called `vel_ned`. Supported by 3DM-CV7-GNSS/INS,
+    3DM-CV7-INS and 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: NED Velocity (0x91,0x05)
     - 3dm-cv7-gnss-ins: NED Velocity (0x92,0x05)
@@ -967,6 +886,7 @@ class NedVelocity(Shared, Data):
         ("heading_accuracy", "f", None),
         ("valid_flags", "H", NedVelocityFlags),
     )
+
     _VECTORS = {"velocity": (types.Ned3f,)}
 
     velocity: types.Ned3f
@@ -1014,36 +934,6 @@ class NedVelocity(Shared, Data):
         self.heading_accuracy = heading_accuracy
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[NedVelocity, int]:
-        v = _NED_VELOCITY_0.read(raw, at)
-        at += 34
-        velocity = types.Ned3f._make(v[0:3])
-        speed = v[3]
-        ground_speed = v[4]
-        heading = v[5]
-        speed_accuracy = v[6]
-        heading_accuracy = v[7]
-        valid_flags = NedVelocityFlags(v[8])
-        return cls(
-            velocity, speed, ground_speed, heading, speed_accuracy, heading_accuracy, valid_flags
-        ), at
-
-    def _write(self) -> bytes:
-        out = _NED_VELOCITY_0.write(
-            *codec.elements("velocity", self.velocity, 3),
-            self.speed,
-            self.ground_speed,
-            self.heading,
-            self.speed_accuracy,
-            self.heading_accuracy,
-            self.valid_flags,
-        )
-        return codec.finished(out)
-
-
-_ECEF_VELOCITY_0 = codec.Block("ffffH", *["velocity"] * 3, "velocity_accuracy", "valid_flags")
-
 
 class EcefVelocity(Shared, Data):
     """GNSS ECEF velocity (0x06).
@@ -1052,8 +942,7 @@ class EcefVelocity(Shared, Data):
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
     (0x94) and gnss_external_2 (0x95). Also called `vel_ecef`. Supported by 3DM-CV7-GNSS/INS,
-    3DM-CV7-INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-35. Probably supported by 3DM-CV5-45, 3DM-CX5-35,
-    3DM-CX5-45 and 3DM-GX5-45.
+    3DM-CV7-INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-35.
 
     - 3dm-gx5-35: 5.2.4 ECEF Velocity (0x81, 0x06)
     - 3dm-cv7-gnss-ins: GNSS ECEF Velocity (0x91,0x06)
@@ -1072,6 +961,7 @@ class EcefVelocity(Shared, Data):
         ("velocity_accuracy", "f", None),
         ("valid_flags", "H", EcefVelocityFlags),
     )
+
     _VECTORS = {"velocity": (types.Vector3f,)}
 
     velocity: types.Vector3f
@@ -1095,26 +985,6 @@ class EcefVelocity(Shared, Data):
         self.velocity_accuracy = velocity_accuracy
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EcefVelocity, int]:
-        v = _ECEF_VELOCITY_0.read(raw, at)
-        at += 18
-        velocity = types.Vector3f._make(v[0:3])
-        velocity_accuracy = v[3]
-        valid_flags = EcefVelocityFlags(v[4])
-        return cls(velocity, velocity_accuracy, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _ECEF_VELOCITY_0.write(
-            *codec.elements("velocity", self.velocity, 3), self.velocity_accuracy, self.valid_flags
-        )
-        return codec.finished(out)
-
-
-_DOP_0 = codec.Block(
-    "fffffffH", "gdop", "pdop", "hdop", "vdop", "tdop", "ndop", "edop", "valid_flags"
-)
-
 
 class Dop(Shared, Data):
     """DOP (0x07).
@@ -1122,8 +992,7 @@ class Dop(Shared, Data):
     Dilution of precision of the satellite geometry.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS and 3DM-CV7-INS. Probably
-    supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-35 and 3DM-GX5-45.
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
 
     - 3dm-cv7-gnss-ins: DOP (0x91,0x07)
     - 3dm-cv7-gnss-ins: DOP (0x92,0x07)
@@ -1197,38 +1066,6 @@ class Dop(Shared, Data):
         self.edop = edop
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[Dop, int]:
-        v = _DOP_0.read(raw, at)
-        at += 30
-        gdop = v[0]
-        pdop = v[1]
-        hdop = v[2]
-        vdop = v[3]
-        tdop = v[4]
-        ndop = v[5]
-        edop = v[6]
-        valid_flags = DopFlags(v[7])
-        return cls(gdop, pdop, hdop, vdop, tdop, ndop, edop, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _DOP_0.write(
-            self.gdop,
-            self.pdop,
-            self.hdop,
-            self.vdop,
-            self.tdop,
-            self.ndop,
-            self.edop,
-            self.valid_flags,
-        )
-        return codec.finished(out)
-
-
-_UTC_TIME_0 = codec.Block(
-    "HBBBBBIH", "year", "month", "day", "hour", "min", "sec", "msec", "valid_flags"
-)
-
 
 class UtcTime(Shared, Data):
     """UTC time (0x08).
@@ -1236,9 +1073,7 @@ class UtcTime(Shared, Data):
     Coordinated universal time as the receiver knows it.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS and 3DM-CV7-INS. Probably
-    supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-INS,
-    3DM-GX5-35 and 3DM-GX5-45.
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
 
     - 3dm-cv7-gnss-ins: UTC Time (0x91,0x08)
     - 3dm-cv7-gnss-ins: UTC Time (0x92,0x08)
@@ -1310,36 +1145,6 @@ class UtcTime(Shared, Data):
         self.msec = msec
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[UtcTime, int]:
-        v = _UTC_TIME_0.read(raw, at)
-        at += 13
-        year = v[0]
-        month = v[1]
-        day = v[2]
-        hour = v[3]
-        min = v[4]
-        sec = v[5]
-        msec = v[6]
-        valid_flags = UtcTimeFlags(v[7])
-        return cls(year, month, day, hour, min, sec, msec, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _UTC_TIME_0.write(
-            self.year,
-            self.month,
-            self.day,
-            self.hour,
-            self.min,
-            self.sec,
-            self.msec,
-            self.valid_flags,
-        )
-        return codec.finished(out)
-
-
-_GPS_TIME_0 = codec.Block("dHH", "tow", "week_number", "valid_flags")
-
 
 class GpsTime(Shared, Data):
     """GPS time (0x09).
@@ -1347,10 +1152,7 @@ class GpsTime(Shared, Data):
     GPS time as the receiver knows it.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Flagged by `types.Gq7ContinuousBuiltInTest.GPS_TIME_FAULT` of
-    `types.Gq7ContinuousBuiltInTest`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
-    3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX3-35, 3DM-GX3-45,
-    3DM-GX4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GPS Time (0x91,0x09)
     - 3dm-cv7-gnss-ins: GPS Time (0x92,0x09)
@@ -1379,31 +1181,15 @@ class GpsTime(Shared, Data):
         self.week_number = week_number
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GpsTime, int]:
-        v = _GPS_TIME_0.read(raw, at)
-        at += 12
-        tow = v[0]
-        week_number = v[1]
-        valid_flags = GpsTimeFlags(v[2])
-        return cls(tow, week_number, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _GPS_TIME_0.write(self.tow, self.week_number, self.valid_flags)
-        return codec.finished(out)
-
-
-_CLOCK_INFO_0 = codec.Block("dddH", "bias", "drift", "accuracy_estimate", "valid_flags")
-
 
 class ClockInfo(Shared, Data):
     """Clock info (0x0A).
 
     Bias and drift of the receiver clock.
 
-    Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Probably supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45,
-    3DM-GX5-35 and 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+    No device is certain to support it. Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92),
+    gnss_corrections (0x93), gnss_external (0x94) and gnss_external_2 (0x95). Known only from the
+    MicroStrain MIP SDK.
 
     Clock info 2 replaces it, with more detail.
 
@@ -1443,23 +1229,6 @@ class ClockInfo(Shared, Data):
         self.accuracy_estimate = accuracy_estimate
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ClockInfo, int]:
-        v = _CLOCK_INFO_0.read(raw, at)
-        at += 26
-        bias = v[0]
-        drift = v[1]
-        accuracy_estimate = v[2]
-        valid_flags = ClockInfoFlags(v[3])
-        return cls(bias, drift, accuracy_estimate, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _CLOCK_INFO_0.write(self.bias, self.drift, self.accuracy_estimate, self.valid_flags)
-        return codec.finished(out)
-
-
-_FIX_INFO_0 = codec.Block("BBHH", "fix_type", "num_sv", "fix_flags", "valid_flags")
-
 
 class FixInfo(Shared, Data):
     """Fix info (0x0B).
@@ -1467,23 +1236,8 @@ class FixInfo(Shared, Data):
     Type of the position fix and what it is based on.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Probably changed by `mip_3dm.ConstellationSettings`,
-    `gnss.SignalConfig` and `gnss.RtkConfig`. Flagged by
-    `types.Cv7ContinuousBuiltInTest.GNSS_RECEIVER_1_STALL` of `types.Cv7ContinuousBuiltInTest`,
-    `types.Cv7ContinuousBuiltInTest.GNSS_RECEIVER_2_STALL` of `types.Cv7ContinuousBuiltInTest`,
-    `types.Cv7ContinuousBuiltInTest.RECEIVER_1_FAULT` of `types.Cv7ContinuousBuiltInTest`,
-    `types.Cv7ContinuousBuiltInTest.RECEIVER_1_NO_SOLUTION` of `types.Cv7ContinuousBuiltInTest`,
-    `types.Cv7ContinuousBuiltInTest.RECEIVER_2_FAULT` of `types.Cv7ContinuousBuiltInTest`,
-    `types.Cv7ContinuousBuiltInTest.RECEIVER_2_NO_SOLUTION` of `types.Cv7ContinuousBuiltInTest`,
-    `types.Gq7ContinuousBuiltInTest.RECEIVER_1_POWER_FAULT` of `types.Gq7ContinuousBuiltInTest`,
-    `types.Gq7ContinuousBuiltInTest.RECEIVER_1_FAULT` of `types.Gq7ContinuousBuiltInTest`,
-    `types.Gq7ContinuousBuiltInTest.RECEIVER_1_SOLUTION_FAULT` of `types.Gq7ContinuousBuiltInTest`,
-    `types.Gq7ContinuousBuiltInTest.RECEIVER_2_POWER_FAULT` of `types.Gq7ContinuousBuiltInTest`,
-    `types.Gq7ContinuousBuiltInTest.RECEIVER_2_FAULT` of `types.Gq7ContinuousBuiltInTest` and
-    `types.Gq7ContinuousBuiltInTest.RECEIVER_2_SOLUTION_FAULT` of `types.Gq7ContinuousBuiltInTest`.
-    Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GQ7-GNSS/INS. Probably supported by
-    3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-INS, 3DM-GV7-INS, 3DM-GX5-35 and 3DM-GX5-45. Refused
-    by 3DM-CV7-AHRS, 3DM-GX3-25 and 3DM-GX5-25.
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and
+    3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Fix Info (0x91,0x0B)
     - 3dm-cv7-gnss-ins: Fix Info (0x92,0x0B)
@@ -1531,32 +1285,6 @@ class FixInfo(Shared, Data):
         self.fix_flags = fix_flags
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[FixInfo, int]:
-        v = _FIX_INFO_0.read(raw, at)
-        at += 6
-        fix_type = types.GnssFixType(v[0])
-        num_sv = v[1]
-        fix_flags = FixFlags(v[2])
-        valid_flags = FixInfoFlags(v[3])
-        return cls(fix_type, num_sv, fix_flags, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _FIX_INFO_0.write(self.fix_type, self.num_sv, self.fix_flags, self.valid_flags)
-        return codec.finished(out)
-
-
-_SV_INFO_0 = codec.Block(
-    "BBHhhHH",
-    "channel",
-    "satellite_id",
-    "carrier_noise_ratio",
-    "azimuth",
-    "elevation",
-    "sv_flags",
-    "valid_flags",
-)
-
 
 class SvInfo(Shared, Data):
     """Satellite info (0x0C).
@@ -1564,10 +1292,8 @@ class SvInfo(Shared, Data):
     One satellite that is tracked.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Probably changed by `mip_3dm.ConstellationSettings`.
-    Supported by 3DM-GX5-45. Probably supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45 and
-    3DM-GX5-35. Known only from the MicroStrain MIP SDK. Uncertain: Whether a packet holds one of
-    these fields or several.
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-GX5-45. Known only from the MicroStrain MIP
+    SDK. Uncertain: Whether a packet holds one of these fields or several.
 
     Each satellite is sent as one field, in packets separate from other GNSS data.
 
@@ -1648,38 +1374,6 @@ class SvInfo(Shared, Data):
         self.sv_flags = sv_flags
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SvInfo, int]:
-        v = _SV_INFO_0.read(raw, at)
-        at += 12
-        channel = v[0]
-        satellite_id = v[1]
-        carrier_noise_ratio = v[2]
-        azimuth = v[3]
-        elevation = v[4]
-        sv_flags = SvFlags(v[5])
-        valid_flags = SvInfoFlags(v[6])
-        return cls(
-            channel, satellite_id, carrier_noise_ratio, azimuth, elevation, sv_flags, valid_flags
-        ), at
-
-    def _write(self) -> bytes:
-        out = _SV_INFO_0.write(
-            self.channel,
-            self.satellite_id,
-            self.carrier_noise_ratio,
-            self.azimuth,
-            self.elevation,
-            self.sv_flags,
-            self.valid_flags,
-        )
-        return codec.finished(out)
-
-
-_HARDWARE_STATUS_0 = codec.Block(
-    "BBBH", "receiver_state", "antenna_state", "antenna_power", "valid_flags"
-)
-
 
 class HardwareStatus(Shared, Data):
     """GNSS hardware status (0x0D).
@@ -1687,13 +1381,8 @@ class HardwareStatus(Shared, Data):
     State of the receiver and of its antenna.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Also called `hw_status`. Flagged by
-    `types.Gq7ContinuousBuiltInTest.ANTENNA_1_SHORTED` of `types.Gq7ContinuousBuiltInTest`,
-    `types.Gq7ContinuousBuiltInTest.ANTENNA_1_OPEN` of `types.Gq7ContinuousBuiltInTest`,
-    `types.Gq7ContinuousBuiltInTest.ANTENNA_2_SHORTED` of `types.Gq7ContinuousBuiltInTest` and
-    `types.Gq7ContinuousBuiltInTest.ANTENNA_2_OPEN` of `types.Gq7ContinuousBuiltInTest`. Supported
-    by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Probably supported by 3DM-CV5-45,
-    3DM-CX5-35, 3DM-CX5-45 and 3DM-GX5-35.
+    (0x94) and gnss_external_2 (0x95). Also called `hw_status`. Supported by 3DM-CV7-GNSS/INS,
+    3DM-GQ7-GNSS/INS and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: GNSS Hardware Status (0x91,0x0D)
     - 3dm-cv7-gnss-ins: GNSS Hardware Status (0x92,0x0D)
@@ -1739,27 +1428,6 @@ class HardwareStatus(Shared, Data):
         self.antenna_power = antenna_power
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[HardwareStatus, int]:
-        v = _HARDWARE_STATUS_0.read(raw, at)
-        at += 5
-        receiver_state = ReceiverState(v[0])
-        antenna_state = AntennaState(v[1])
-        antenna_power = AntennaPower(v[2])
-        valid_flags = HardwareStatusFlags(v[3])
-        return cls(receiver_state, antenna_state, antenna_power, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _HARDWARE_STATUS_0.write(
-            self.receiver_state, self.antenna_state, self.antenna_power, self.valid_flags
-        )
-        return codec.finished(out)
-
-
-_DGPS_INFO_0 = codec.Block(
-    "fhhHH", "age", "base_station_id", "base_station_status", "num_channels", "valid_flags"
-)
-
 
 class DgpsInfo(Shared, Data):
     """DGPS info (0x0E).
@@ -1768,9 +1436,9 @@ class DgpsInfo(Shared, Data):
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
     (0x94) and gnss_external_2 (0x95). Distinguished from `DgpsInfoSatellite` by the size of its
-    data. Supported by 3DM-GX5-35 and 3DM-GX5-45. Probably supported by 3DM-CV5-45, 3DM-CX5-35 and
-    3DM-CX5-45. Uncertain: Whether any device sends `DgpsInfoSatellite`, the layout of the SDK,
-    instead. Only this one agrees with the valid flags, which are the same in all sources.
+    data. Supported by 3DM-GX5-35 and 3DM-GX5-45. Uncertain: Whether any device sends
+    `DgpsInfoSatellite`, the layout of the SDK, instead. Only this one agrees with the valid flags,
+    which are the same in all sources.
 
     The sources contradict each other. This layout is in a manual of the 3DM-GX5-35, in MSCL and in
     the SDK of 2014.
@@ -1837,32 +1505,6 @@ class DgpsInfo(Shared, Data):
     @classmethod
     def matches(cls, data: bytes) -> bool:
         return len(data) < 15
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[DgpsInfo, int]:
-        v = _DGPS_INFO_0.read(raw, at)
-        at += 12
-        age = v[0]
-        base_station_id = v[1]
-        base_station_status = v[2]
-        num_channels = v[3]
-        valid_flags = DgpsInfoFlags(v[4])
-        return cls(age, base_station_id, base_station_status, num_channels, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _DGPS_INFO_0.write(
-            self.age,
-            self.base_station_id,
-            self.base_station_status,
-            self.num_channels,
-            self.valid_flags,
-        )
-        return codec.finished(out)
-
-
-_DGPS_INFO_SATELLITE_0 = codec.Block(
-    "BfffH", "satellite_id", "age", "range_correction", "range_rate_correction", "valid_flags"
-)
 
 
 class DgpsInfoSatellite(Shared, Data):
@@ -1939,32 +1581,6 @@ class DgpsInfoSatellite(Shared, Data):
     def matches(cls, data: bytes) -> bool:
         return 15 <= len(data)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[DgpsInfoSatellite, int]:
-        v = _DGPS_INFO_SATELLITE_0.read(raw, at)
-        at += 15
-        satellite_id = v[0]
-        age = v[1]
-        range_correction = v[2]
-        range_rate_correction = v[3]
-        valid_flags = DgpsInfoFlags(v[4])
-        return cls(satellite_id, age, range_correction, range_rate_correction, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _DGPS_INFO_SATELLITE_0.write(
-            self.satellite_id,
-            self.age,
-            self.range_correction,
-            self.range_rate_correction,
-            self.valid_flags,
-        )
-        return codec.finished(out)
-
-
-_DGPS_CHANNEL_0 = codec.Block(
-    "BfffH", "satellite_id", "age", "range_correction", "range_rate_correction", "valid_flags"
-)
-
 
 class DgpsChannel(Shared, Data):
     """DGPS channel (0x0F).
@@ -1972,9 +1588,8 @@ class DgpsChannel(Shared, Data):
     Differential correction for one satellite.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-GX5-45. Probably supported by 3DM-CV5-45,
-    3DM-CX5-35, 3DM-CX5-45 and 3DM-GX5-35. Known only from the MIP SDK of 2014, MicroStrain
-    Communication Library and MicroStrain MIP SDK.
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-GX5-45. Known only from the MIP SDK of 2014,
+    MicroStrain Communication Library and MicroStrain MIP SDK.
 
     Each active satellite is sent as one field, all in one packet.
 
@@ -2035,32 +1650,6 @@ class DgpsChannel(Shared, Data):
         self.range_rate_correction = range_rate_correction
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[DgpsChannel, int]:
-        v = _DGPS_CHANNEL_0.read(raw, at)
-        at += 15
-        satellite_id = v[0]
-        age = v[1]
-        range_correction = v[2]
-        range_rate_correction = v[3]
-        valid_flags = DgpsChannelFlags(v[4])
-        return cls(satellite_id, age, range_correction, range_rate_correction, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _DGPS_CHANNEL_0.write(
-            self.satellite_id,
-            self.age,
-            self.range_correction,
-            self.range_rate_correction,
-            self.valid_flags,
-        )
-        return codec.finished(out)
-
-
-_CLOCK_INFO_2_0 = codec.Block(
-    "ddddH", "bias", "drift", "bias_accuracy_estimate", "drift_accuracy_estimate", "valid_flags"
-)
-
 
 class ClockInfo2(Shared, Data):
     """Clock info 2 (0x10).
@@ -2068,8 +1657,7 @@ class ClockInfo2(Shared, Data):
     Bias and drift of the receiver clock.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS and 3DM-CV7-INS. Probably
-    supported by 3DM-GQ7-GNSS/INS.
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
 
     It supersedes clock info.
 
@@ -2133,30 +1721,6 @@ class ClockInfo2(Shared, Data):
         self.drift_accuracy_estimate = drift_accuracy_estimate
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ClockInfo2, int]:
-        v = _CLOCK_INFO_2_0.read(raw, at)
-        at += 34
-        bias = v[0]
-        drift = v[1]
-        bias_accuracy_estimate = v[2]
-        drift_accuracy_estimate = v[3]
-        valid_flags = ClockInfo2Flags(v[4])
-        return cls(bias, drift, bias_accuracy_estimate, drift_accuracy_estimate, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _CLOCK_INFO_2_0.write(
-            self.bias,
-            self.drift,
-            self.bias_accuracy_estimate,
-            self.drift_accuracy_estimate,
-            self.valid_flags,
-        )
-        return codec.finished(out)
-
-
-_GPS_LEAP_SECONDS_0 = codec.Block("BH", "leap_seconds", "valid_flags")
-
 
 class GpsLeapSeconds(Shared, Data):
     """GPS leap seconds (0x11).
@@ -2164,8 +1728,7 @@ class GpsLeapSeconds(Shared, Data):
     Difference between GPS time and UTC.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS and 3DM-CV7-INS. Probably
-    supported by 3DM-GQ7-GNSS/INS.
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
 
     - 3dm-cv7-gnss-ins: GPS Leap Seconds (0x91,0x11)
     - 3dm-cv7-gnss-ins: GPS Leap Seconds (0x92,0x11)
@@ -2191,23 +1754,6 @@ class GpsLeapSeconds(Shared, Data):
         self.leap_seconds = leap_seconds
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GpsLeapSeconds, int]:
-        v = _GPS_LEAP_SECONDS_0.read(raw, at)
-        at += 3
-        leap_seconds = v[0]
-        valid_flags = GpsLeapSecondsFlags(v[1])
-        return cls(leap_seconds, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _GPS_LEAP_SECONDS_0.write(self.leap_seconds, self.valid_flags)
-        return codec.finished(out)
-
-
-_SBAS_INFO_0 = codec.Block(
-    "dHBBBBH", "tow", "week_number", "sbas_system", "sbas_id", "count", "sbas_status", "valid_flags"
-)
-
 
 class SbasInfo(Shared, Data):
     """SBAS info (0x12).
@@ -2215,8 +1761,7 @@ class SbasInfo(Shared, Data):
     Status of the satellite based augmentation.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Probably changed by `mip_3dm.GnssSbasSettings`. Supported by
-    3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Refused by 3DM-CV7-AHRS and 3DM-GX5-25.
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: SBAS Info (0x91,0x12)
     - 3dm-cv7-gnss-ins: SBAS Info (0x92,0x12)
@@ -2291,46 +1836,6 @@ class SbasInfo(Shared, Data):
         self.sbas_status = sbas_status
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SbasInfo, int]:
-        v = _SBAS_INFO_0.read(raw, at)
-        at += 16
-        tow = v[0]
-        week_number = v[1]
-        sbas_system = SbasSystem(v[2])
-        sbas_id = v[3]
-        count = v[4]
-        sbas_status = SbasStatus(v[5])
-        valid_flags = SbasInfoFlags(v[6])
-        return cls(tow, week_number, sbas_system, sbas_id, count, sbas_status, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _SBAS_INFO_0.write(
-            self.tow,
-            self.week_number,
-            self.sbas_system,
-            self.sbas_id,
-            self.count,
-            self.sbas_status,
-            self.valid_flags,
-        )
-        return codec.finished(out)
-
-
-_SBAS_CORRECTION_0 = codec.Block(
-    "BBdHBBBffH",
-    "index",
-    "count",
-    "tow",
-    "week_number",
-    "gnss_id",
-    "satellite_id",
-    "udrei",
-    "pseudorange_correction",
-    "iono_correction",
-    "valid_flags",
-)
-
 
 class SbasCorrection(Shared, Data):
     """SBAS correction (0x13).
@@ -2338,8 +1843,8 @@ class SbasCorrection(Shared, Data):
     SBAS correction for one satellite.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Probably changed by `mip_3dm.GnssSbasSettings`. Not listed in
-    any device profile. Known only from the MicroStrain MIP SDK.
+    (0x94) and gnss_external_2 (0x95). Not listed in any device profile. Known only from the
+    MicroStrain MIP SDK.
 
     An epoch is sent as one field for each satellite; `index` and `count` number the fields. For
     `udrei` 0 to 13, the variances in m^2 are 0.0520, 0.0924, 0.1444, 0.2830, 0.4678, 0.8315,
@@ -2442,59 +1947,6 @@ class SbasCorrection(Shared, Data):
         self.iono_correction = iono_correction
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SbasCorrection, int]:
-        v = _SBAS_CORRECTION_0.read(raw, at)
-        at += 25
-        index = v[0]
-        count = v[1]
-        tow = v[2]
-        week_number = v[3]
-        gnss_id = types.GnssConstellation(v[4])
-        satellite_id = v[5]
-        udrei = v[6]
-        pseudorange_correction = v[7]
-        iono_correction = v[8]
-        valid_flags = SbasCorrectionFlags(v[9])
-        return cls(
-            index,
-            count,
-            tow,
-            week_number,
-            gnss_id,
-            satellite_id,
-            udrei,
-            pseudorange_correction,
-            iono_correction,
-            valid_flags,
-        ), at
-
-    def _write(self) -> bytes:
-        out = _SBAS_CORRECTION_0.write(
-            self.index,
-            self.count,
-            self.tow,
-            self.week_number,
-            self.gnss_id,
-            self.satellite_id,
-            self.udrei,
-            self.pseudorange_correction,
-            self.iono_correction,
-            self.valid_flags,
-        )
-        return codec.finished(out)
-
-
-_RF_ERROR_DETECTION_0 = codec.Block(
-    "BBBHBBH",
-    "rf_band",
-    "jamming_state",
-    "spoofing_state",
-    "frequency",
-    *["reserved"] * 2,
-    "valid_flags",
-)
-
 
 class RfErrorDetection(Shared, Data):
     """RF error detection (0x14).
@@ -2502,8 +1954,8 @@ class RfErrorDetection(Shared, Data):
     Jamming and spoofing that the receiver detects in one band.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-INS and 3DM-GQ7-GNSS/INS. Refused by
-    3DM-CV7-AHRS and 3DM-GX5-25. Known only from the MicroStrain MIP SDK.
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-INS and 3DM-GQ7-GNSS/INS. Known only
+    from the MicroStrain MIP SDK.
 
     Version 4.0.0 of the SDK reserves the two bytes of `frequency`. Firmware of that time sends 0
     there and leaves its flag clear.
@@ -2572,34 +2024,6 @@ class RfErrorDetection(Shared, Data):
         self.reserved = codec.several(reserved)
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[RfErrorDetection, int]:
-        v = _RF_ERROR_DETECTION_0.read(raw, at)
-        at += 9
-        rf_band = RfBand(v[0])
-        jamming_state = JammingState(v[1])
-        spoofing_state = SpoofingState(v[2])
-        frequency = v[3]
-        reserved = v[4:6]
-        valid_flags = RfErrorDetectionFlags(v[6])
-        return cls(
-            rf_band, jamming_state, spoofing_state, frequency, valid_flags, reserved=reserved
-        ), at
-
-    def _write(self) -> bytes:
-        out = _RF_ERROR_DETECTION_0.write(
-            self.rf_band,
-            self.jamming_state,
-            self.spoofing_state,
-            self.frequency,
-            *codec.exactly("reserved", self.reserved, 2),
-            self.valid_flags,
-        )
-        return codec.finished(out)
-
-
-_HEADING_0 = codec.Block("ffBH", "heading", "uncertainty", "fix_type", "valid_flags")
-
 
 class Heading(Shared, Data):
     """GNSS heading (0x15).
@@ -2653,35 +2077,6 @@ class Heading(Shared, Data):
         self.fix_type = fix_type
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[Heading, int]:
-        v = _HEADING_0.read(raw, at)
-        at += 11
-        heading = v[0]
-        uncertainty = v[1]
-        fix_type = HeadingFixType(v[2])
-        valid_flags = HeadingFlags(v[3])
-        return cls(heading, uncertainty, fix_type, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _HEADING_0.write(self.heading, self.uncertainty, self.fix_type, self.valid_flags)
-        return codec.finished(out)
-
-
-_SATELLITE_STATUS_0 = codec.Block(
-    "BBdHBBffBH",
-    "index",
-    "count",
-    "tow",
-    "week_number",
-    "gnss_id",
-    "satellite_id",
-    "elevation",
-    "azimuth",
-    "health",
-    "valid_flags",
-)
-
 
 class SatelliteStatus(Shared, Data):
     """Satellite status (0x20).
@@ -2689,9 +2084,7 @@ class SatelliteStatus(Shared, Data):
     Direction to one satellite, and its health.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Probably changed by `mip_3dm.ConstellationSettings` and
-    `gnss.SignalConfig`. Supported by 3DM-CV7-GNSS/INS and 3DM-CV7-INS. Probably supported by
-    3DM-CX7-INS, 3DM-GQ7-GNSS/INS and 3DM-GV7-INS.
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
 
     An epoch is sent as one field for each satellite; `index` and `count` number the fields.
 
@@ -2799,72 +2192,6 @@ class SatelliteStatus(Shared, Data):
         self.health = health
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SatelliteStatus, int]:
-        v = _SATELLITE_STATUS_0.read(raw, at)
-        at += 25
-        index = v[0]
-        count = v[1]
-        tow = v[2]
-        week_number = v[3]
-        gnss_id = types.GnssConstellation(v[4])
-        satellite_id = v[5]
-        elevation = v[6]
-        azimuth = v[7]
-        health = codec.truth(v[8])
-        valid_flags = SatelliteStatusFlags(v[9])
-        return cls(
-            index,
-            count,
-            tow,
-            week_number,
-            gnss_id,
-            satellite_id,
-            elevation,
-            azimuth,
-            health,
-            valid_flags,
-        ), at
-
-    def _write(self) -> bytes:
-        out = _SATELLITE_STATUS_0.write(
-            self.index,
-            self.count,
-            self.tow,
-            self.week_number,
-            self.gnss_id,
-            self.satellite_id,
-            self.elevation,
-            self.azimuth,
-            self.health,
-            self.valid_flags,
-        )
-        return codec.finished(out)
-
-
-_RAW_0 = codec.Block(
-    "BBdHHBBBBfBddfffffH",
-    "index",
-    "count",
-    "tow",
-    "week_number",
-    "receiver_id",
-    "tracking_channel",
-    "gnss_id",
-    "satellite_id",
-    "signal_id",
-    "signal_strength",
-    "quality",
-    "pseudorange",
-    "carrier_phase",
-    "doppler",
-    "range_uncertainty",
-    "phase_uncertainty",
-    "doppler_uncertainty",
-    "lock_time",
-    "valid_flags",
-)
-
 
 class Raw(Shared, Data):
     """Raw (0x22).
@@ -2872,8 +2199,7 @@ class Raw(Shared, Data):
     Raw observation of one signal of one satellite.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Probably changed by `gnss.SignalConfig`. Supported by
-    3DM-CV7-GNSS/INS. Probably supported by 3DM-GQ7-GNSS/INS.
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS.
 
     An epoch is sent as one field for each signal; `index` and `count` number the fields. The
     greatest lock time depends on the receiver.
@@ -3056,87 +2382,6 @@ class Raw(Shared, Data):
         self.lock_time = lock_time
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[Raw, int]:
-        v = _RAW_0.read(raw, at)
-        at += 61
-        index = v[0]
-        count = v[1]
-        tow = v[2]
-        week_number = v[3]
-        receiver_id = v[4]
-        tracking_channel = v[5]
-        gnss_id = types.GnssConstellation(v[6])
-        satellite_id = v[7]
-        signal_id = types.GnssSignal(v[8])
-        signal_strength = v[9]
-        quality = SignalQuality(v[10])
-        pseudorange = v[11]
-        carrier_phase = v[12]
-        doppler = v[13]
-        range_uncertainty = v[14]
-        phase_uncertainty = v[15]
-        doppler_uncertainty = v[16]
-        lock_time = v[17]
-        valid_flags = RawFlags(v[18])
-        return cls(
-            index,
-            count,
-            tow,
-            week_number,
-            receiver_id,
-            tracking_channel,
-            gnss_id,
-            satellite_id,
-            signal_id,
-            signal_strength,
-            quality,
-            pseudorange,
-            carrier_phase,
-            doppler,
-            range_uncertainty,
-            phase_uncertainty,
-            doppler_uncertainty,
-            lock_time,
-            valid_flags,
-        ), at
-
-    def _write(self) -> bytes:
-        out = _RAW_0.write(
-            self.index,
-            self.count,
-            self.tow,
-            self.week_number,
-            self.receiver_id,
-            self.tracking_channel,
-            self.gnss_id,
-            self.satellite_id,
-            self.signal_id,
-            self.signal_strength,
-            self.quality,
-            self.pseudorange,
-            self.carrier_phase,
-            self.doppler,
-            self.range_uncertainty,
-            self.phase_uncertainty,
-            self.doppler_uncertainty,
-            self.lock_time,
-            self.valid_flags,
-        )
-        return codec.finished(out)
-
-
-_BASE_STATION_INFO_0 = codec.Block(
-    "dHdddfHHH",
-    "tow",
-    "week_number",
-    *["ecef_position"] * 3,
-    "height",
-    "station_id",
-    "indicators",
-    "valid_flags",
-)
-
 
 class BaseStationInfo(Shared, Data):
     """Base station info (0x30).
@@ -3182,6 +2427,7 @@ class BaseStationInfo(Shared, Data):
         ("indicators", "H", BaseStationIndicators),
         ("valid_flags", "H", BaseStationInfoFlags),
     )
+
     _VECTORS = {"ecef_position": (types.Vector3d,)}
 
     tow: float
@@ -3229,46 +2475,6 @@ class BaseStationInfo(Shared, Data):
         self.indicators = indicators
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[BaseStationInfo, int]:
-        v = _BASE_STATION_INFO_0.read(raw, at)
-        at += 44
-        tow = v[0]
-        week_number = v[1]
-        ecef_position = types.Vector3d._make(v[2:5])
-        height = v[5]
-        station_id = v[6]
-        indicators = BaseStationIndicators(v[7])
-        valid_flags = BaseStationInfoFlags(v[8])
-        return cls(tow, week_number, ecef_position, height, station_id, indicators, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _BASE_STATION_INFO_0.write(
-            self.tow,
-            self.week_number,
-            *codec.elements("ecef_position", self.ecef_position, 3),
-            self.height,
-            self.station_id,
-            self.indicators,
-            self.valid_flags,
-        )
-        return codec.finished(out)
-
-
-_RTK_CORRECTIONS_STATUS_0 = codec.Block(
-    "dHHIffffIIIIH",
-    "tow",
-    "week_number",
-    "epoch_status",
-    "dongle_status",
-    "gps_correction_latency",
-    "glonass_correction_latency",
-    "galileo_correction_latency",
-    "beidou_correction_latency",
-    *["reserved"] * 4,
-    "valid_flags",
-)
-
 
 class RtkCorrectionsStatus(Shared, Data):
     """RTK corrections status (0x31).
@@ -3276,10 +2482,7 @@ class RtkCorrectionsStatus(Shared, Data):
     Received corrections and their age.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Probably changed by `gnss.RtkDongleConfig` and
-    `gnss.SpartnConfig`. Flagged by `types.Gq7ContinuousBuiltInTest.RTCM_COMM_FAULT` of
-    `types.Gq7ContinuousBuiltInTest`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Refused by
-    3DM-GX5-25.
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     - mip-sdk-4: Rtk Corrections Status (0x81,0x31)
     - 3dm-cv7-gnss-ins: RTK Corrections Status (0x93,0x31)
@@ -3389,87 +2592,6 @@ class RtkCorrectionsStatus(Shared, Data):
         self.reserved = codec.several(reserved)
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[RtkCorrectionsStatus, int]:
-        v = _RTK_CORRECTIONS_STATUS_0.read(raw, at)
-        at += 50
-        tow = v[0]
-        week_number = v[1]
-        epoch_status = RtkEpochStatus(v[2])
-        dongle_status = types.RtkStatusFlags(v[3])
-        gps_correction_latency = v[4]
-        glonass_correction_latency = v[5]
-        galileo_correction_latency = v[6]
-        beidou_correction_latency = v[7]
-        reserved = v[8:12]
-        valid_flags = RtkCorrectionsStatusFlags(v[12])
-        return cls(
-            tow,
-            week_number,
-            epoch_status,
-            dongle_status,
-            gps_correction_latency,
-            glonass_correction_latency,
-            galileo_correction_latency,
-            beidou_correction_latency,
-            valid_flags,
-            reserved=reserved,
-        ), at
-
-    def _write(self) -> bytes:
-        out = _RTK_CORRECTIONS_STATUS_0.write(
-            self.tow,
-            self.week_number,
-            self.epoch_status,
-            self.dongle_status,
-            self.gps_correction_latency,
-            self.glonass_correction_latency,
-            self.galileo_correction_latency,
-            self.beidou_correction_latency,
-            *codec.exactly("reserved", self.reserved, 4),
-            self.valid_flags,
-        )
-        return codec.finished(out)
-
-
-_GPS_EPHEMERIS_0 = codec.Block(
-    "BBdHBBBBdddddddddddddddddddddddddH",
-    "index",
-    "count",
-    "tow",
-    "week_number",
-    "satellite_id",
-    "health",
-    "iodc",
-    "iode",
-    "t_oc",
-    "af0",
-    "af1",
-    "af2",
-    "t_gd",
-    "isc_l1ca",
-    "isc_l2c",
-    "t_oe",
-    "a",
-    "a_dot",
-    "mean_anomaly",
-    "delta_mean_motion",
-    "delta_mean_motion_dot",
-    "eccentricity",
-    "argument_of_perigee",
-    "omega",
-    "omega_dot",
-    "inclination",
-    "inclination_dot",
-    "c_ic",
-    "c_is",
-    "c_uc",
-    "c_us",
-    "c_rc",
-    "c_rs",
-    "valid_flags",
-)
-
 
 class GpsEphemeris(Shared, Data):
     """GPS ephemeris (0x61).
@@ -3477,8 +2599,7 @@ class GpsEphemeris(Shared, Data):
     Broadcast orbit and clock of one GPS satellite.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS. Probably supported by
-    3DM-GQ7-GNSS/INS.
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS.
 
     `iodc` changes with the clock data; according to the manual, it rolls over at 4.
 
@@ -3785,150 +2906,6 @@ class GpsEphemeris(Shared, Data):
         self.c_rs = c_rs
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GpsEphemeris, int]:
-        v = _GPS_EPHEMERIS_0.read(raw, at)
-        at += 218
-        index = v[0]
-        count = v[1]
-        tow = v[2]
-        week_number = v[3]
-        satellite_id = v[4]
-        health = v[5]
-        iodc = v[6]
-        iode = v[7]
-        t_oc = v[8]
-        af0 = v[9]
-        af1 = v[10]
-        af2 = v[11]
-        t_gd = v[12]
-        isc_l1ca = v[13]
-        isc_l2c = v[14]
-        t_oe = v[15]
-        a = v[16]
-        a_dot = v[17]
-        mean_anomaly = v[18]
-        delta_mean_motion = v[19]
-        delta_mean_motion_dot = v[20]
-        eccentricity = v[21]
-        argument_of_perigee = v[22]
-        omega = v[23]
-        omega_dot = v[24]
-        inclination = v[25]
-        inclination_dot = v[26]
-        c_ic = v[27]
-        c_is = v[28]
-        c_uc = v[29]
-        c_us = v[30]
-        c_rc = v[31]
-        c_rs = v[32]
-        valid_flags = EphemerisFlags(v[33])
-        return cls(
-            index,
-            count,
-            tow,
-            week_number,
-            satellite_id,
-            health,
-            iodc,
-            iode,
-            t_oc,
-            af0,
-            af1,
-            af2,
-            t_gd,
-            isc_l1ca,
-            isc_l2c,
-            t_oe,
-            a,
-            a_dot,
-            mean_anomaly,
-            delta_mean_motion,
-            delta_mean_motion_dot,
-            eccentricity,
-            argument_of_perigee,
-            omega,
-            omega_dot,
-            inclination,
-            inclination_dot,
-            c_ic,
-            c_is,
-            c_uc,
-            c_us,
-            c_rc,
-            c_rs,
-            valid_flags,
-        ), at
-
-    def _write(self) -> bytes:
-        out = _GPS_EPHEMERIS_0.write(
-            self.index,
-            self.count,
-            self.tow,
-            self.week_number,
-            self.satellite_id,
-            self.health,
-            self.iodc,
-            self.iode,
-            self.t_oc,
-            self.af0,
-            self.af1,
-            self.af2,
-            self.t_gd,
-            self.isc_l1ca,
-            self.isc_l2c,
-            self.t_oe,
-            self.a,
-            self.a_dot,
-            self.mean_anomaly,
-            self.delta_mean_motion,
-            self.delta_mean_motion_dot,
-            self.eccentricity,
-            self.argument_of_perigee,
-            self.omega,
-            self.omega_dot,
-            self.inclination,
-            self.inclination_dot,
-            self.c_ic,
-            self.c_is,
-            self.c_uc,
-            self.c_us,
-            self.c_rc,
-            self.c_rs,
-            self.valid_flags,
-        )
-        return codec.finished(out)
-
-
-_GLONASS_EPHEMERIS_0 = codec.Block(
-    "BBdHBbIIBdddddffffffBBBfBBBBBBH",
-    "index",
-    "count",
-    "tow",
-    "week_number",
-    "satellite_id",
-    "frequency_number",
-    "tk",
-    "tb",
-    "satellite_type",
-    "gamma",
-    "tau_n",
-    *["position"] * 3,
-    *["velocity"] * 3,
-    *["accel"] * 3,
-    "health",
-    "p",
-    "nt",
-    "delta_tau_n",
-    "ft",
-    "en",
-    "p1",
-    "p2",
-    "p3",
-    "p4",
-    "valid_flags",
-)
-
 
 class GlonassEphemeris(Shared, Data):
     """GLONASS ephemeris (0x62).
@@ -3937,7 +2914,6 @@ class GlonassEphemeris(Shared, Data):
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
     (0x94) and gnss_external_2 (0x95). Also called `glo_ephemeris`. Supported by 3DM-CV7-GNSS/INS.
-    Probably supported by 3DM-GQ7-GNSS/INS.
 
     The interface control document of GLONASS explains p and ft. A period of four years has 1461
     days; no source states how nt, a u8, counts them.
@@ -4032,6 +3008,7 @@ class GlonassEphemeris(Shared, Data):
         ("p4", "B", None),
         ("valid_flags", "H", GlonassEphemerisFlags),
     )
+
     _VECTORS = {
         "position": (types.Vector3d,),
         "velocity": (types.Vector3f,),
@@ -4181,132 +3158,6 @@ class GlonassEphemeris(Shared, Data):
         self.p4 = p4
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GlonassEphemeris, int]:
-        v = _GLONASS_EPHEMERIS_0.read(raw, at)
-        at += 102
-        index = v[0]
-        count = v[1]
-        tow = v[2]
-        week_number = v[3]
-        satellite_id = v[4]
-        frequency_number = v[5]
-        tk = v[6]
-        tb = v[7]
-        satellite_type = GlonassSatelliteType(v[8])
-        gamma = v[9]
-        tau_n = v[10]
-        position = types.Vector3d._make(v[11:14])
-        velocity = types.Vector3f._make(v[14:17])
-        accel = types.Vector3f._make(v[17:20])
-        health = v[20]
-        p = v[21]
-        nt = v[22]
-        delta_tau_n = v[23]
-        ft = v[24]
-        en = v[25]
-        p1 = v[26]
-        p2 = v[27]
-        p3 = v[28]
-        p4 = v[29]
-        valid_flags = GlonassEphemerisFlags(v[30])
-        return cls(
-            index,
-            count,
-            tow,
-            week_number,
-            satellite_id,
-            frequency_number,
-            tk,
-            tb,
-            satellite_type,
-            gamma,
-            tau_n,
-            position,
-            velocity,
-            accel,
-            health,
-            p,
-            nt,
-            delta_tau_n,
-            ft,
-            en,
-            p1,
-            p2,
-            p3,
-            p4,
-            valid_flags,
-        ), at
-
-    def _write(self) -> bytes:
-        out = _GLONASS_EPHEMERIS_0.write(
-            self.index,
-            self.count,
-            self.tow,
-            self.week_number,
-            self.satellite_id,
-            self.frequency_number,
-            self.tk,
-            self.tb,
-            self.satellite_type,
-            self.gamma,
-            self.tau_n,
-            *codec.elements("position", self.position, 3),
-            *codec.elements("velocity", self.velocity, 3),
-            *codec.elements("accel", self.accel, 3),
-            self.health,
-            self.p,
-            self.nt,
-            self.delta_tau_n,
-            self.ft,
-            self.en,
-            self.p1,
-            self.p2,
-            self.p3,
-            self.p4,
-            self.valid_flags,
-        )
-        return codec.finished(out)
-
-
-_GALILEO_EPHEMERIS_0 = codec.Block(
-    "BBdHBBBBdddddddddddddddddddddddddH",
-    "index",
-    "count",
-    "tow",
-    "week_number",
-    "satellite_id",
-    "health",
-    "iodc",
-    "iode",
-    "t_oc",
-    "af0",
-    "af1",
-    "af2",
-    "t_gd",
-    "isc_l1ca",
-    "isc_l2c",
-    "t_oe",
-    "a",
-    "a_dot",
-    "mean_anomaly",
-    "delta_mean_motion",
-    "delta_mean_motion_dot",
-    "eccentricity",
-    "argument_of_perigee",
-    "omega",
-    "omega_dot",
-    "inclination",
-    "inclination_dot",
-    "c_ic",
-    "c_is",
-    "c_uc",
-    "c_us",
-    "c_rc",
-    "c_rs",
-    "valid_flags",
-)
-
 
 class GalileoEphemeris(Shared, Data):
     """Galileo ephemeris (0x63).
@@ -4314,8 +3165,7 @@ class GalileoEphemeris(Shared, Data):
     Broadcast orbit and clock of one Galileo satellite.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS. Probably supported by
-    3DM-GQ7-GNSS/INS.
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS.
 
     The layout is that of the GPS ephemeris. No source states what the two inter-signal corrections
     mean here. `iodc` changes with the clock data; according to the manual, it rolls over at 4.
@@ -4623,159 +3473,6 @@ class GalileoEphemeris(Shared, Data):
         self.c_rs = c_rs
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GalileoEphemeris, int]:
-        v = _GALILEO_EPHEMERIS_0.read(raw, at)
-        at += 218
-        index = v[0]
-        count = v[1]
-        tow = v[2]
-        week_number = v[3]
-        satellite_id = v[4]
-        health = v[5]
-        iodc = v[6]
-        iode = v[7]
-        t_oc = v[8]
-        af0 = v[9]
-        af1 = v[10]
-        af2 = v[11]
-        t_gd = v[12]
-        isc_l1ca = v[13]
-        isc_l2c = v[14]
-        t_oe = v[15]
-        a = v[16]
-        a_dot = v[17]
-        mean_anomaly = v[18]
-        delta_mean_motion = v[19]
-        delta_mean_motion_dot = v[20]
-        eccentricity = v[21]
-        argument_of_perigee = v[22]
-        omega = v[23]
-        omega_dot = v[24]
-        inclination = v[25]
-        inclination_dot = v[26]
-        c_ic = v[27]
-        c_is = v[28]
-        c_uc = v[29]
-        c_us = v[30]
-        c_rc = v[31]
-        c_rs = v[32]
-        valid_flags = EphemerisFlags(v[33])
-        return cls(
-            index,
-            count,
-            tow,
-            week_number,
-            satellite_id,
-            health,
-            iodc,
-            iode,
-            t_oc,
-            af0,
-            af1,
-            af2,
-            t_gd,
-            isc_l1ca,
-            isc_l2c,
-            t_oe,
-            a,
-            a_dot,
-            mean_anomaly,
-            delta_mean_motion,
-            delta_mean_motion_dot,
-            eccentricity,
-            argument_of_perigee,
-            omega,
-            omega_dot,
-            inclination,
-            inclination_dot,
-            c_ic,
-            c_is,
-            c_uc,
-            c_us,
-            c_rc,
-            c_rs,
-            valid_flags,
-        ), at
-
-    def _write(self) -> bytes:
-        out = _GALILEO_EPHEMERIS_0.write(
-            self.index,
-            self.count,
-            self.tow,
-            self.week_number,
-            self.satellite_id,
-            self.health,
-            self.iodc,
-            self.iode,
-            self.t_oc,
-            self.af0,
-            self.af1,
-            self.af2,
-            self.t_gd,
-            self.isc_l1ca,
-            self.isc_l2c,
-            self.t_oe,
-            self.a,
-            self.a_dot,
-            self.mean_anomaly,
-            self.delta_mean_motion,
-            self.delta_mean_motion_dot,
-            self.eccentricity,
-            self.argument_of_perigee,
-            self.omega,
-            self.omega_dot,
-            self.inclination,
-            self.inclination_dot,
-            self.c_ic,
-            self.c_is,
-            self.c_uc,
-            self.c_us,
-            self.c_rc,
-            self.c_rs,
-            self.valid_flags,
-        )
-        return codec.finished(out)
-
-
-_BEIDOU_EPHEMERIS_0 = codec.Block(
-    "BBdHBBBBdddddddddddddddddddddddddH",
-    "index",
-    "count",
-    "tow",
-    "week_number",
-    "satellite_id",
-    "health",
-    "iodc",
-    "iode",
-    "t_oc",
-    "af0",
-    "af1",
-    "af2",
-    "t_gd",
-    "isc_l1ca",
-    "isc_l2c",
-    "t_oe",
-    "a",
-    "a_dot",
-    "mean_anomaly",
-    "delta_mean_motion",
-    "delta_mean_motion_dot",
-    "eccentricity",
-    "argument_of_perigee",
-    "omega",
-    "omega_dot",
-    "inclination",
-    "inclination_dot",
-    "c_ic",
-    "c_is",
-    "c_uc",
-    "c_us",
-    "c_rc",
-    "c_rs",
-    "valid_flags",
-)
-
 
 class BeidouEphemeris(Shared, Data):
     """BeiDou ephemeris (0x64).
@@ -4783,8 +3480,7 @@ class BeidouEphemeris(Shared, Data):
     Broadcast orbit and clock of one BeiDou satellite.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS. Probably supported by
-    3DM-GQ7-GNSS/INS.
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS.
 
     The layout is that of the GPS ephemeris. No source states what the two inter-signal corrections
     mean here. `iodc` changes with the clock data; according to the manual, it rolls over at 4.
@@ -5092,125 +3788,6 @@ class BeidouEphemeris(Shared, Data):
         self.c_rs = c_rs
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[BeidouEphemeris, int]:
-        v = _BEIDOU_EPHEMERIS_0.read(raw, at)
-        at += 218
-        index = v[0]
-        count = v[1]
-        tow = v[2]
-        week_number = v[3]
-        satellite_id = v[4]
-        health = v[5]
-        iodc = v[6]
-        iode = v[7]
-        t_oc = v[8]
-        af0 = v[9]
-        af1 = v[10]
-        af2 = v[11]
-        t_gd = v[12]
-        isc_l1ca = v[13]
-        isc_l2c = v[14]
-        t_oe = v[15]
-        a = v[16]
-        a_dot = v[17]
-        mean_anomaly = v[18]
-        delta_mean_motion = v[19]
-        delta_mean_motion_dot = v[20]
-        eccentricity = v[21]
-        argument_of_perigee = v[22]
-        omega = v[23]
-        omega_dot = v[24]
-        inclination = v[25]
-        inclination_dot = v[26]
-        c_ic = v[27]
-        c_is = v[28]
-        c_uc = v[29]
-        c_us = v[30]
-        c_rc = v[31]
-        c_rs = v[32]
-        valid_flags = EphemerisFlags(v[33])
-        return cls(
-            index,
-            count,
-            tow,
-            week_number,
-            satellite_id,
-            health,
-            iodc,
-            iode,
-            t_oc,
-            af0,
-            af1,
-            af2,
-            t_gd,
-            isc_l1ca,
-            isc_l2c,
-            t_oe,
-            a,
-            a_dot,
-            mean_anomaly,
-            delta_mean_motion,
-            delta_mean_motion_dot,
-            eccentricity,
-            argument_of_perigee,
-            omega,
-            omega_dot,
-            inclination,
-            inclination_dot,
-            c_ic,
-            c_is,
-            c_uc,
-            c_us,
-            c_rc,
-            c_rs,
-            valid_flags,
-        ), at
-
-    def _write(self) -> bytes:
-        out = _BEIDOU_EPHEMERIS_0.write(
-            self.index,
-            self.count,
-            self.tow,
-            self.week_number,
-            self.satellite_id,
-            self.health,
-            self.iodc,
-            self.iode,
-            self.t_oc,
-            self.af0,
-            self.af1,
-            self.af2,
-            self.t_gd,
-            self.isc_l1ca,
-            self.isc_l2c,
-            self.t_oe,
-            self.a,
-            self.a_dot,
-            self.mean_anomaly,
-            self.delta_mean_motion,
-            self.delta_mean_motion_dot,
-            self.eccentricity,
-            self.argument_of_perigee,
-            self.omega,
-            self.omega_dot,
-            self.inclination,
-            self.inclination_dot,
-            self.c_ic,
-            self.c_is,
-            self.c_uc,
-            self.c_us,
-            self.c_rc,
-            self.c_rs,
-            self.valid_flags,
-        )
-        return codec.finished(out)
-
-
-_GPS_IONO_CORRECTION_0 = codec.Block(
-    "dHddddddddH", "tow", "week_number", *["alpha"] * 4, *["beta"] * 4, "valid_flags"
-)
-
 
 class GpsIonoCorrection(Shared, Data):
     """GPS ionospheric correction (0x71).
@@ -5271,32 +3848,6 @@ class GpsIonoCorrection(Shared, Data):
         self.alpha = codec.several(alpha)
         self.beta = codec.several(beta)
         self.valid_flags = valid_flags
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GpsIonoCorrection, int]:
-        v = _GPS_IONO_CORRECTION_0.read(raw, at)
-        at += 76
-        tow = v[0]
-        week_number = v[1]
-        alpha = v[2:6]
-        beta = v[6:10]
-        valid_flags = GpsIonoCorrectionFlags(v[10])
-        return cls(tow, week_number, alpha, beta, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _GPS_IONO_CORRECTION_0.write(
-            self.tow,
-            self.week_number,
-            *codec.exactly("alpha", self.alpha, 4),
-            *codec.exactly("beta", self.beta, 4),
-            self.valid_flags,
-        )
-        return codec.finished(out)
-
-
-_GALILEO_IONO_CORRECTION_0 = codec.Block(
-    "dHdddBH", "tow", "week_number", *["alpha"] * 3, "disturbance_flags", "valid_flags"
-)
 
 
 class GalileoIonoCorrection(Shared, Data):
@@ -5359,38 +3910,6 @@ class GalileoIonoCorrection(Shared, Data):
         self.alpha = codec.several(alpha)
         self.disturbance_flags = disturbance_flags
         self.valid_flags = valid_flags
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GalileoIonoCorrection, int]:
-        v = _GALILEO_IONO_CORRECTION_0.read(raw, at)
-        at += 37
-        tow = v[0]
-        week_number = v[1]
-        alpha = v[2:5]
-        disturbance_flags = v[5]
-        valid_flags = GalileoIonoCorrectionFlags(v[6])
-        return cls(tow, week_number, alpha, disturbance_flags, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _GALILEO_IONO_CORRECTION_0.write(
-            self.tow,
-            self.week_number,
-            *codec.exactly("alpha", self.alpha, 3),
-            self.disturbance_flags,
-            self.valid_flags,
-        )
-        return codec.finished(out)
-
-
-_BEIDOU_IONO_CORRECTION_0 = codec.Block(
-    "dHdddddddddddddddddH",
-    "tow",
-    "week_number",
-    *["alpha"] * 4,
-    *["beta"] * 4,
-    *["alpha_correction"] * 9,
-    "valid_flags",
-)
 
 
 class BeidouIonoCorrection(Shared, Data):
@@ -5459,29 +3978,6 @@ class BeidouIonoCorrection(Shared, Data):
         self.beta = codec.several(beta)
         self.alpha_correction = codec.several(alpha_correction)
         self.valid_flags = valid_flags
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[BeidouIonoCorrection, int]:
-        v = _BEIDOU_IONO_CORRECTION_0.read(raw, at)
-        at += 148
-        tow = v[0]
-        week_number = v[1]
-        alpha = v[2:6]
-        beta = v[6:10]
-        alpha_correction = v[10:19]
-        valid_flags = BeidouIonoCorrectionFlags(v[19])
-        return cls(tow, week_number, alpha, beta, alpha_correction, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _BEIDOU_IONO_CORRECTION_0.write(
-            self.tow,
-            self.week_number,
-            *codec.exactly("alpha", self.alpha, 4),
-            *codec.exactly("beta", self.beta, 4),
-            *codec.exactly("alpha_correction", self.alpha_correction, 9),
-            self.valid_flags,
-        )
-        return codec.finished(out)
 
 
 #: The types of each descriptor; several if constants or the size of the data distinguish layouts.

@@ -14,10 +14,10 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 from .checks import check_source, function
-from .codec import known
 from .errors import DecodeError
 from .field import Field, Shared, chosen
 from .packet import Packet, RawField, Undecoded
+from .wire import Layout, late, plain, size, value
 
 #: The fields of a packet.
 Fields = tuple["Field | RawField", ...]
@@ -97,9 +97,8 @@ class Layouts:
         source = _Source()
         for raw in raws:
             types = self._types(raw.set, raw.descriptor)
-            layout = types[0]._LAYOUT if len(types) == 1 else None
-            letters = "".join([letters for _, letters, _ in layout or ()])
-            rest = len(raw.data) - struct.calcsize(f">{letters}")
+            layout = plain(types[0]) if len(types) == 1 else None
+            rest = 0 if layout is None else len(raw.data) - size(layout)
             if layout is None or rest < 0:
                 source.add_any(raw, self.field)
             else:
@@ -121,9 +120,7 @@ class _Source:
         self.objects: list[str] = []
         self.names: dict[str, Any] = {"new": object.__new__}
 
-    def add_numbers(
-        self, raw: RawField, kind: type[Field], layout: Sequence[tuple[str, str, Any]], rest: int
-    ) -> None:
+    def add_numbers(self, raw: RawField, kind: type[Field], layout: Layout, rest: int) -> None:
         """A field whose values are numbers at fixed places."""
         made, cls = self._begin(raw)
         self.names[cls] = kind
@@ -134,7 +131,8 @@ class _Source:
             self.format += letters
             self.singles += [n for n, letter in zip(numbers, letters) if letter == "f"]
             slot = f"_{attribute}" if attribute in kind._VECTORS else attribute
-            self.lines.append(f"{made}.{slot} = {self._value(numbers, what)}")
+            source = value(numbers, late(kind, attribute, what), f"K{len(self.values)}", self.names)
+            self.lines.append(f"{made}.{slot} = {source}")
         if issubclass(kind, Shared):
             self.lines.append(f"{made}._packet_set = {raw.set}")
         self.format += f"{rest}x"
@@ -171,17 +169,6 @@ class _Source:
             self.headers.append(f"h{number} != {len(raw.data) + 2 << 8 | raw.descriptor}")
         self.objects.append(f"f{number}")
         return f"f{number}", f"F{number}"
-
-    def _value(self, numbers: Sequence[str], what: Any) -> str:
-        """A value, from numbers."""
-        if what is None:
-            return numbers[0]
-        several = f"({', '.join(numbers)},)"
-        if isinstance(what, type) and issubclass(what, tuple):
-            return several  # vectors are made when they are asked for
-        name = f"K{len(self.values)}"
-        self.names[name] = known(what)
-        return f"{name}[{numbers[0]}]"
 
 
 def _chosen(made: dict[bytes, Decode], at: int, offset: int) -> Decode:

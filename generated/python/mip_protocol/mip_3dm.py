@@ -12,12 +12,9 @@ from collections.abc import Sequence
 from enum import IntFlag
 from typing import Any
 
-from . import codec, types
-from .errors import Truncated
+from . import codec, types, wire
 from .field import ClassOf, Command, Field, R, Response, ResponseClasses, Structure
 from .protocol import FunctionSelector
-
-_POLL_ENTRY_0 = codec.Block("BH", "descriptor", "reserved")
 
 
 class PollEntry(Structure):
@@ -29,6 +26,8 @@ class PollEntry(Structure):
     __slots__ = ("descriptor", "reserved")
     __match_args__ = ("descriptor", "reserved")
 
+    _LAYOUT = (("descriptor", "B", None), ("reserved", "H", None))
+
     descriptor: int
     """Field descriptor."""
     reserved: int
@@ -37,18 +36,6 @@ class PollEntry(Structure):
     def __init__(self, descriptor: int, reserved: int = 0) -> None:
         self.descriptor = descriptor
         self.reserved = reserved
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[PollEntry, int]:
-        v = _POLL_ENTRY_0.read(raw, at)
-        at += 3
-        descriptor = v[0]
-        reserved = v[1]
-        return cls(descriptor, reserved), at
-
-    def _write(self) -> bytes:
-        out = _POLL_ENTRY_0.write(self.descriptor, self.reserved)
-        return out
 
 
 class FactoryStreamingAction(codec.OpenEnum):
@@ -97,11 +84,6 @@ class ConstellationOptions(IntFlag):
     """The L1-SAIF signal; QZSS only. Bit 0."""
 
 
-_CONSTELLATION_SETTINGS_ENTRY_0 = codec.Block(
-    "BBBBH", "constellation_id", "enable", "reserved_channels", "max_channels", "option_flags"
-)
-
-
 class ConstellationSettingsEntry(Structure):
     """Tracking of one constellation by a receiver.
 
@@ -115,6 +97,14 @@ class ConstellationSettingsEntry(Structure):
         "reserved_channels",
         "max_channels",
         "option_flags",
+    )
+
+    _LAYOUT = (
+        ("constellation_id", "B", ConstellationId),
+        ("enable", "B", None),
+        ("reserved_channels", "B", None),
+        ("max_channels", "B", None),
+        ("option_flags", "H", ConstellationOptions),
     )
 
     constellation_id: ConstellationId
@@ -141,27 +131,6 @@ class ConstellationSettingsEntry(Structure):
         self.reserved_channels = reserved_channels
         self.max_channels = max_channels
         self.option_flags = option_flags
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ConstellationSettingsEntry, int]:
-        v = _CONSTELLATION_SETTINGS_ENTRY_0.read(raw, at)
-        at += 6
-        constellation_id = ConstellationId(v[0])
-        enable = v[1]
-        reserved_channels = v[2]
-        max_channels = v[3]
-        option_flags = ConstellationOptions(v[4])
-        return cls(constellation_id, enable, reserved_channels, max_channels, option_flags), at
-
-    def _write(self) -> bytes:
-        out = _CONSTELLATION_SETTINGS_ENTRY_0.write(
-            self.constellation_id,
-            self.enable,
-            self.reserved_channels,
-            self.max_channels,
-            self.option_flags,
-        )
-        return out
 
 
 @codec.open_flag(16)
@@ -226,9 +195,6 @@ class EventSupportQuery(codec.OpenEnum):
     """Supported types of actions."""
 
 
-_EVENT_SUPPORT_INFO_0 = codec.Block("BB", "type", "count")
-
-
 class EventSupportInfo(Structure):
     """Capacity of a device for one trigger or action type.
 
@@ -238,6 +204,8 @@ class EventSupportInfo(Structure):
     __slots__ = ("type", "count")
     __match_args__ = ("type", "count")
 
+    _LAYOUT = (("type", "B", None), ("count", "B", None))
+
     type: int
     """Type of triggers, or of actions."""
     count: int
@@ -246,21 +214,6 @@ class EventSupportInfo(Structure):
     def __init__(self, type: int, count: int) -> None:
         self.type = type
         self.count = count
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EventSupportInfo, int]:
-        v = _EVENT_SUPPORT_INFO_0.read(raw, at)
-        at += 2
-        type = v[0]
-        count = v[1]
-        return cls(type, count), at
-
-    def _write(self) -> bytes:
-        out = _EVENT_SUPPORT_INFO_0.write(self.type, self.count)
-        return out
-
-
-_EVENT_TRIGGER_STATUS_ENTRY_0 = codec.Block("BB", "type", "status")
 
 
 class EventTriggerStatusEntry(Structure):
@@ -272,6 +225,8 @@ class EventTriggerStatusEntry(Structure):
     __slots__ = ("type", "status")
     __match_args__ = ("type", "status")
 
+    _LAYOUT = (("type", "B", types.EventTriggerType), ("status", "B", types.EventTriggerStatus))
+
     type: types.EventTriggerType
     """Configured type."""
     status: types.EventTriggerStatus
@@ -280,21 +235,6 @@ class EventTriggerStatusEntry(Structure):
     def __init__(self, type: types.EventTriggerType, status: types.EventTriggerStatus) -> None:
         self.type = type
         self.status = status
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EventTriggerStatusEntry, int]:
-        v = _EVENT_TRIGGER_STATUS_ENTRY_0.read(raw, at)
-        at += 2
-        type = types.EventTriggerType(v[0])
-        status = types.EventTriggerStatus(v[1])
-        return cls(type, status), at
-
-    def _write(self) -> bytes:
-        out = _EVENT_TRIGGER_STATUS_ENTRY_0.write(self.type, self.status)
-        return out
-
-
-_EVENT_ACTION_STATUS_ENTRY_0 = codec.Block("BB", "action_type", "trigger_id")
 
 
 class EventActionStatusEntry(Structure):
@@ -306,6 +246,8 @@ class EventActionStatusEntry(Structure):
     __slots__ = ("action_type", "trigger_id")
     __match_args__ = ("action_type", "trigger_id")
 
+    _LAYOUT = (("action_type", "B", types.EventActionType), ("trigger_id", "B", None))
+
     action_type: types.EventActionType
     """Configured type."""
     trigger_id: int
@@ -314,18 +256,6 @@ class EventActionStatusEntry(Structure):
     def __init__(self, action_type: types.EventActionType, trigger_id: int) -> None:
         self.action_type = action_type
         self.trigger_id = trigger_id
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EventActionStatusEntry, int]:
-        v = _EVENT_ACTION_STATUS_ENTRY_0.read(raw, at)
-        at += 2
-        action_type = types.EventActionType(v[0])
-        trigger_id = v[1]
-        return cls(action_type, trigger_id), at
-
-    def _write(self) -> bytes:
-        out = _EVENT_ACTION_STATUS_ENTRY_0.write(self.action_type, self.trigger_id)
-        return out
 
 
 class ReceiverDynamics(codec.OpenEnum):
@@ -444,9 +374,6 @@ class SensorRangeType(codec.OpenEnum):
     PRESSURE = 4
 
 
-_SENSOR_RANGE_ENTRY_0 = codec.Block("Bf", "setting", "range")
-
-
 class SensorRangeEntry(Structure):
     """A range that a sensor supports.
 
@@ -456,6 +383,8 @@ class SensorRangeEntry(Structure):
     __slots__ = ("setting", "range")
     __match_args__ = ("setting", "range")
 
+    _LAYOUT = (("setting", "B", None), ("range", "f", None))
+
     setting: int
     """Value for `SensorRange`."""
     range: float
@@ -464,18 +393,6 @@ class SensorRangeEntry(Structure):
     def __init__(self, setting: int, range: float) -> None:
         self.setting = setting
         self.range = range
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SensorRangeEntry, int]:
-        v = _SENSOR_RANGE_ENTRY_0.read(raw, at)
-        at += 5
-        setting = v[0]
-        range = v[1]
-        return cls(setting, range), at
-
-    def _write(self) -> bytes:
-        out = _SENSOR_RANGE_ENTRY_0.write(self.setting, self.range)
-        return out
 
 
 class InternalSensor(codec.OpenEnum):
@@ -560,17 +477,11 @@ class Gx4SystemState(codec.OpenEnum):
     """The system runs."""
 
 
-_IMU_MESSAGE_FORMAT_RESPONSE_0 = codec.Block("B", "num_descriptors")
-
-
 class ImuMessageFormatResponse(Response):
     """IMU Message Format response (0x0C,0x80).
 
     Answers `ImuMessageFormat`. Supported by 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
-    3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15,
-    3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35,
-    3DM-CX5-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
-    3DM-GX4-IMU, 3DM-GX5-10, 3DM-GX5-25 and 3DM-RQ1-IMU.
+    3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.2.5 IMU Message Format (0x0C, 0x08)
     """
@@ -583,6 +494,10 @@ class ImuMessageFormatResponse(Response):
     DESCRIPTOR = 0x80
     NAME = "3dm.imu_message_format_response"
     ROLE = "response"
+    _LAYOUT = (
+        ("num_descriptors", "B", wire.Counts("descriptors", 84)),
+        ("descriptors", "", wire.Items(types.DescriptorRate, "num_descriptors", 84)),
+    )
 
     # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
     descriptors: tuple[types.DescriptorRate, ...]
@@ -591,32 +506,12 @@ class ImuMessageFormatResponse(Response):
     def __init__(self, descriptors: Sequence[types.DescriptorRate]) -> None:
         self.descriptors = codec.several(descriptors)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ImuMessageFormatResponse, int]:
-        v = _IMU_MESSAGE_FORMAT_RESPONSE_0.read(raw, at)
-        at += 1
-        num_descriptors = v[0]
-        n = codec.counted(raw, at, num_descriptors, 3, 84)
-        descriptors, at = codec.read_structures(types.DescriptorRate, raw, at, n)
-        return cls(descriptors), at
-
-    def _write(self) -> bytes:
-        out = _IMU_MESSAGE_FORMAT_RESPONSE_0.write(codec.count("descriptors", self.descriptors, 84))
-        out += codec.write_structures(
-            "descriptors", codec.at_most("descriptors", self.descriptors, 84), types.DescriptorRate
-        )
-        return codec.finished(out)
-
-
-_GNSS_MESSAGE_FORMAT_RESPONSE_0 = codec.Block("B", "num_descriptors")
-
 
 class GnssMessageFormatResponse(Response):
     """GNSS Message Format response (0x0C,0x81).
 
     Answers `GnssMessageFormat`. Supported by 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and
-    3DM-RQ1-45-ST. Probably supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX3-35, 3DM-GX3-45
-    and 3DM-GX4-45.
+    3DM-RQ1-45-ST.
 
     - mip-sdk-4: GNSS Message Format (0x0C,0x09)
     - 3dm-gx5-35: 4.2.6 GNSS Message Format (0x0C, 0x09)
@@ -630,6 +525,10 @@ class GnssMessageFormatResponse(Response):
     DESCRIPTOR = 0x81
     NAME = "3dm.gnss_message_format_response"
     ROLE = "response"
+    _LAYOUT = (
+        ("num_descriptors", "B", wire.Counts("descriptors", 84)),
+        ("descriptors", "", wire.Items(types.DescriptorRate, "num_descriptors", 84)),
+    )
 
     # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
     # Range: 0 to 82.
@@ -639,35 +538,12 @@ class GnssMessageFormatResponse(Response):
     def __init__(self, descriptors: Sequence[types.DescriptorRate]) -> None:
         self.descriptors = codec.several(descriptors)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssMessageFormatResponse, int]:
-        v = _GNSS_MESSAGE_FORMAT_RESPONSE_0.read(raw, at)
-        at += 1
-        num_descriptors = v[0]
-        n = codec.counted(raw, at, num_descriptors, 3, 84)
-        descriptors, at = codec.read_structures(types.DescriptorRate, raw, at, n)
-        return cls(descriptors), at
-
-    def _write(self) -> bytes:
-        out = _GNSS_MESSAGE_FORMAT_RESPONSE_0.write(
-            codec.count("descriptors", self.descriptors, 84)
-        )
-        out += codec.write_structures(
-            "descriptors", codec.at_most("descriptors", self.descriptors, 84), types.DescriptorRate
-        )
-        return codec.finished(out)
-
-
-_FILTER_MESSAGE_FORMAT_RESPONSE_0 = codec.Block("B", "num_descriptors")
-
 
 class FilterMessageFormatResponse(Response):
     """Estimation Filter Message Format response (0x0C,0x82).
 
     Answers `FilterMessageFormat`. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT
-    and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25,
-    3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45
-    and 3DM-GX5-25.
+    and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A)
     """
@@ -680,6 +556,10 @@ class FilterMessageFormatResponse(Response):
     DESCRIPTOR = 0x82
     NAME = "3dm.filter_message_format_response"
     ROLE = "response"
+    _LAYOUT = (
+        ("num_descriptors", "B", wire.Counts("descriptors", 84)),
+        ("descriptors", "", wire.Items(types.DescriptorRate, "num_descriptors", 84)),
+    )
 
     # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
     descriptors: tuple[types.DescriptorRate, ...]
@@ -688,36 +568,12 @@ class FilterMessageFormatResponse(Response):
     def __init__(self, descriptors: Sequence[types.DescriptorRate]) -> None:
         self.descriptors = codec.several(descriptors)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[FilterMessageFormatResponse, int]:
-        v = _FILTER_MESSAGE_FORMAT_RESPONSE_0.read(raw, at)
-        at += 1
-        num_descriptors = v[0]
-        n = codec.counted(raw, at, num_descriptors, 3, 84)
-        descriptors, at = codec.read_structures(types.DescriptorRate, raw, at, n)
-        return cls(descriptors), at
-
-    def _write(self) -> bytes:
-        out = _FILTER_MESSAGE_FORMAT_RESPONSE_0.write(
-            codec.count("descriptors", self.descriptors, 84)
-        )
-        out += codec.write_structures(
-            "descriptors", codec.at_most("descriptors", self.descriptors, 84), types.DescriptorRate
-        )
-        return codec.finished(out)
-
-
-_GET_IMU_BASE_RATE_RESPONSE_0 = codec.Block("H", "rate")
-
 
 class GetImuBaseRateResponse(Response):
     """Get IMU Data Base Rate response (0x0C,0x83).
 
     Also called `imu_get_base_rate_response`. Answers `GetImuBaseRate`. Supported by 3DM-CX5-10,
-    3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by
-    3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15,
-    3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15,
-    3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35 and 3DM-RQ1-IMU.
+    3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
     """
@@ -738,28 +594,13 @@ class GetImuBaseRateResponse(Response):
     def __init__(self, rate: int) -> None:
         self.rate = rate
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetImuBaseRateResponse, int]:
-        v = _GET_IMU_BASE_RATE_RESPONSE_0.read(raw, at)
-        at += 2
-        rate = v[0]
-        return cls(rate), at
-
-    def _write(self) -> bytes:
-        out = _GET_IMU_BASE_RATE_RESPONSE_0.write(self.rate)
-        return codec.finished(out)
-
-
-_GET_GNSS_BASE_RATE_RESPONSE_0 = codec.Block("H", "rate")
-
 
 class GetGnssBaseRateResponse(Response):
     """Get GNSS Data Base Rate response (0x0C,0x84).
 
     Also called `gnss_get_base_rate_response`. Answers `GetGnssBaseRate`. Supported by 3DM-GQ4-45,
-    3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CV5-45,
-    3DM-CX5-35, 3DM-CX5-45, 3DM-GX3-35, 3DM-GX3-45 and 3DM-GX4-45. Known only from the MicroStrain
-    MIP SDK.
+    3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the MicroStrain MIP
+    SDK.
 
     - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
     """
@@ -780,31 +621,13 @@ class GetGnssBaseRateResponse(Response):
     def __init__(self, rate: int) -> None:
         self.rate = rate
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetGnssBaseRateResponse, int]:
-        v = _GET_GNSS_BASE_RATE_RESPONSE_0.read(raw, at)
-        at += 2
-        rate = v[0]
-        return cls(rate), at
-
-    def _write(self) -> bytes:
-        out = _GET_GNSS_BASE_RATE_RESPONSE_0.write(self.rate)
-        return codec.finished(out)
-
-
-_DATA_STREAM_CONTROL_RESPONSE_0 = codec.Block("BB", "descriptor_set", "enabled")
-
 
 class DataStreamControlResponse(Response):
     """Data Stream Control response (0x0C,0x85).
 
     Also called `datastream_control_response`. Answers `DataStreamControl`. Supported by
     3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
-    3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25,
-    3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35,
-    3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-DH3, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS,
-    3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25,
-    3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45 and 3DM-MV5-AR.
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
     - 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11)
@@ -838,37 +661,12 @@ class DataStreamControlResponse(Response):
         self.descriptor_set = descriptor_set
         self.enabled = enabled
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[DataStreamControlResponse, int]:
-        v = _DATA_STREAM_CONTROL_RESPONSE_0.read(raw, at)
-        at += 2
-        descriptor_set = v[0]
-        enabled = codec.truth(v[1])
-        return cls(descriptor_set, enabled), at
-
-    def _write(self) -> bytes:
-        out = _DATA_STREAM_CONTROL_RESPONSE_0.write(self.descriptor_set, self.enabled)
-        return codec.finished(out)
-
-
-_IMU_SIGNAL_CONDITIONING_RESPONSE_0 = codec.Block(
-    "HHBBHHBH",
-    "orientation_decimation",
-    "data_conditioning_flags",
-    "inertial_filter_width",
-    "mag_filter_width",
-    "up_compensation",
-    "north_compensation",
-    "mag_bandwidth",
-    "reserved",
-)
-
 
 class ImuSignalConditioningResponse(Response):
     """IMU signal conditioning response (0x0C,0x86).
 
-    Answers `ImuSignalConditioning`. Probably supported by 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35 and
-    3DM-GX3-45. Known only from the MIP SDK of 2014 and MicroStrain Communication Library.
+    No device is certain to support it. Answers `ImuSignalConditioning`. Known only from the MIP SDK
+    of 2014 and MicroStrain Communication Library.
 
     - mip-sdk-2014: IMU signal conditioning (0x0C,0x35)
     - mscl: IMU signal conditioning (0x0C,0x35)
@@ -951,54 +749,12 @@ class ImuSignalConditioningResponse(Response):
         self.mag_bandwidth = mag_bandwidth
         self.reserved = reserved
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ImuSignalConditioningResponse, int]:
-        v = _IMU_SIGNAL_CONDITIONING_RESPONSE_0.read(raw, at)
-        at += 13
-        orientation_decimation = v[0]
-        data_conditioning_flags = DataConditioningFlags(v[1])
-        inertial_filter_width = v[2]
-        mag_filter_width = v[3]
-        up_compensation = v[4]
-        north_compensation = v[5]
-        mag_bandwidth = MagBandwidth(v[6])
-        reserved = v[7]
-        return cls(
-            orientation_decimation,
-            data_conditioning_flags,
-            inertial_filter_width,
-            mag_filter_width,
-            up_compensation,
-            north_compensation,
-            mag_bandwidth,
-            reserved,
-        ), at
-
-    def _write(self) -> bytes:
-        out = _IMU_SIGNAL_CONDITIONING_RESPONSE_0.write(
-            self.orientation_decimation,
-            self.data_conditioning_flags,
-            self.inertial_filter_width,
-            self.mag_filter_width,
-            self.up_compensation,
-            self.north_compensation,
-            self.mag_bandwidth,
-            self.reserved,
-        )
-        return codec.finished(out)
-
-
-_UART_BAUD_RATE_RESPONSE_0 = codec.Block("I", "baud")
-
 
 class UartBaudRateResponse(Response):
     """UART Baud Rate response (0x0C,0x87).
 
     Also called `uart_baudrate_response`. Answers `UartBaudRate`. Supported by 3DM-CV7-GNSS/INS,
-    3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by
-    3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-10,
-    3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10,
-    3DM-GX5-25 and 3DM-GX5-35.
+    3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.2.13 UART Baud Rate (0x0C, 0x40)
     - 3dm-cv7-gnss-ins: UART Baudrate (0x0C,0x40)
@@ -1020,25 +776,11 @@ class UartBaudRateResponse(Response):
     def __init__(self, baud: int) -> None:
         self.baud = baud
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[UartBaudRateResponse, int]:
-        v = _UART_BAUD_RATE_RESPONSE_0.read(raw, at)
-        at += 4
-        baud = v[0]
-        return cls(baud), at
-
-    def _write(self) -> bytes:
-        out = _UART_BAUD_RATE_RESPONSE_0.write(self.baud)
-        return codec.finished(out)
-
-
-_DATA_STREAM_FORMAT_RESPONSE_0 = codec.Block("BB", "stream", "format")
-
 
 class DataStreamFormatResponse(Response):
     """Data stream format response (0x0C,0x88).
 
-    Answers `DataStreamFormat`. Probably supported by 3DM-GX3-35. Known only from the MIP SDK of
+    No device is certain to support it. Answers `DataStreamFormat`. Known only from the MIP SDK of
     2014 and MicroStrain Communication Library.
 
     - mip-sdk-2014: Data stream format (0x0C,0x60)
@@ -1064,27 +806,12 @@ class DataStreamFormatResponse(Response):
         self.stream = stream
         self.format = format
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[DataStreamFormatResponse, int]:
-        v = _DATA_STREAM_FORMAT_RESPONSE_0.read(raw, at)
-        at += 2
-        stream = InternalSensor(v[0])
-        format = StreamFormat(v[1])
-        return cls(stream, format), at
-
-    def _write(self) -> bytes:
-        out = _DATA_STREAM_FORMAT_RESPONSE_0.write(self.stream, self.format)
-        return codec.finished(out)
-
-
-_DEVICE_POWER_STATE_RESPONSE_0 = codec.Block("BB", "device", "state")
-
 
 class DevicePowerStateResponse(Response):
     """Device power state response (0x0C,0x89).
 
-    Answers `DevicePowerState`. Probably supported by 3DM-GX3-15, 3DM-GX3-25 and 3DM-GX3-35. Known
-    only from the MIP SDK of 2014 and MicroStrain Communication Library.
+    No device is certain to support it. Answers `DevicePowerState`. Known only from the MIP SDK of
+    2014 and MicroStrain Communication Library.
 
     - mip-sdk-2014: Device power state (0x0C,0x61)
     - mscl: Device power state (0x0C,0x61)
@@ -1109,29 +836,12 @@ class DevicePowerStateResponse(Response):
         self.device = device
         self.state = state
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[DevicePowerStateResponse, int]:
-        v = _DEVICE_POWER_STATE_RESPONSE_0.read(raw, at)
-        at += 2
-        device = InternalSensor(v[0])
-        state = SensorPowerState(v[1])
-        return cls(device, state), at
-
-    def _write(self) -> bytes:
-        out = _DEVICE_POWER_STATE_RESPONSE_0.write(self.device, self.state)
-        return codec.finished(out)
-
-
-_GET_FILTER_BASE_RATE_RESPONSE_0 = codec.Block("H", "rate")
-
 
 class GetFilterBaseRateResponse(Response):
     """Get Estimation Filter Data Base Rate response (0x0C,0x8A).
 
     Also called `filter_get_base_rate_response`. Answers `GetFilterBaseRate`. Supported by
-    3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by
-    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
-    3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45 and 3DM-GX5-25.
+    3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
     """
@@ -1152,33 +862,13 @@ class GetFilterBaseRateResponse(Response):
     def __init__(self, rate: int) -> None:
         self.rate = rate
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetFilterBaseRateResponse, int]:
-        v = _GET_FILTER_BASE_RATE_RESPONSE_0.read(raw, at)
-        at += 2
-        rate = v[0]
-        return cls(rate), at
-
-    def _write(self) -> bytes:
-        out = _GET_FILTER_BASE_RATE_RESPONSE_0.write(self.rate)
-        return codec.finished(out)
-
-
-_IMU_LOW_PASS_FILTER_RESPONSE_0 = codec.Block(
-    "BBBHB", "target_descriptor", "enable", "manual", "frequency", "reserved"
-)
-
 
 class ImuLowPassFilterResponse(Response):
     """Advanced Low-Pass Filter Settings response (0x0C,0x8B).
 
     Also called `imu_lowpass_filter_response`. Answers `ImuLowPassFilter`. Supported by
     3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15,
-    3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25,
-    3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
-    3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR,
-    3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35 and
-    3DM-GX5-45.
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.2.14 Advanced Low-Pass Filter Settings (0x0C, 0x50)
     - 3dm-cv7-gnss-ins: Advanced Low-Pass Filter Settings (0x0C,0x50)
@@ -1222,32 +912,11 @@ class ImuLowPassFilterResponse(Response):
         self.frequency = frequency
         self.reserved = reserved
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ImuLowPassFilterResponse, int]:
-        v = _IMU_LOW_PASS_FILTER_RESPONSE_0.read(raw, at)
-        at += 6
-        target_descriptor = v[0]
-        enable = codec.truth(v[1])
-        manual = codec.truth(v[2])
-        frequency = v[3]
-        reserved = v[4]
-        return cls(target_descriptor, enable, manual, frequency, reserved), at
-
-    def _write(self) -> bytes:
-        out = _IMU_LOW_PASS_FILTER_RESPONSE_0.write(
-            self.target_descriptor, self.enable, self.manual, self.frequency, self.reserved
-        )
-        return codec.finished(out)
-
-
-_NMEA_MESSAGE_FORMAT_RESPONSE_0 = codec.Block("B", "count")
-
 
 class NmeaMessageFormatResponse(Response):
     """NMEA Message Format response (0x0C,0x8C).
 
-    Answers `NmeaMessageFormat`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS,
-    3DM-CX7-INS, 3DM-GQ7-GNSS/INS and 3DM-GV7-INS.
+    Answers `NmeaMessageFormat`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: NMEA Message Format (0x0C,0x0C)
     """
@@ -1260,6 +929,10 @@ class NmeaMessageFormatResponse(Response):
     DESCRIPTOR = 0x8C
     NAME = "3dm.nmea_message_format_response"
     ROLE = "response"
+    _LAYOUT = (
+        ("count", "B", wire.Counts("format_entries", 50)),
+        ("format_entries", "", wire.Items(types.NmeaMessage, "count", 50)),
+    )
 
     # On the wire only: count. Number of sentences. The number of elements of `format_entries`.
     format_entries: tuple[types.NmeaMessage, ...]
@@ -1268,36 +941,12 @@ class NmeaMessageFormatResponse(Response):
     def __init__(self, format_entries: Sequence[types.NmeaMessage]) -> None:
         self.format_entries = codec.several(format_entries)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[NmeaMessageFormatResponse, int]:
-        v = _NMEA_MESSAGE_FORMAT_RESPONSE_0.read(raw, at)
-        at += 1
-        count = v[0]
-        n = codec.counted(raw, at, count, 5, 50)
-        format_entries, at = codec.read_structures(types.NmeaMessage, raw, at, n)
-        return cls(format_entries), at
-
-    def _write(self) -> bytes:
-        out = _NMEA_MESSAGE_FORMAT_RESPONSE_0.write(
-            codec.count("format_entries", self.format_entries, 50)
-        )
-        out += codec.write_structures(
-            "format_entries",
-            codec.at_most("format_entries", self.format_entries, 50),
-            types.NmeaMessage,
-        )
-        return codec.finished(out)
-
-
-_GET_BASE_RATE_RESPONSE_0 = codec.Block("BH", "descriptor_set", "rate")
-
 
 class GetBaseRateResponse(Response):
     """Get Data Base Rate response (0x0C,0x8E).
 
     Answers `GetBaseRate`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and
-    3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
-    3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+    3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
     """
@@ -1321,28 +970,11 @@ class GetBaseRateResponse(Response):
         self.descriptor_set = descriptor_set
         self.rate = rate
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetBaseRateResponse, int]:
-        v = _GET_BASE_RATE_RESPONSE_0.read(raw, at)
-        at += 3
-        descriptor_set = v[0]
-        rate = v[1]
-        return cls(descriptor_set, rate), at
-
-    def _write(self) -> bytes:
-        out = _GET_BASE_RATE_RESPONSE_0.write(self.descriptor_set, self.rate)
-        return codec.finished(out)
-
-
-_MESSAGE_FORMAT_RESPONSE_0 = codec.Block("BB", "descriptor_set", "num_descriptors")
-
 
 class MessageFormatResponse(Response):
     """Message Format response (0x0C,0x8F).
 
-    Answers `MessageFormat`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS,
-    3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS,
-    3DM-GV7-AR and 3DM-GV7-INS.
+    Answers `MessageFormat`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Message Format (0x0C,0x0F)
     """
@@ -1355,6 +987,11 @@ class MessageFormatResponse(Response):
     DESCRIPTOR = 0x8F
     NAME = "3dm.message_format_response"
     ROLE = "response"
+    _LAYOUT = (
+        ("descriptor_set", "B", None),
+        ("num_descriptors", "B", wire.Counts("descriptors", 83)),
+        ("descriptors", "", wire.Items(types.DescriptorRate, "num_descriptors", 83)),
+    )
 
     descriptor_set: int
     """Data descriptor set."""
@@ -1366,39 +1003,15 @@ class MessageFormatResponse(Response):
         self.descriptor_set = descriptor_set
         self.descriptors = codec.several(descriptors)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MessageFormatResponse, int]:
-        v = _MESSAGE_FORMAT_RESPONSE_0.read(raw, at)
-        at += 2
-        descriptor_set = v[0]
-        num_descriptors = v[1]
-        n = codec.counted(raw, at, num_descriptors, 3, 83)
-        descriptors, at = codec.read_structures(types.DescriptorRate, raw, at, n)
-        return cls(descriptor_set, descriptors), at
-
-    def _write(self) -> bytes:
-        out = _MESSAGE_FORMAT_RESPONSE_0.write(
-            self.descriptor_set, codec.count("descriptors", self.descriptors, 83)
-        )
-        out += codec.write_structures(
-            "descriptors", codec.at_most("descriptors", self.descriptors, 83), types.DescriptorRate
-        )
-        return codec.finished(out)
-
-
-_DEVICE_STATUS_BASIC_RQ1_IMU_RESPONSE_0 = codec.Block("H", "model_number")
-_DEVICE_STATUS_BASIC_RQ1_IMU_RESPONSE_1 = codec.Block("B", "status_selector")
-_DEVICE_STATUS_BASIC_RQ1_IMU_RESPONSE_2 = codec.Block("IQ", "status_flags", "system_timer")
-
 
 class DeviceStatusBasicRq1ImuResponse(Response):
     """Basic Device Status of the inertial sensor of the 3DM-RQ1-45 (0x0C,0x90).
 
     Timer only, in microseconds.
 
-    Answers `DeviceStatus`. Sent if `status_selector` is `DeviceStatusSelector.BASIC`. Probably
-    supported by 3DM-RQ1-IMU. Uncertain: The SDK of 2014 names the values and the unit of the timer;
-    the descriptions follow from the names.
+    No device is certain to support it. Answers `DeviceStatus`. Sent if `status_selector` is
+    `DeviceStatusSelector.BASIC`. Uncertain: The SDK of 2014 names the values and the unit of the
+    timer; the descriptions follow from the names.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -1414,6 +1027,12 @@ class DeviceStatusBasicRq1ImuResponse(Response):
     DESCRIPTOR = 0x90
     NAME = "3dm.device_status_basic_rq1_imu_response"
     ROLE = "response"
+    _LAYOUT = (
+        ("model_number", "H", 6238),
+        ("status_selector", "B", 1),
+        ("status_flags", "I", None),
+        ("system_timer", "Q", None),
+    )
 
     # On the wire only: model_number. Model number of the inertial sensor. Always 6238.
     # On the wire only: status_selector. Basic status. Always 1.
@@ -1430,30 +1049,6 @@ class DeviceStatusBasicRq1ImuResponse(Response):
     def matches(cls, data: bytes) -> bool:
         return 15 <= len(data) and b"\x18^".startswith(data[0:2]) and b"\x01".startswith(data[2:3])
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[DeviceStatusBasicRq1ImuResponse, int]:
-        v = _DEVICE_STATUS_BASIC_RQ1_IMU_RESPONSE_0.read(raw, at)
-        at += 2
-        codec.constant(v[0], 6238)
-        v = _DEVICE_STATUS_BASIC_RQ1_IMU_RESPONSE_1.read(raw, at)
-        at += 1
-        codec.constant(v[0], 1)
-        v = _DEVICE_STATUS_BASIC_RQ1_IMU_RESPONSE_2.read(raw, at)
-        at += 12
-        status_flags = v[0]
-        system_timer = v[1]
-        return cls(status_flags, system_timer), at
-
-    def _write(self) -> bytes:
-        out = _DEVICE_STATUS_BASIC_RQ1_IMU_RESPONSE_0.write(6238)
-        out += _DEVICE_STATUS_BASIC_RQ1_IMU_RESPONSE_1.write(1)
-        out += _DEVICE_STATUS_BASIC_RQ1_IMU_RESPONSE_2.write(self.status_flags, self.system_timer)
-        return codec.finished(out)
-
-
-_DEVICE_STATUS_BASIC_RESPONSE_0 = codec.Block("HB", "model_number", "status_selector")
-_DEVICE_STATUS_BASIC_RESPONSE_1 = codec.Block("IHI", "status_flags", "system_state", "system_timer")
-
 
 class DeviceStatusBasicResponse(Response):
     """Basic Device Status (0x0C,0x90).
@@ -1463,9 +1058,7 @@ class DeviceStatusBasicResponse(Response):
     Answers `DeviceStatus`. Distinguished from `DeviceStatusBasicWithoutStateResponse` and
     `DeviceStatusBasicGx3Response` by the size of its data. Sent if `status_selector` is
     `DeviceStatusSelector.BASIC`. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45,
-    3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15,
-    3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX3-15, 3DM-GX3-25,
-    3DM-GX4-45 and 3DM-GX5-25.
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -1481,6 +1074,13 @@ class DeviceStatusBasicResponse(Response):
     DESCRIPTOR = 0x90
     NAME = "3dm.device_status_basic_response"
     ROLE = "response"
+    _LAYOUT = (
+        ("model_number", "H", None),
+        ("status_selector", "B", 1),
+        ("status_flags", "I", None),
+        ("system_state", "H", None),
+        ("system_timer", "I", None),
+    )
 
     model_number: int
     """Model number of the device."""
@@ -1507,40 +1107,15 @@ class DeviceStatusBasicResponse(Response):
     def matches(cls, data: bytes) -> bool:
         return 13 <= len(data) < 15 and b"\x01".startswith(data[2:3])
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[DeviceStatusBasicResponse, int]:
-        v = _DEVICE_STATUS_BASIC_RESPONSE_0.read(raw, at)
-        at += 3
-        model_number = v[0]
-        codec.constant(v[1], 1)
-        v = _DEVICE_STATUS_BASIC_RESPONSE_1.read(raw, at)
-        at += 10
-        status_flags = v[0]
-        system_state = v[1]
-        system_timer = v[2]
-        return cls(model_number, status_flags, system_state, system_timer), at
-
-    def _write(self) -> bytes:
-        out = _DEVICE_STATUS_BASIC_RESPONSE_0.write(self.model_number, 1)
-        out += _DEVICE_STATUS_BASIC_RESPONSE_1.write(
-            self.status_flags, self.system_state, self.system_timer
-        )
-        return codec.finished(out)
-
-
-_DEVICE_STATUS_BASIC_WITHOUT_STATE_RESPONSE_0 = codec.Block("HB", "model_number", "status_selector")
-_DEVICE_STATUS_BASIC_WITHOUT_STATE_RESPONSE_1 = codec.Block("II", "status_flags", "system_timer")
-
 
 class DeviceStatusBasicWithoutStateResponse(Response):
     """Basic Device Status without a state (0x0C,0x90).
 
     Timer only.
 
-    Answers `DeviceStatus`. Distinguished from `DeviceStatusBasicResponse` and
-    `DeviceStatusBasicGx3Response` by the size of its data. Sent if `status_selector` is
-    `DeviceStatusSelector.BASIC`. Probably supported by 3DM-CL5-10, 3DM-CV5-10, 3DM-CX5-10,
-    3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-IMU and 3DM-GX5-10. Uncertain: MSCL has it for the 3DM-GX4-15,
+    No device is certain to support it. Answers `DeviceStatus`. Distinguished from
+    `DeviceStatusBasicResponse` and `DeviceStatusBasicGx3Response` by the size of its data. Sent if
+    `status_selector` is `DeviceStatusSelector.BASIC`. Uncertain: MSCL has it for the 3DM-GX4-15,
     3DM-GX4-25, 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10, the SDK of 2014 for the 3DM-GX4-15, the
     3DM-GX4-25 and the inertial sensor of the 3DM-GX4-45; that the 3DM-CL5-10 has it is inferred.
     Uncertain: The manual of the 3DM-GX5-45 gives it too, but for the model number of another
@@ -1560,6 +1135,12 @@ class DeviceStatusBasicWithoutStateResponse(Response):
     DESCRIPTOR = 0x90
     NAME = "3dm.device_status_basic_without_state_response"
     ROLE = "response"
+    _LAYOUT = (
+        ("model_number", "H", None),
+        ("status_selector", "B", 1),
+        ("status_flags", "I", None),
+        ("system_timer", "I", None),
+    )
 
     model_number: int
     """Model number of the device."""
@@ -1578,45 +1159,6 @@ class DeviceStatusBasicWithoutStateResponse(Response):
     def matches(cls, data: bytes) -> bool:
         return len(data) < 13 and b"\x01".startswith(data[2:3])
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[DeviceStatusBasicWithoutStateResponse, int]:
-        v = _DEVICE_STATUS_BASIC_WITHOUT_STATE_RESPONSE_0.read(raw, at)
-        at += 3
-        model_number = v[0]
-        codec.constant(v[1], 1)
-        v = _DEVICE_STATUS_BASIC_WITHOUT_STATE_RESPONSE_1.read(raw, at)
-        at += 8
-        status_flags = v[0]
-        system_timer = v[1]
-        return cls(model_number, status_flags, system_timer), at
-
-    def _write(self) -> bytes:
-        out = _DEVICE_STATUS_BASIC_WITHOUT_STATE_RESPONSE_0.write(self.model_number, 1)
-        out += _DEVICE_STATUS_BASIC_WITHOUT_STATE_RESPONSE_1.write(
-            self.status_flags, self.system_timer
-        )
-        return codec.finished(out)
-
-
-_DEVICE_STATUS_DIAGNOSTIC_RESPONSE_0 = codec.Block("HB", "model_number", "status_selector")
-_DEVICE_STATUS_DIAGNOSTIC_RESPONSE_1 = codec.Block(
-    "IHIBBIIIIIIIII",
-    "status_flags",
-    "system_state",
-    "system_timer",
-    "imu_stream_enabled",
-    "filter_stream_enabled",
-    "imu_dropped_packets",
-    "filter_dropped_packets",
-    "comm_port_bytes_written",
-    "comm_port_bytes_read",
-    "comm_port_write_overruns",
-    "comm_port_read_overruns",
-    "imu_parser_errors",
-    "imu_message_count",
-    "imu_last_message_time",
-)
-
 
 class DeviceStatusDiagnosticResponse(Response):
     """Diagnostic Device Status (0x0C,0x90).
@@ -1628,9 +1170,7 @@ class DeviceStatusDiagnosticResponse(Response):
     `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse`,
     `DeviceStatusDiagnosticGx4ImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse` and
     `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `status_selector` is
-    `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-GX5-15. Probably supported by 3DM-CL5-15,
-    3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-15, 3DM-CX5-25, 3DM-GX3-15, 3DM-GX3-25 and
-    3DM-GX5-25.
+    `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -1678,6 +1218,24 @@ class DeviceStatusDiagnosticResponse(Response):
     DESCRIPTOR = 0x90
     NAME = "3dm.device_status_diagnostic_response"
     ROLE = "response"
+    _LAYOUT = (
+        ("model_number", "H", None),
+        ("status_selector", "B", 2),
+        ("status_flags", "I", None),
+        ("system_state", "H", None),
+        ("system_timer", "I", None),
+        ("imu_stream_enabled", "B", codec.truth),
+        ("filter_stream_enabled", "B", codec.truth),
+        ("imu_dropped_packets", "I", None),
+        ("filter_dropped_packets", "I", None),
+        ("comm_port_bytes_written", "I", None),
+        ("comm_port_bytes_read", "I", None),
+        ("comm_port_write_overruns", "I", None),
+        ("comm_port_read_overruns", "I", None),
+        ("imu_parser_errors", "I", None),
+        ("imu_message_count", "I", None),
+        ("imu_last_message_time", "I", None),
+    )
 
     model_number: int
     """Model number of the device."""
@@ -1749,94 +1307,6 @@ class DeviceStatusDiagnosticResponse(Response):
     def matches(cls, data: bytes) -> bool:
         return len(data) < 60 and b"\x02".startswith(data[2:3])
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[DeviceStatusDiagnosticResponse, int]:
-        v = _DEVICE_STATUS_DIAGNOSTIC_RESPONSE_0.read(raw, at)
-        at += 3
-        model_number = v[0]
-        codec.constant(v[1], 2)
-        v = _DEVICE_STATUS_DIAGNOSTIC_RESPONSE_1.read(raw, at)
-        at += 48
-        status_flags = v[0]
-        system_state = v[1]
-        system_timer = v[2]
-        imu_stream_enabled = codec.truth(v[3])
-        filter_stream_enabled = codec.truth(v[4])
-        imu_dropped_packets = v[5]
-        filter_dropped_packets = v[6]
-        comm_port_bytes_written = v[7]
-        comm_port_bytes_read = v[8]
-        comm_port_write_overruns = v[9]
-        comm_port_read_overruns = v[10]
-        imu_parser_errors = v[11]
-        imu_message_count = v[12]
-        imu_last_message_time = v[13]
-        return cls(
-            model_number,
-            status_flags,
-            system_state,
-            system_timer,
-            imu_stream_enabled,
-            filter_stream_enabled,
-            imu_dropped_packets,
-            filter_dropped_packets,
-            comm_port_bytes_written,
-            comm_port_bytes_read,
-            comm_port_write_overruns,
-            comm_port_read_overruns,
-            imu_parser_errors,
-            imu_message_count,
-            imu_last_message_time,
-        ), at
-
-    def _write(self) -> bytes:
-        out = _DEVICE_STATUS_DIAGNOSTIC_RESPONSE_0.write(self.model_number, 2)
-        out += _DEVICE_STATUS_DIAGNOSTIC_RESPONSE_1.write(
-            self.status_flags,
-            self.system_state,
-            self.system_timer,
-            self.imu_stream_enabled,
-            self.filter_stream_enabled,
-            self.imu_dropped_packets,
-            self.filter_dropped_packets,
-            self.comm_port_bytes_written,
-            self.comm_port_bytes_read,
-            self.comm_port_write_overruns,
-            self.comm_port_read_overruns,
-            self.imu_parser_errors,
-            self.imu_message_count,
-            self.imu_last_message_time,
-        )
-        return codec.finished(out)
-
-
-_DEVICE_STATUS_DIAGNOSTIC_GNSS_RESPONSE_0 = codec.Block("HB", "model_number", "status_selector")
-_DEVICE_STATUS_DIAGNOSTIC_GNSS_RESPONSE_1 = codec.Block(
-    "IHIBIIBBBIIIIIIIIIIIII",
-    "status_flags",
-    "system_state",
-    "system_timer",
-    "gnss_power_state",
-    "pps_count",
-    "pps_last_time",
-    "imu_stream_enabled",
-    "gnss_stream_enabled",
-    "filter_stream_enabled",
-    "imu_dropped_packets",
-    "gnss_dropped_packets",
-    "filter_dropped_packets",
-    "comm_port_bytes_written",
-    "comm_port_bytes_read",
-    "comm_port_write_overruns",
-    "comm_port_read_overruns",
-    "imu_parser_errors",
-    "imu_message_count",
-    "imu_last_message_time",
-    "gnss_parser_errors",
-    "gnss_message_count",
-    "gnss_last_message_time",
-)
-
 
 class DeviceStatusDiagnosticGnssResponse(Response):
     """Diagnostic Device Status with GNSS (0x0C,0x90).
@@ -1848,11 +1318,10 @@ class DeviceStatusDiagnosticGnssResponse(Response):
     `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse`,
     `DeviceStatusDiagnosticGx4ImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse` and
     `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `status_selector` is
-    `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-GX5-35 and 3DM-GX5-45. Probably supported by
-    3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45 and 3DM-GX4-45. Uncertain: MSCL has it for the 3DM-GX4-45 and
-    the -35 and -45 of GX5 and CX5; its length is from a manual. Uncertain: MSCL only names the
-    values; the descriptions follow from the names, and the times are assumed to be in ms like the
-    system timer.
+    `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-GX5-35 and 3DM-GX5-45. Uncertain: MSCL has
+    it for the 3DM-GX4-45 and the -35 and -45 of GX5 and CX5; its length is from a manual.
+    Uncertain: MSCL only names the values; the descriptions follow from the names, and the times are
+    assumed to be in ms like the system timer.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -1916,6 +1385,32 @@ class DeviceStatusDiagnosticGnssResponse(Response):
     DESCRIPTOR = 0x90
     NAME = "3dm.device_status_diagnostic_gnss_response"
     ROLE = "response"
+    _LAYOUT = (
+        ("model_number", "H", None),
+        ("status_selector", "B", 2),
+        ("status_flags", "I", None),
+        ("system_state", "H", None),
+        ("system_timer", "I", None),
+        ("gnss_power_state", "B", None),
+        ("pps_count", "I", None),
+        ("pps_last_time", "I", None),
+        ("imu_stream_enabled", "B", codec.truth),
+        ("gnss_stream_enabled", "B", codec.truth),
+        ("filter_stream_enabled", "B", codec.truth),
+        ("imu_dropped_packets", "I", None),
+        ("gnss_dropped_packets", "I", None),
+        ("filter_dropped_packets", "I", None),
+        ("comm_port_bytes_written", "I", None),
+        ("comm_port_bytes_read", "I", None),
+        ("comm_port_write_overruns", "I", None),
+        ("comm_port_read_overruns", "I", None),
+        ("imu_parser_errors", "I", None),
+        ("imu_message_count", "I", None),
+        ("imu_last_message_time", "I", None),
+        ("gnss_parser_errors", "I", None),
+        ("gnss_message_count", "I", None),
+        ("gnss_last_message_time", "I", None),
+    )
 
     model_number: int
     """Model number of the device."""
@@ -2019,121 +1514,6 @@ class DeviceStatusDiagnosticGnssResponse(Response):
     def matches(cls, data: bytes) -> bool:
         return 77 <= len(data) < 80 and b"\x02".startswith(data[2:3])
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[DeviceStatusDiagnosticGnssResponse, int]:
-        v = _DEVICE_STATUS_DIAGNOSTIC_GNSS_RESPONSE_0.read(raw, at)
-        at += 3
-        model_number = v[0]
-        codec.constant(v[1], 2)
-        v = _DEVICE_STATUS_DIAGNOSTIC_GNSS_RESPONSE_1.read(raw, at)
-        at += 74
-        status_flags = v[0]
-        system_state = v[1]
-        system_timer = v[2]
-        gnss_power_state = v[3]
-        pps_count = v[4]
-        pps_last_time = v[5]
-        imu_stream_enabled = codec.truth(v[6])
-        gnss_stream_enabled = codec.truth(v[7])
-        filter_stream_enabled = codec.truth(v[8])
-        imu_dropped_packets = v[9]
-        gnss_dropped_packets = v[10]
-        filter_dropped_packets = v[11]
-        comm_port_bytes_written = v[12]
-        comm_port_bytes_read = v[13]
-        comm_port_write_overruns = v[14]
-        comm_port_read_overruns = v[15]
-        imu_parser_errors = v[16]
-        imu_message_count = v[17]
-        imu_last_message_time = v[18]
-        gnss_parser_errors = v[19]
-        gnss_message_count = v[20]
-        gnss_last_message_time = v[21]
-        return cls(
-            model_number,
-            status_flags,
-            system_state,
-            system_timer,
-            gnss_power_state,
-            pps_count,
-            pps_last_time,
-            imu_stream_enabled,
-            gnss_stream_enabled,
-            filter_stream_enabled,
-            imu_dropped_packets,
-            gnss_dropped_packets,
-            filter_dropped_packets,
-            comm_port_bytes_written,
-            comm_port_bytes_read,
-            comm_port_write_overruns,
-            comm_port_read_overruns,
-            imu_parser_errors,
-            imu_message_count,
-            imu_last_message_time,
-            gnss_parser_errors,
-            gnss_message_count,
-            gnss_last_message_time,
-        ), at
-
-    def _write(self) -> bytes:
-        out = _DEVICE_STATUS_DIAGNOSTIC_GNSS_RESPONSE_0.write(self.model_number, 2)
-        out += _DEVICE_STATUS_DIAGNOSTIC_GNSS_RESPONSE_1.write(
-            self.status_flags,
-            self.system_state,
-            self.system_timer,
-            self.gnss_power_state,
-            self.pps_count,
-            self.pps_last_time,
-            self.imu_stream_enabled,
-            self.gnss_stream_enabled,
-            self.filter_stream_enabled,
-            self.imu_dropped_packets,
-            self.gnss_dropped_packets,
-            self.filter_dropped_packets,
-            self.comm_port_bytes_written,
-            self.comm_port_bytes_read,
-            self.comm_port_write_overruns,
-            self.comm_port_read_overruns,
-            self.imu_parser_errors,
-            self.imu_message_count,
-            self.imu_last_message_time,
-            self.gnss_parser_errors,
-            self.gnss_message_count,
-            self.gnss_last_message_time,
-        )
-        return codec.finished(out)
-
-
-_DEVICE_STATUS_DIAGNOSTIC_GQ4_45_RESPONSE_0 = codec.Block("HB", "model_number", "status_selector")
-_DEVICE_STATUS_DIAGNOSTIC_GQ4_45_RESPONSE_1 = codec.Block(
-    "IHIBIIBBBIIIIIIIIIIIIIBBB",
-    "status_flags",
-    "system_state",
-    "system_timer",
-    "gnss_power_state",
-    "pps_count",
-    "pps_last_time",
-    "imu_stream_enabled",
-    "gnss_stream_enabled",
-    "filter_stream_enabled",
-    "imu_dropped_packets",
-    "gnss_dropped_packets",
-    "filter_dropped_packets",
-    "comm_port_bytes_written",
-    "comm_port_bytes_read",
-    "comm_port_write_overruns",
-    "comm_port_read_overruns",
-    "imu_parser_errors",
-    "imu_message_count",
-    "imu_last_message_time",
-    "gnss_parser_errors",
-    "gnss_message_count",
-    "gnss_last_message_time",
-    "mag_init_failed",
-    "pressure_init_failed",
-    "receiver_init_failed",
-)
-
 
 class DeviceStatusDiagnosticGq4_45Response(Response):
     """Diagnostic Device Status of the 3DM-GQ4-45 (0x0C,0x90).
@@ -2217,6 +1597,35 @@ class DeviceStatusDiagnosticGq4_45Response(Response):
     DESCRIPTOR = 0x90
     NAME = "3dm.device_status_diagnostic_gq4_45_response"
     ROLE = "response"
+    _LAYOUT = (
+        ("model_number", "H", None),
+        ("status_selector", "B", 2),
+        ("status_flags", "I", None),
+        ("system_state", "H", None),
+        ("system_timer", "I", None),
+        ("gnss_power_state", "B", None),
+        ("pps_count", "I", None),
+        ("pps_last_time", "I", None),
+        ("imu_stream_enabled", "B", codec.truth),
+        ("gnss_stream_enabled", "B", codec.truth),
+        ("filter_stream_enabled", "B", codec.truth),
+        ("imu_dropped_packets", "I", None),
+        ("gnss_dropped_packets", "I", None),
+        ("filter_dropped_packets", "I", None),
+        ("comm_port_bytes_written", "I", None),
+        ("comm_port_bytes_read", "I", None),
+        ("comm_port_write_overruns", "I", None),
+        ("comm_port_read_overruns", "I", None),
+        ("imu_parser_errors", "I", None),
+        ("imu_message_count", "I", None),
+        ("imu_last_message_time", "I", None),
+        ("gnss_parser_errors", "I", None),
+        ("gnss_message_count", "I", None),
+        ("gnss_last_message_time", "I", None),
+        ("mag_init_failed", "B", codec.truth),
+        ("pressure_init_failed", "B", codec.truth),
+        ("receiver_init_failed", "B", codec.truth),
+    )
 
     model_number: int
     """Model number of the device."""
@@ -2332,130 +1741,6 @@ class DeviceStatusDiagnosticGq4_45Response(Response):
     def matches(cls, data: bytes) -> bool:
         return 80 <= len(data) < 86 and b"\x02".startswith(data[2:3])
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[DeviceStatusDiagnosticGq4_45Response, int]:
-        v = _DEVICE_STATUS_DIAGNOSTIC_GQ4_45_RESPONSE_0.read(raw, at)
-        at += 3
-        model_number = v[0]
-        codec.constant(v[1], 2)
-        v = _DEVICE_STATUS_DIAGNOSTIC_GQ4_45_RESPONSE_1.read(raw, at)
-        at += 77
-        status_flags = v[0]
-        system_state = v[1]
-        system_timer = v[2]
-        gnss_power_state = v[3]
-        pps_count = v[4]
-        pps_last_time = v[5]
-        imu_stream_enabled = codec.truth(v[6])
-        gnss_stream_enabled = codec.truth(v[7])
-        filter_stream_enabled = codec.truth(v[8])
-        imu_dropped_packets = v[9]
-        gnss_dropped_packets = v[10]
-        filter_dropped_packets = v[11]
-        comm_port_bytes_written = v[12]
-        comm_port_bytes_read = v[13]
-        comm_port_write_overruns = v[14]
-        comm_port_read_overruns = v[15]
-        imu_parser_errors = v[16]
-        imu_message_count = v[17]
-        imu_last_message_time = v[18]
-        gnss_parser_errors = v[19]
-        gnss_message_count = v[20]
-        gnss_last_message_time = v[21]
-        mag_init_failed = codec.truth(v[22])
-        pressure_init_failed = codec.truth(v[23])
-        receiver_init_failed = codec.truth(v[24])
-        return cls(
-            model_number,
-            status_flags,
-            system_state,
-            system_timer,
-            gnss_power_state,
-            pps_count,
-            pps_last_time,
-            imu_stream_enabled,
-            gnss_stream_enabled,
-            filter_stream_enabled,
-            imu_dropped_packets,
-            gnss_dropped_packets,
-            filter_dropped_packets,
-            comm_port_bytes_written,
-            comm_port_bytes_read,
-            comm_port_write_overruns,
-            comm_port_read_overruns,
-            imu_parser_errors,
-            imu_message_count,
-            imu_last_message_time,
-            gnss_parser_errors,
-            gnss_message_count,
-            gnss_last_message_time,
-            mag_init_failed,
-            pressure_init_failed,
-            receiver_init_failed,
-        ), at
-
-    def _write(self) -> bytes:
-        out = _DEVICE_STATUS_DIAGNOSTIC_GQ4_45_RESPONSE_0.write(self.model_number, 2)
-        out += _DEVICE_STATUS_DIAGNOSTIC_GQ4_45_RESPONSE_1.write(
-            self.status_flags,
-            self.system_state,
-            self.system_timer,
-            self.gnss_power_state,
-            self.pps_count,
-            self.pps_last_time,
-            self.imu_stream_enabled,
-            self.gnss_stream_enabled,
-            self.filter_stream_enabled,
-            self.imu_dropped_packets,
-            self.gnss_dropped_packets,
-            self.filter_dropped_packets,
-            self.comm_port_bytes_written,
-            self.comm_port_bytes_read,
-            self.comm_port_write_overruns,
-            self.comm_port_read_overruns,
-            self.imu_parser_errors,
-            self.imu_message_count,
-            self.imu_last_message_time,
-            self.gnss_parser_errors,
-            self.gnss_message_count,
-            self.gnss_last_message_time,
-            self.mag_init_failed,
-            self.pressure_init_failed,
-            self.receiver_init_failed,
-        )
-        return codec.finished(out)
-
-
-_DEVICE_STATUS_DIAGNOSTIC_RQ1_45_RESPONSE_0 = codec.Block("HB", "model_number", "status_selector")
-_DEVICE_STATUS_DIAGNOSTIC_RQ1_45_RESPONSE_1 = codec.Block(
-    "IHIBBfIIIBBBIIIIIIIIIIIII",
-    "status_flags",
-    "system_state",
-    "system_timer",
-    "gnss_power_state",
-    "cold_start_on_power_on",
-    "temperature",
-    "temperature_last_time",
-    "pps_count",
-    "pps_last_time",
-    "imu_stream_enabled",
-    "gnss_stream_enabled",
-    "filter_stream_enabled",
-    "imu_dropped_packets",
-    "gnss_dropped_packets",
-    "filter_dropped_packets",
-    "comm_port_bytes_written",
-    "comm_port_bytes_read",
-    "comm_port_write_overruns",
-    "comm_port_read_overruns",
-    "imu_parser_errors",
-    "imu_message_count",
-    "imu_last_message_time",
-    "gnss_parser_errors",
-    "gnss_message_count",
-    "gnss_last_message_time",
-)
-
 
 class DeviceStatusDiagnosticRq1_45Response(Response):
     """Diagnostic Device Status of the 3DM-RQ1-45 (0x0C,0x90).
@@ -2539,6 +1824,35 @@ class DeviceStatusDiagnosticRq1_45Response(Response):
     DESCRIPTOR = 0x90
     NAME = "3dm.device_status_diagnostic_rq1_45_response"
     ROLE = "response"
+    _LAYOUT = (
+        ("model_number", "H", None),
+        ("status_selector", "B", 2),
+        ("status_flags", "I", None),
+        ("system_state", "H", None),
+        ("system_timer", "I", None),
+        ("gnss_power_state", "B", None),
+        ("cold_start_on_power_on", "B", None),
+        ("temperature", "f", None),
+        ("temperature_last_time", "I", None),
+        ("pps_count", "I", None),
+        ("pps_last_time", "I", None),
+        ("imu_stream_enabled", "B", codec.truth),
+        ("gnss_stream_enabled", "B", codec.truth),
+        ("filter_stream_enabled", "B", codec.truth),
+        ("imu_dropped_packets", "I", None),
+        ("gnss_dropped_packets", "I", None),
+        ("filter_dropped_packets", "I", None),
+        ("comm_port_bytes_written", "I", None),
+        ("comm_port_bytes_read", "I", None),
+        ("comm_port_write_overruns", "I", None),
+        ("comm_port_read_overruns", "I", None),
+        ("imu_parser_errors", "I", None),
+        ("imu_message_count", "I", None),
+        ("imu_last_message_time", "I", None),
+        ("gnss_parser_errors", "I", None),
+        ("gnss_message_count", "I", None),
+        ("gnss_last_message_time", "I", None),
+    )
 
     model_number: int
     """Model number of the device."""
@@ -2654,139 +1968,21 @@ class DeviceStatusDiagnosticRq1_45Response(Response):
     def matches(cls, data: bytes) -> bool:
         return 86 <= len(data) < 105 and b"\x02".startswith(data[2:3])
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[DeviceStatusDiagnosticRq1_45Response, int]:
-        v = _DEVICE_STATUS_DIAGNOSTIC_RQ1_45_RESPONSE_0.read(raw, at)
-        at += 3
-        model_number = v[0]
-        codec.constant(v[1], 2)
-        v = _DEVICE_STATUS_DIAGNOSTIC_RQ1_45_RESPONSE_1.read(raw, at)
-        at += 83
-        status_flags = v[0]
-        system_state = v[1]
-        system_timer = v[2]
-        gnss_power_state = v[3]
-        cold_start_on_power_on = v[4]
-        temperature = v[5]
-        temperature_last_time = v[6]
-        pps_count = v[7]
-        pps_last_time = v[8]
-        imu_stream_enabled = codec.truth(v[9])
-        gnss_stream_enabled = codec.truth(v[10])
-        filter_stream_enabled = codec.truth(v[11])
-        imu_dropped_packets = v[12]
-        gnss_dropped_packets = v[13]
-        filter_dropped_packets = v[14]
-        comm_port_bytes_written = v[15]
-        comm_port_bytes_read = v[16]
-        comm_port_write_overruns = v[17]
-        comm_port_read_overruns = v[18]
-        imu_parser_errors = v[19]
-        imu_message_count = v[20]
-        imu_last_message_time = v[21]
-        gnss_parser_errors = v[22]
-        gnss_message_count = v[23]
-        gnss_last_message_time = v[24]
-        return cls(
-            model_number,
-            status_flags,
-            system_state,
-            system_timer,
-            gnss_power_state,
-            cold_start_on_power_on,
-            temperature,
-            temperature_last_time,
-            pps_count,
-            pps_last_time,
-            imu_stream_enabled,
-            gnss_stream_enabled,
-            filter_stream_enabled,
-            imu_dropped_packets,
-            gnss_dropped_packets,
-            filter_dropped_packets,
-            comm_port_bytes_written,
-            comm_port_bytes_read,
-            comm_port_write_overruns,
-            comm_port_read_overruns,
-            imu_parser_errors,
-            imu_message_count,
-            imu_last_message_time,
-            gnss_parser_errors,
-            gnss_message_count,
-            gnss_last_message_time,
-        ), at
-
-    def _write(self) -> bytes:
-        out = _DEVICE_STATUS_DIAGNOSTIC_RQ1_45_RESPONSE_0.write(self.model_number, 2)
-        out += _DEVICE_STATUS_DIAGNOSTIC_RQ1_45_RESPONSE_1.write(
-            self.status_flags,
-            self.system_state,
-            self.system_timer,
-            self.gnss_power_state,
-            self.cold_start_on_power_on,
-            self.temperature,
-            self.temperature_last_time,
-            self.pps_count,
-            self.pps_last_time,
-            self.imu_stream_enabled,
-            self.gnss_stream_enabled,
-            self.filter_stream_enabled,
-            self.imu_dropped_packets,
-            self.gnss_dropped_packets,
-            self.filter_dropped_packets,
-            self.comm_port_bytes_written,
-            self.comm_port_bytes_read,
-            self.comm_port_write_overruns,
-            self.comm_port_read_overruns,
-            self.imu_parser_errors,
-            self.imu_message_count,
-            self.imu_last_message_time,
-            self.gnss_parser_errors,
-            self.gnss_message_count,
-            self.gnss_last_message_time,
-        )
-        return codec.finished(out)
-
-
-_DEVICE_STATUS_DIAGNOSTIC_GX4_RESPONSE_0 = codec.Block("HB", "model_number", "status_selector")
-_DEVICE_STATUS_DIAGNOSTIC_GX4_RESPONSE_1 = codec.Block(
-    "IIIIBBIIIIIIIIIIIII",
-    "status_flags",
-    "system_timer",
-    "pps_count",
-    "pps_last_time",
-    "imu_stream_enabled",
-    "filter_stream_enabled",
-    "imu_dropped_packets",
-    "filter_dropped_packets",
-    "comm_port_bytes_written",
-    "comm_port_bytes_read",
-    "comm_port_write_overruns",
-    "comm_port_read_overruns",
-    "usb_bytes_written",
-    "usb_bytes_read",
-    "usb_write_overruns",
-    "usb_read_overruns",
-    "imu_parser_errors",
-    "imu_message_count",
-    "imu_last_message_time",
-)
-
 
 class DeviceStatusDiagnosticGx4Response(Response):
     """Diagnostic Device Status of the 3DM-GX4-15 and 3DM-GX4-25 (0x0C,0x90).
 
     Timer, and counters of pulses, streams, port and USB.
 
-    Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
-    `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`,
-    `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticImuResponse`,
-    `DeviceStatusDiagnosticGx4ImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse` and
-    `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `status_selector` is
-    `DeviceStatusSelector.DIAGNOSTIC`. Probably supported by 3DM-GX4-15 and 3DM-GX4-25. Uncertain:
-    No known manual documents it for these devices; the offsets 49 to 69 in the manual of the
-    3DM-GX5-45 agree. Uncertain: MSCL only names the values; the descriptions follow from the names,
-    and the times are assumed to be in ms like the system timer.
+    No device is certain to support it. Answers `DeviceStatus`. Distinguished from
+    `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGnssResponse`,
+    `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`,
+    `DeviceStatusDiagnosticImuResponse`, `DeviceStatusDiagnosticGx4ImuResponse`,
+    `DeviceStatusDiagnosticRq1ImuResponse` and `DeviceStatusDiagnosticGx3Response` by the size of
+    its data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: No known
+    manual documents it for these devices; the offsets 49 to 69 in the manual of the 3DM-GX5-45
+    agree. Uncertain: MSCL only names the values; the descriptions follow from the names, and the
+    times are assumed to be in ms like the system timer.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -2844,6 +2040,29 @@ class DeviceStatusDiagnosticGx4Response(Response):
     DESCRIPTOR = 0x90
     NAME = "3dm.device_status_diagnostic_gx4_response"
     ROLE = "response"
+    _LAYOUT = (
+        ("model_number", "H", None),
+        ("status_selector", "B", 2),
+        ("status_flags", "I", None),
+        ("system_timer", "I", None),
+        ("pps_count", "I", None),
+        ("pps_last_time", "I", None),
+        ("imu_stream_enabled", "B", codec.truth),
+        ("filter_stream_enabled", "B", codec.truth),
+        ("imu_dropped_packets", "I", None),
+        ("filter_dropped_packets", "I", None),
+        ("comm_port_bytes_written", "I", None),
+        ("comm_port_bytes_read", "I", None),
+        ("comm_port_write_overruns", "I", None),
+        ("comm_port_read_overruns", "I", None),
+        ("usb_bytes_written", "I", None),
+        ("usb_bytes_read", "I", None),
+        ("usb_write_overruns", "I", None),
+        ("usb_read_overruns", "I", None),
+        ("imu_parser_errors", "I", None),
+        ("imu_message_count", "I", None),
+        ("imu_last_message_time", "I", None),
+    )
 
     model_number: int
     """Model number of the device."""
@@ -2935,122 +2154,21 @@ class DeviceStatusDiagnosticGx4Response(Response):
     def matches(cls, data: bytes) -> bool:
         return 73 <= len(data) < 77 and b"\x02".startswith(data[2:3])
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[DeviceStatusDiagnosticGx4Response, int]:
-        v = _DEVICE_STATUS_DIAGNOSTIC_GX4_RESPONSE_0.read(raw, at)
-        at += 3
-        model_number = v[0]
-        codec.constant(v[1], 2)
-        v = _DEVICE_STATUS_DIAGNOSTIC_GX4_RESPONSE_1.read(raw, at)
-        at += 70
-        status_flags = v[0]
-        system_timer = v[1]
-        pps_count = v[2]
-        pps_last_time = v[3]
-        imu_stream_enabled = codec.truth(v[4])
-        filter_stream_enabled = codec.truth(v[5])
-        imu_dropped_packets = v[6]
-        filter_dropped_packets = v[7]
-        comm_port_bytes_written = v[8]
-        comm_port_bytes_read = v[9]
-        comm_port_write_overruns = v[10]
-        comm_port_read_overruns = v[11]
-        usb_bytes_written = v[12]
-        usb_bytes_read = v[13]
-        usb_write_overruns = v[14]
-        usb_read_overruns = v[15]
-        imu_parser_errors = v[16]
-        imu_message_count = v[17]
-        imu_last_message_time = v[18]
-        return cls(
-            model_number,
-            status_flags,
-            system_timer,
-            pps_count,
-            pps_last_time,
-            imu_stream_enabled,
-            filter_stream_enabled,
-            imu_dropped_packets,
-            filter_dropped_packets,
-            comm_port_bytes_written,
-            comm_port_bytes_read,
-            comm_port_write_overruns,
-            comm_port_read_overruns,
-            usb_bytes_written,
-            usb_bytes_read,
-            usb_write_overruns,
-            usb_read_overruns,
-            imu_parser_errors,
-            imu_message_count,
-            imu_last_message_time,
-        ), at
-
-    def _write(self) -> bytes:
-        out = _DEVICE_STATUS_DIAGNOSTIC_GX4_RESPONSE_0.write(self.model_number, 2)
-        out += _DEVICE_STATUS_DIAGNOSTIC_GX4_RESPONSE_1.write(
-            self.status_flags,
-            self.system_timer,
-            self.pps_count,
-            self.pps_last_time,
-            self.imu_stream_enabled,
-            self.filter_stream_enabled,
-            self.imu_dropped_packets,
-            self.filter_dropped_packets,
-            self.comm_port_bytes_written,
-            self.comm_port_bytes_read,
-            self.comm_port_write_overruns,
-            self.comm_port_read_overruns,
-            self.usb_bytes_written,
-            self.usb_bytes_read,
-            self.usb_write_overruns,
-            self.usb_read_overruns,
-            self.imu_parser_errors,
-            self.imu_message_count,
-            self.imu_last_message_time,
-        )
-        return codec.finished(out)
-
-
-_DEVICE_STATUS_DIAGNOSTIC_IMU_RESPONSE_0 = codec.Block("HB", "model_number", "status_selector")
-_DEVICE_STATUS_DIAGNOSTIC_IMU_RESPONSE_1 = codec.Block(
-    "IIBBBHHIfIBIIBIIIII",
-    "status_flags",
-    "system_timer",
-    "has_mag",
-    "has_pressure",
-    "power_state",
-    "gyro_range",
-    "accel_range",
-    "reserved",
-    "temperature",
-    "temperature_last_time",
-    "temperature_error",
-    "pps_count",
-    "pps_last_time",
-    "imu_stream_enabled",
-    "imu_dropped_packets",
-    "comm_port_bytes_written",
-    "comm_port_bytes_read",
-    "comm_port_write_overruns",
-    "comm_port_read_overruns",
-)
-
 
 class DeviceStatusDiagnosticImuResponse(Response):
     """Diagnostic Device Status of an IMU (0x0C,0x90).
 
     Timer, available sensors, temperature, and the counters of pulses, stream and port.
 
-    Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
-    `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`,
-    `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticGx4Response`,
-    `DeviceStatusDiagnosticGx4ImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse` and
-    `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `status_selector` is
-    `DeviceStatusSelector.DIAGNOSTIC`. Probably supported by 3DM-CL5-10, 3DM-CV5-10, 3DM-CX5-10 and
-    3DM-GX5-10. Uncertain: MSCL has it for the 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10; no known
-    manual documents it. Uncertain: MSCL only names the values; the descriptions follow from the
-    names, and the times are assumed to be in ms like the system timer. Uncertain: The units of the
-    ranges are not known.
+    No device is certain to support it. Answers `DeviceStatus`. Distinguished from
+    `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGnssResponse`,
+    `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`,
+    `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticGx4ImuResponse`,
+    `DeviceStatusDiagnosticRq1ImuResponse` and `DeviceStatusDiagnosticGx3Response` by the size of
+    its data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: MSCL has it
+    for the 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10; no known manual documents it. Uncertain: MSCL
+    only names the values; the descriptions follow from the names, and the times are assumed to be
+    in ms like the system timer. Uncertain: The units of the ranges are not known.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -3107,6 +2225,29 @@ class DeviceStatusDiagnosticImuResponse(Response):
     DESCRIPTOR = 0x90
     NAME = "3dm.device_status_diagnostic_imu_response"
     ROLE = "response"
+    _LAYOUT = (
+        ("model_number", "H", None),
+        ("status_selector", "B", 2),
+        ("status_flags", "I", None),
+        ("system_timer", "I", None),
+        ("has_mag", "B", codec.truth),
+        ("has_pressure", "B", codec.truth),
+        ("power_state", "B", None),
+        ("gyro_range", "H", None),
+        ("accel_range", "H", None),
+        ("reserved", "I", None),
+        ("temperature", "f", None),
+        ("temperature_last_time", "I", None),
+        ("temperature_error", "B", None),
+        ("pps_count", "I", None),
+        ("pps_last_time", "I", None),
+        ("imu_stream_enabled", "B", codec.truth),
+        ("imu_dropped_packets", "I", None),
+        ("comm_port_bytes_written", "I", None),
+        ("comm_port_bytes_read", "I", None),
+        ("comm_port_write_overruns", "I", None),
+        ("comm_port_read_overruns", "I", None),
+    )
 
     model_number: int
     """Model number of the device."""
@@ -3199,106 +2340,6 @@ class DeviceStatusDiagnosticImuResponse(Response):
     def matches(cls, data: bytes) -> bool:
         return 60 <= len(data) < 61 and b"\x02".startswith(data[2:3])
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[DeviceStatusDiagnosticImuResponse, int]:
-        v = _DEVICE_STATUS_DIAGNOSTIC_IMU_RESPONSE_0.read(raw, at)
-        at += 3
-        model_number = v[0]
-        codec.constant(v[1], 2)
-        v = _DEVICE_STATUS_DIAGNOSTIC_IMU_RESPONSE_1.read(raw, at)
-        at += 57
-        status_flags = v[0]
-        system_timer = v[1]
-        has_mag = codec.truth(v[2])
-        has_pressure = codec.truth(v[3])
-        power_state = v[4]
-        gyro_range = v[5]
-        accel_range = v[6]
-        reserved = v[7]
-        temperature = v[8]
-        temperature_last_time = v[9]
-        temperature_error = v[10]
-        pps_count = v[11]
-        pps_last_time = v[12]
-        imu_stream_enabled = codec.truth(v[13])
-        imu_dropped_packets = v[14]
-        comm_port_bytes_written = v[15]
-        comm_port_bytes_read = v[16]
-        comm_port_write_overruns = v[17]
-        comm_port_read_overruns = v[18]
-        return cls(
-            model_number,
-            status_flags,
-            system_timer,
-            has_mag,
-            has_pressure,
-            power_state,
-            gyro_range,
-            accel_range,
-            temperature,
-            temperature_last_time,
-            temperature_error,
-            pps_count,
-            pps_last_time,
-            imu_stream_enabled,
-            imu_dropped_packets,
-            comm_port_bytes_written,
-            comm_port_bytes_read,
-            comm_port_write_overruns,
-            comm_port_read_overruns,
-            reserved=reserved,
-        ), at
-
-    def _write(self) -> bytes:
-        out = _DEVICE_STATUS_DIAGNOSTIC_IMU_RESPONSE_0.write(self.model_number, 2)
-        out += _DEVICE_STATUS_DIAGNOSTIC_IMU_RESPONSE_1.write(
-            self.status_flags,
-            self.system_timer,
-            self.has_mag,
-            self.has_pressure,
-            self.power_state,
-            self.gyro_range,
-            self.accel_range,
-            self.reserved,
-            self.temperature,
-            self.temperature_last_time,
-            self.temperature_error,
-            self.pps_count,
-            self.pps_last_time,
-            self.imu_stream_enabled,
-            self.imu_dropped_packets,
-            self.comm_port_bytes_written,
-            self.comm_port_bytes_read,
-            self.comm_port_write_overruns,
-            self.comm_port_read_overruns,
-        )
-        return codec.finished(out)
-
-
-_DEVICE_STATUS_DIAGNOSTIC_GX4_IMU_RESPONSE_0 = codec.Block("HB", "model_number", "status_selector")
-_DEVICE_STATUS_DIAGNOSTIC_GX4_IMU_RESPONSE_1 = codec.Block(
-    "IIBBHBfffIBIIBIIIII",
-    "status_flags",
-    "system_timer",
-    "has_mag",
-    "has_pressure",
-    "gyro_range",
-    "accel_range",
-    "mag_range",
-    "pressure_range",
-    "temperature",
-    "temperature_last_time",
-    "temperature_error",
-    "pps_count",
-    "pps_last_time",
-    "imu_stream_enabled",
-    "imu_dropped_packets",
-    "comm_port_bytes_written",
-    "comm_port_bytes_read",
-    "comm_port_write_overruns",
-    "comm_port_read_overruns",
-)
-
 
 class DeviceStatusDiagnosticGx4ImuResponse(Response):
     """Diagnostic Device Status of the inertial sensor of the 3DM-GX4-45 (0x0C,0x90).
@@ -3306,14 +2347,14 @@ class DeviceStatusDiagnosticGx4ImuResponse(Response):
     Timer, available sensors and their ranges, temperature, and the counters of pulses, stream and
     port.
 
-    Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
-    `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`,
-    `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticGx4Response`,
-    `DeviceStatusDiagnosticImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse` and
-    `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `status_selector` is
-    `DeviceStatusSelector.DIAGNOSTIC`. Probably supported by 3DM-GX4-IMU. Uncertain: The SDK of 2014
-    names the values and the units of temperature and times; the descriptions follow from the names.
-    Uncertain: The units of the ranges are not known.
+    No device is certain to support it. Answers `DeviceStatus`. Distinguished from
+    `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGnssResponse`,
+    `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`,
+    `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse`,
+    `DeviceStatusDiagnosticRq1ImuResponse` and `DeviceStatusDiagnosticGx3Response` by the size of
+    its data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: The SDK of
+    2014 names the values and the units of temperature and times; the descriptions follow from the
+    names. Uncertain: The units of the ranges are not known.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -3371,6 +2412,29 @@ class DeviceStatusDiagnosticGx4ImuResponse(Response):
     DESCRIPTOR = 0x90
     NAME = "3dm.device_status_diagnostic_gx4_imu_response"
     ROLE = "response"
+    _LAYOUT = (
+        ("model_number", "H", None),
+        ("status_selector", "B", 2),
+        ("status_flags", "I", None),
+        ("system_timer", "I", None),
+        ("has_mag", "B", codec.truth),
+        ("has_pressure", "B", codec.truth),
+        ("gyro_range", "H", None),
+        ("accel_range", "B", None),
+        ("mag_range", "f", None),
+        ("pressure_range", "f", None),
+        ("temperature", "f", None),
+        ("temperature_last_time", "I", None),
+        ("temperature_error", "B", None),
+        ("pps_count", "I", None),
+        ("pps_last_time", "I", None),
+        ("imu_stream_enabled", "B", codec.truth),
+        ("imu_dropped_packets", "I", None),
+        ("comm_port_bytes_written", "I", None),
+        ("comm_port_bytes_read", "I", None),
+        ("comm_port_write_overruns", "I", None),
+        ("comm_port_read_overruns", "I", None),
+    )
 
     model_number: int
     """Model number of the inertial sensor."""
@@ -3462,117 +2526,20 @@ class DeviceStatusDiagnosticGx4ImuResponse(Response):
     def matches(cls, data: bytes) -> bool:
         return 62 <= len(data) < 73 and b"\x02".startswith(data[2:3])
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[DeviceStatusDiagnosticGx4ImuResponse, int]:
-        v = _DEVICE_STATUS_DIAGNOSTIC_GX4_IMU_RESPONSE_0.read(raw, at)
-        at += 3
-        model_number = v[0]
-        codec.constant(v[1], 2)
-        v = _DEVICE_STATUS_DIAGNOSTIC_GX4_IMU_RESPONSE_1.read(raw, at)
-        at += 59
-        status_flags = v[0]
-        system_timer = v[1]
-        has_mag = codec.truth(v[2])
-        has_pressure = codec.truth(v[3])
-        gyro_range = v[4]
-        accel_range = v[5]
-        mag_range = v[6]
-        pressure_range = v[7]
-        temperature = v[8]
-        temperature_last_time = v[9]
-        temperature_error = v[10]
-        pps_count = v[11]
-        pps_last_time = v[12]
-        imu_stream_enabled = codec.truth(v[13])
-        imu_dropped_packets = v[14]
-        comm_port_bytes_written = v[15]
-        comm_port_bytes_read = v[16]
-        comm_port_write_overruns = v[17]
-        comm_port_read_overruns = v[18]
-        return cls(
-            model_number,
-            status_flags,
-            system_timer,
-            has_mag,
-            has_pressure,
-            gyro_range,
-            accel_range,
-            mag_range,
-            pressure_range,
-            temperature,
-            temperature_last_time,
-            temperature_error,
-            pps_count,
-            pps_last_time,
-            imu_stream_enabled,
-            imu_dropped_packets,
-            comm_port_bytes_written,
-            comm_port_bytes_read,
-            comm_port_write_overruns,
-            comm_port_read_overruns,
-        ), at
-
-    def _write(self) -> bytes:
-        out = _DEVICE_STATUS_DIAGNOSTIC_GX4_IMU_RESPONSE_0.write(self.model_number, 2)
-        out += _DEVICE_STATUS_DIAGNOSTIC_GX4_IMU_RESPONSE_1.write(
-            self.status_flags,
-            self.system_timer,
-            self.has_mag,
-            self.has_pressure,
-            self.gyro_range,
-            self.accel_range,
-            self.mag_range,
-            self.pressure_range,
-            self.temperature,
-            self.temperature_last_time,
-            self.temperature_error,
-            self.pps_count,
-            self.pps_last_time,
-            self.imu_stream_enabled,
-            self.imu_dropped_packets,
-            self.comm_port_bytes_written,
-            self.comm_port_bytes_read,
-            self.comm_port_write_overruns,
-            self.comm_port_read_overruns,
-        )
-        return codec.finished(out)
-
-
-_DEVICE_STATUS_DIAGNOSTIC_RQ1_IMU_RESPONSE_0 = codec.Block("HB", "model_number", "status_selector")
-_DEVICE_STATUS_DIAGNOSTIC_RQ1_IMU_RESPONSE_1 = codec.Block(
-    "IQfIBBBIIBIHIIIII",
-    "status_flags",
-    "system_timer",
-    "temperature",
-    "temperature_last_time",
-    "bad_temperature_sensor_detected",
-    "cold_temperature_detected",
-    "bad_voltage_detected",
-    "pps_count",
-    "pps_last_time",
-    "imu_stream_enabled",
-    "imu_dropped_packets",
-    "comm_port_state",
-    "comm_port_baud_rate",
-    "comm_port_bytes_written",
-    "comm_port_bytes_read",
-    "comm_port_write_overruns",
-    "comm_port_read_overruns",
-)
-
 
 class DeviceStatusDiagnosticRq1ImuResponse(Response):
     """Diagnostic Device Status of the inertial sensor of the 3DM-RQ1-45 (0x0C,0x90).
 
     Timer, temperature and supply, and the counters of pulses, stream and port.
 
-    Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
-    `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`,
-    `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticGx4Response`,
-    `DeviceStatusDiagnosticImuResponse`, `DeviceStatusDiagnosticGx4ImuResponse` and
-    `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `status_selector` is
-    `DeviceStatusSelector.DIAGNOSTIC`. Probably supported by 3DM-RQ1-IMU. Uncertain: The SDK of 2014
-    names the values and the units of temperature and times; the descriptions follow from the names.
+    No device is certain to support it. Answers `DeviceStatus`. Distinguished from
+    `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGnssResponse`,
+    `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`,
+    `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse`,
+    `DeviceStatusDiagnosticGx4ImuResponse` and `DeviceStatusDiagnosticGx3Response` by the size of
+    its data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: The SDK of
+    2014 names the values and the units of temperature and times; the descriptions follow from the
+    names.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -3626,6 +2593,27 @@ class DeviceStatusDiagnosticRq1ImuResponse(Response):
     DESCRIPTOR = 0x90
     NAME = "3dm.device_status_diagnostic_rq1_imu_response"
     ROLE = "response"
+    _LAYOUT = (
+        ("model_number", "H", None),
+        ("status_selector", "B", 2),
+        ("status_flags", "I", None),
+        ("system_timer", "Q", None),
+        ("temperature", "f", None),
+        ("temperature_last_time", "I", None),
+        ("bad_temperature_sensor_detected", "B", codec.truth),
+        ("cold_temperature_detected", "B", codec.truth),
+        ("bad_voltage_detected", "B", codec.truth),
+        ("pps_count", "I", None),
+        ("pps_last_time", "I", None),
+        ("imu_stream_enabled", "B", codec.truth),
+        ("imu_dropped_packets", "I", None),
+        ("comm_port_state", "H", None),
+        ("comm_port_baud_rate", "I", None),
+        ("comm_port_bytes_written", "I", None),
+        ("comm_port_bytes_read", "I", None),
+        ("comm_port_write_overruns", "I", None),
+        ("comm_port_read_overruns", "I", None),
+    )
 
     model_number: int
     """Model number of the inertial sensor."""
@@ -3709,91 +2697,16 @@ class DeviceStatusDiagnosticRq1ImuResponse(Response):
     def matches(cls, data: bytes) -> bool:
         return 61 <= len(data) < 62 and b"\x02".startswith(data[2:3])
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[DeviceStatusDiagnosticRq1ImuResponse, int]:
-        v = _DEVICE_STATUS_DIAGNOSTIC_RQ1_IMU_RESPONSE_0.read(raw, at)
-        at += 3
-        model_number = v[0]
-        codec.constant(v[1], 2)
-        v = _DEVICE_STATUS_DIAGNOSTIC_RQ1_IMU_RESPONSE_1.read(raw, at)
-        at += 58
-        status_flags = v[0]
-        system_timer = v[1]
-        temperature = v[2]
-        temperature_last_time = v[3]
-        bad_temperature_sensor_detected = codec.truth(v[4])
-        cold_temperature_detected = codec.truth(v[5])
-        bad_voltage_detected = codec.truth(v[6])
-        pps_count = v[7]
-        pps_last_time = v[8]
-        imu_stream_enabled = codec.truth(v[9])
-        imu_dropped_packets = v[10]
-        comm_port_state = v[11]
-        comm_port_baud_rate = v[12]
-        comm_port_bytes_written = v[13]
-        comm_port_bytes_read = v[14]
-        comm_port_write_overruns = v[15]
-        comm_port_read_overruns = v[16]
-        return cls(
-            model_number,
-            status_flags,
-            system_timer,
-            temperature,
-            temperature_last_time,
-            bad_temperature_sensor_detected,
-            cold_temperature_detected,
-            bad_voltage_detected,
-            pps_count,
-            pps_last_time,
-            imu_stream_enabled,
-            imu_dropped_packets,
-            comm_port_state,
-            comm_port_baud_rate,
-            comm_port_bytes_written,
-            comm_port_bytes_read,
-            comm_port_write_overruns,
-            comm_port_read_overruns,
-        ), at
-
-    def _write(self) -> bytes:
-        out = _DEVICE_STATUS_DIAGNOSTIC_RQ1_IMU_RESPONSE_0.write(self.model_number, 2)
-        out += _DEVICE_STATUS_DIAGNOSTIC_RQ1_IMU_RESPONSE_1.write(
-            self.status_flags,
-            self.system_timer,
-            self.temperature,
-            self.temperature_last_time,
-            self.bad_temperature_sensor_detected,
-            self.cold_temperature_detected,
-            self.bad_voltage_detected,
-            self.pps_count,
-            self.pps_last_time,
-            self.imu_stream_enabled,
-            self.imu_dropped_packets,
-            self.comm_port_state,
-            self.comm_port_baud_rate,
-            self.comm_port_bytes_written,
-            self.comm_port_bytes_read,
-            self.comm_port_write_overruns,
-            self.comm_port_read_overruns,
-        )
-        return codec.finished(out)
-
-
-_DEVICE_STATUS_BASIC_GX3_RESPONSE_0 = codec.Block("HB", "model_number", "status_selector")
-_DEVICE_STATUS_BASIC_GX3_RESPONSE_1 = codec.Block(
-    "BBIHI", "comm_mode", "comm_device", "settings_flags", "comm_state", "comm_baud_rate"
-)
-
 
 class DeviceStatusBasicGx3Response(Response):
     """Basic Device Status of the 3DM-GX3-35 and 3DM-GX3-45 (0x0C,0x90).
 
     State of the port.
 
-    Answers `DeviceStatus`. Distinguished from `DeviceStatusBasicResponse` and
-    `DeviceStatusBasicWithoutStateResponse` by the size of its data. Sent if `status_selector` is
-    `DeviceStatusSelector.BASIC`. Probably supported by 3DM-GX3-35 and 3DM-GX3-45. Uncertain: Only
-    the SDK of 2014 has it, which names the values; the descriptions follow from the names.
+    No device is certain to support it. Answers `DeviceStatus`. Distinguished from
+    `DeviceStatusBasicResponse` and `DeviceStatusBasicWithoutStateResponse` by the size of its data.
+    Sent if `status_selector` is `DeviceStatusSelector.BASIC`. Uncertain: Only the SDK of 2014 has
+    it, which names the values; the descriptions follow from the names.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -3823,6 +2736,15 @@ class DeviceStatusBasicGx3Response(Response):
     DESCRIPTOR = 0x90
     NAME = "3dm.device_status_basic_gx3_response"
     ROLE = "response"
+    _LAYOUT = (
+        ("model_number", "H", None),
+        ("status_selector", "B", 1),
+        ("comm_mode", "B", None),
+        ("comm_device", "B", None),
+        ("settings_flags", "I", None),
+        ("comm_state", "H", None),
+        ("comm_baud_rate", "I", None),
+    )
 
     model_number: int
     """Model number of the device."""
@@ -3858,83 +2780,19 @@ class DeviceStatusBasicGx3Response(Response):
     def matches(cls, data: bytes) -> bool:
         return 15 <= len(data) and b"\x01".startswith(data[2:3])
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[DeviceStatusBasicGx3Response, int]:
-        v = _DEVICE_STATUS_BASIC_GX3_RESPONSE_0.read(raw, at)
-        at += 3
-        model_number = v[0]
-        codec.constant(v[1], 1)
-        v = _DEVICE_STATUS_BASIC_GX3_RESPONSE_1.read(raw, at)
-        at += 12
-        comm_mode = v[0]
-        comm_device = v[1]
-        settings_flags = v[2]
-        comm_state = v[3]
-        comm_baud_rate = v[4]
-        return cls(
-            model_number, comm_mode, comm_device, settings_flags, comm_state, comm_baud_rate
-        ), at
-
-    def _write(self) -> bytes:
-        out = _DEVICE_STATUS_BASIC_GX3_RESPONSE_0.write(self.model_number, 1)
-        out += _DEVICE_STATUS_BASIC_GX3_RESPONSE_1.write(
-            self.comm_mode,
-            self.comm_device,
-            self.settings_flags,
-            self.comm_state,
-            self.comm_baud_rate,
-        )
-        return codec.finished(out)
-
-
-_DEVICE_STATUS_DIAGNOSTIC_GX3_RESPONSE_0 = codec.Block("HB", "model_number", "status_selector")
-_DEVICE_STATUS_DIAGNOSTIC_GX3_RESPONSE_1 = codec.Block(
-    "BBIHIIIIIHIIIIHHIIIIIIHHIIIIII",
-    "comm_mode",
-    "comm_device",
-    "settings_flags",
-    "comm_state",
-    "comm_baud_rate",
-    "comm_port_bytes_written",
-    "comm_port_bytes_read",
-    "comm_port_write_overruns",
-    "comm_port_read_overruns",
-    "usb_state",
-    "usb_bytes_written",
-    "usb_bytes_read",
-    "usb_write_overruns",
-    "usb_read_overruns",
-    "gnss_driver_state",
-    "gnss_port_state",
-    "gnss_bytes_written",
-    "gnss_bytes_read",
-    "gnss_write_overruns",
-    "gnss_read_overruns",
-    "gnss_message_count",
-    "gnss_delayed_message_count",
-    "imu_driver_state",
-    "imu_port_state",
-    "imu_bytes_written",
-    "imu_bytes_read",
-    "imu_write_overruns",
-    "imu_read_overruns",
-    "imu_message_count",
-    "imu_delayed_message_count",
-)
-
 
 class DeviceStatusDiagnosticGx3Response(Response):
     """Diagnostic Device Status of the 3DM-GX3-35 and 3DM-GX3-45 (0x0C,0x90).
 
     State of the port with the counters of port, USB, receiver and IMU.
 
-    Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
-    `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`,
-    `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticGx4Response`,
-    `DeviceStatusDiagnosticImuResponse`, `DeviceStatusDiagnosticGx4ImuResponse` and
-    `DeviceStatusDiagnosticRq1ImuResponse` by the size of its data. Sent if `status_selector` is
-    `DeviceStatusSelector.DIAGNOSTIC`. Probably supported by 3DM-GX3-35 and 3DM-GX3-45. Uncertain:
-    Only the SDK of 2014 has it, which names the values; the descriptions follow from the names.
+    No device is certain to support it. Answers `DeviceStatus`. Distinguished from
+    `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGnssResponse`,
+    `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`,
+    `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse`,
+    `DeviceStatusDiagnosticGx4ImuResponse` and `DeviceStatusDiagnosticRq1ImuResponse` by the size of
+    its data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: Only the
+    SDK of 2014 has it, which names the values; the descriptions follow from the names.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -4014,6 +2872,40 @@ class DeviceStatusDiagnosticGx3Response(Response):
     DESCRIPTOR = 0x90
     NAME = "3dm.device_status_diagnostic_gx3_response"
     ROLE = "response"
+    _LAYOUT = (
+        ("model_number", "H", None),
+        ("status_selector", "B", 2),
+        ("comm_mode", "B", None),
+        ("comm_device", "B", None),
+        ("settings_flags", "I", None),
+        ("comm_state", "H", None),
+        ("comm_baud_rate", "I", None),
+        ("comm_port_bytes_written", "I", None),
+        ("comm_port_bytes_read", "I", None),
+        ("comm_port_write_overruns", "I", None),
+        ("comm_port_read_overruns", "I", None),
+        ("usb_state", "H", None),
+        ("usb_bytes_written", "I", None),
+        ("usb_bytes_read", "I", None),
+        ("usb_write_overruns", "I", None),
+        ("usb_read_overruns", "I", None),
+        ("gnss_driver_state", "H", None),
+        ("gnss_port_state", "H", None),
+        ("gnss_bytes_written", "I", None),
+        ("gnss_bytes_read", "I", None),
+        ("gnss_write_overruns", "I", None),
+        ("gnss_read_overruns", "I", None),
+        ("gnss_message_count", "I", None),
+        ("gnss_delayed_message_count", "I", None),
+        ("imu_driver_state", "H", None),
+        ("imu_port_state", "H", None),
+        ("imu_bytes_written", "I", None),
+        ("imu_bytes_read", "I", None),
+        ("imu_write_overruns", "I", None),
+        ("imu_read_overruns", "I", None),
+        ("imu_message_count", "I", None),
+        ("imu_delayed_message_count", "I", None),
+    )
 
     model_number: int
     """Model number of the device."""
@@ -4149,123 +3041,12 @@ class DeviceStatusDiagnosticGx3Response(Response):
     def matches(cls, data: bytes) -> bool:
         return 105 <= len(data) and b"\x02".startswith(data[2:3])
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[DeviceStatusDiagnosticGx3Response, int]:
-        v = _DEVICE_STATUS_DIAGNOSTIC_GX3_RESPONSE_0.read(raw, at)
-        at += 3
-        model_number = v[0]
-        codec.constant(v[1], 2)
-        v = _DEVICE_STATUS_DIAGNOSTIC_GX3_RESPONSE_1.read(raw, at)
-        at += 102
-        comm_mode = v[0]
-        comm_device = v[1]
-        settings_flags = v[2]
-        comm_state = v[3]
-        comm_baud_rate = v[4]
-        comm_port_bytes_written = v[5]
-        comm_port_bytes_read = v[6]
-        comm_port_write_overruns = v[7]
-        comm_port_read_overruns = v[8]
-        usb_state = v[9]
-        usb_bytes_written = v[10]
-        usb_bytes_read = v[11]
-        usb_write_overruns = v[12]
-        usb_read_overruns = v[13]
-        gnss_driver_state = v[14]
-        gnss_port_state = v[15]
-        gnss_bytes_written = v[16]
-        gnss_bytes_read = v[17]
-        gnss_write_overruns = v[18]
-        gnss_read_overruns = v[19]
-        gnss_message_count = v[20]
-        gnss_delayed_message_count = v[21]
-        imu_driver_state = v[22]
-        imu_port_state = v[23]
-        imu_bytes_written = v[24]
-        imu_bytes_read = v[25]
-        imu_write_overruns = v[26]
-        imu_read_overruns = v[27]
-        imu_message_count = v[28]
-        imu_delayed_message_count = v[29]
-        return cls(
-            model_number,
-            comm_mode,
-            comm_device,
-            settings_flags,
-            comm_state,
-            comm_baud_rate,
-            comm_port_bytes_written,
-            comm_port_bytes_read,
-            comm_port_write_overruns,
-            comm_port_read_overruns,
-            usb_state,
-            usb_bytes_written,
-            usb_bytes_read,
-            usb_write_overruns,
-            usb_read_overruns,
-            gnss_driver_state,
-            gnss_port_state,
-            gnss_bytes_written,
-            gnss_bytes_read,
-            gnss_write_overruns,
-            gnss_read_overruns,
-            gnss_message_count,
-            gnss_delayed_message_count,
-            imu_driver_state,
-            imu_port_state,
-            imu_bytes_written,
-            imu_bytes_read,
-            imu_write_overruns,
-            imu_read_overruns,
-            imu_message_count,
-            imu_delayed_message_count,
-        ), at
-
-    def _write(self) -> bytes:
-        out = _DEVICE_STATUS_DIAGNOSTIC_GX3_RESPONSE_0.write(self.model_number, 2)
-        out += _DEVICE_STATUS_DIAGNOSTIC_GX3_RESPONSE_1.write(
-            self.comm_mode,
-            self.comm_device,
-            self.settings_flags,
-            self.comm_state,
-            self.comm_baud_rate,
-            self.comm_port_bytes_written,
-            self.comm_port_bytes_read,
-            self.comm_port_write_overruns,
-            self.comm_port_read_overruns,
-            self.usb_state,
-            self.usb_bytes_written,
-            self.usb_bytes_read,
-            self.usb_write_overruns,
-            self.usb_read_overruns,
-            self.gnss_driver_state,
-            self.gnss_port_state,
-            self.gnss_bytes_written,
-            self.gnss_bytes_read,
-            self.gnss_write_overruns,
-            self.gnss_read_overruns,
-            self.gnss_message_count,
-            self.gnss_delayed_message_count,
-            self.imu_driver_state,
-            self.imu_port_state,
-            self.imu_bytes_written,
-            self.imu_bytes_read,
-            self.imu_write_overruns,
-            self.imu_read_overruns,
-            self.imu_message_count,
-            self.imu_delayed_message_count,
-        )
-        return codec.finished(out)
-
-
-_GPS_DYNAMICS_MODE_RESPONSE_0 = codec.Block("B", "mode")
-
 
 class GpsDynamicsModeResponse(Response):
     """GPS dynamics mode response (0x0C,0x92).
 
-    Answers `GpsDynamicsMode`. Probably supported by 3DM-GX3-35. Known only from the MIP SDK of 2014
-    and MicroStrain Communication Library.
+    No device is certain to support it. Answers `GpsDynamicsMode`. Known only from the MIP SDK of
+    2014 and MicroStrain Communication Library.
 
     - mip-sdk-2014: GPS dynamics mode (0x0C,0x34)
     - mscl: GPS dynamics mode (0x0C,0x34)
@@ -4287,26 +3068,11 @@ class GpsDynamicsModeResponse(Response):
     def __init__(self, mode: ReceiverDynamics) -> None:
         self.mode = mode
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GpsDynamicsModeResponse, int]:
-        v = _GPS_DYNAMICS_MODE_RESPONSE_0.read(raw, at)
-        at += 1
-        mode = ReceiverDynamics(v[0])
-        return cls(mode), at
-
-    def _write(self) -> bytes:
-        out = _GPS_DYNAMICS_MODE_RESPONSE_0.write(self.mode)
-        return codec.finished(out)
-
-
-_IMU_TIMESTAMP_RESPONSE_0 = codec.Block("BI", "selector", "time")
-
 
 class ImuTimestampResponse(Response):
     """IMU timestamp response (0x0C,0x93).
 
-    Answers `ImuTimestamp`. Probably supported by 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35 and 3DM-GX3-45.
-    Known only from the MIP SDK of 2014.
+    No device is certain to support it. Answers `ImuTimestamp`. Known only from the MIP SDK of 2014.
 
     - mip-sdk-2014: IMU timestamp (0x0C,0x36)
     """
@@ -4330,37 +3096,12 @@ class ImuTimestampResponse(Response):
         self.selector = selector
         self.time = time
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ImuTimestampResponse, int]:
-        v = _IMU_TIMESTAMP_RESPONSE_0.read(raw, at)
-        at += 5
-        selector = ImuTimestampSelector(v[0])
-        time = v[1]
-        return cls(selector, time), at
-
-    def _write(self) -> bytes:
-        out = _IMU_TIMESTAMP_RESPONSE_0.write(self.selector, self.time)
-        return codec.finished(out)
-
-
-_COMPLEMENTARY_FILTER_RESPONSE_0 = codec.Block(
-    "BBff",
-    "pitch_roll_enable",
-    "heading_enable",
-    "pitch_roll_time_constant",
-    "heading_time_constant",
-)
-
 
 class ComplementaryFilterResponse(Response):
     """Complementary Filter Configuration response (0x0C,0x97).
 
     Answers `ComplementaryFilter`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15 and
-    3DM-GX5-35. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15,
-    3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15,
-    3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
-    3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10,
-    3DM-GX5-25 and 3DM-GX5-45.
+    3DM-GX5-35.
 
     - 3dm-gx5-15: 4.2.15 Complementary Filter Settings (0x0C, 0x51)
     - 3dm-cv7-gnss-ins: Complementary Filter Configuration (0x0C,0x51)
@@ -4412,40 +3153,12 @@ class ComplementaryFilterResponse(Response):
         self.pitch_roll_time_constant = pitch_roll_time_constant
         self.heading_time_constant = heading_time_constant
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ComplementaryFilterResponse, int]:
-        v = _COMPLEMENTARY_FILTER_RESPONSE_0.read(raw, at)
-        at += 10
-        pitch_roll_enable = codec.truth(v[0])
-        heading_enable = codec.truth(v[1])
-        pitch_roll_time_constant = v[2]
-        heading_time_constant = v[3]
-        return cls(
-            pitch_roll_enable, heading_enable, pitch_roll_time_constant, heading_time_constant
-        ), at
-
-    def _write(self) -> bytes:
-        out = _COMPLEMENTARY_FILTER_RESPONSE_0.write(
-            self.pitch_roll_enable,
-            self.heading_enable,
-            self.pitch_roll_time_constant,
-            self.heading_time_constant,
-        )
-        return codec.finished(out)
-
-
-_ACCEL_BIAS_RESPONSE_0 = codec.Block("fff", *["bias"] * 3)
-
 
 class AccelBiasResponse(Response):
     """Accelerometer Bias Configuration response (0x0C,0x9A).
 
     Answers `AccelBias`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
-    3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25,
-    3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS,
-    3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR,
-    3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25,
-    3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45 and 3DM-RQ1-IMU.
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
     - 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
@@ -4460,6 +3173,7 @@ class AccelBiasResponse(Response):
     NAME = "3dm.accel_bias_response"
     ROLE = "response"
     _LAYOUT = (("bias", "fff", types.Vector3f),)
+
     _VECTORS = {"bias": (types.Vector3f,)}
 
     bias: types.Vector3f
@@ -4470,20 +3184,6 @@ class AccelBiasResponse(Response):
     def __init__(self, bias: types.Vector3f | codec.Numbers) -> None:
         self.bias = codec.vector(bias, types.Vector3f)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AccelBiasResponse, int]:
-        v = _ACCEL_BIAS_RESPONSE_0.read(raw, at)
-        at += 12
-        bias = types.Vector3f._make(v[0:3])
-        return cls(bias), at
-
-    def _write(self) -> bytes:
-        out = _ACCEL_BIAS_RESPONSE_0.write(*codec.elements("bias", self.bias, 3))
-        return codec.finished(out)
-
-
-_GYRO_BIAS_RESPONSE_0 = codec.Block("fff", *["bias"] * 3)
-
 
 class GyroBiasResponse(Response):
     """Gyroscope Bias Configuration response (0x0C,0x9B).
@@ -4492,11 +3192,7 @@ class GyroBiasResponse(Response):
 
     Also called `capture_gyro_bias_response`. Answers `GyroBias` and `CaptureGyroBias`. Supported by
     3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15,
-    3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15,
-    3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15,
-    3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS,
-    3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-10,
-    3DM-GX5-25, 3DM-GX5-45 and 3DM-RQ1-IMU.
+    3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
     - 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
@@ -4511,6 +3207,7 @@ class GyroBiasResponse(Response):
     NAME = "3dm.gyro_bias_response"
     ROLE = "response"
     _LAYOUT = (("bias", "fff", types.Vector3f),)
+
     _VECTORS = {"bias": (types.Vector3f,)}
 
     bias: types.Vector3f
@@ -4521,29 +3218,12 @@ class GyroBiasResponse(Response):
     def __init__(self, bias: types.Vector3f | codec.Numbers) -> None:
         self.bias = codec.vector(bias, types.Vector3f)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GyroBiasResponse, int]:
-        v = _GYRO_BIAS_RESPONSE_0.read(raw, at)
-        at += 12
-        bias = types.Vector3f._make(v[0:3])
-        return cls(bias), at
-
-    def _write(self) -> bytes:
-        out = _GYRO_BIAS_RESPONSE_0.write(*codec.elements("bias", self.bias, 3))
-        return codec.finished(out)
-
-
-_MAG_HARD_IRON_OFFSET_RESPONSE_0 = codec.Block("fff", *["offset"] * 3)
-
 
 class MagHardIronOffsetResponse(Response):
     """Magnetometer Hard Iron Offset response (0x0C,0x9C).
 
     Answers `MagHardIronOffset`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
-    3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-25,
-    3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS,
-    3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-25,
-    3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-25 and 3DM-GX5-35.
+    3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A)
     - 3dm-gx5-45: (0x0C, 0x3A)
@@ -4558,6 +3238,7 @@ class MagHardIronOffsetResponse(Response):
     NAME = "3dm.mag_hard_iron_offset_response"
     ROLE = "response"
     _LAYOUT = (("offset", "fff", types.Vector3f),)
+
     _VECTORS = {"offset": (types.Vector3f,)}
 
     offset: types.Vector3f
@@ -4568,29 +3249,12 @@ class MagHardIronOffsetResponse(Response):
     def __init__(self, offset: types.Vector3f | codec.Numbers) -> None:
         self.offset = codec.vector(offset, types.Vector3f)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagHardIronOffsetResponse, int]:
-        v = _MAG_HARD_IRON_OFFSET_RESPONSE_0.read(raw, at)
-        at += 12
-        offset = types.Vector3f._make(v[0:3])
-        return cls(offset), at
-
-    def _write(self) -> bytes:
-        out = _MAG_HARD_IRON_OFFSET_RESPONSE_0.write(*codec.elements("offset", self.offset, 3))
-        return codec.finished(out)
-
-
-_MAG_SOFT_IRON_MATRIX_RESPONSE_0 = codec.Block("fffffffff", *["matrix"] * 9)
-
 
 class MagSoftIronMatrixResponse(Response):
     """Magnetometer Soft Iron Matrix response (0x0C,0x9D).
 
     Answers `MagSoftIronMatrix`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
-    3DM-GQ4-45, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-25,
-    3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS,
-    3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-25,
-    3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-25 and 3DM-GX5-45.
+    3DM-GQ4-45, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B)
     - 3dm-gx5-35: (0x0C, 0x3B)
@@ -4605,6 +3269,7 @@ class MagSoftIronMatrixResponse(Response):
     NAME = "3dm.mag_soft_iron_matrix_response"
     ROLE = "response"
     _LAYOUT = (("matrix", "fffffffff", types.Matrix3f),)
+
     _VECTORS = {"matrix": (types.Matrix3f,)}
 
     matrix: types.Matrix3f
@@ -4615,29 +3280,12 @@ class MagSoftIronMatrixResponse(Response):
     def __init__(self, matrix: types.Matrix3f | codec.Rows) -> None:
         self.matrix = codec.vector(matrix, types.Matrix3f)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagSoftIronMatrixResponse, int]:
-        v = _MAG_SOFT_IRON_MATRIX_RESPONSE_0.read(raw, at)
-        at += 36
-        matrix = types.Matrix3f._make(v[0:9])
-        return cls(matrix), at
-
-    def _write(self) -> bytes:
-        out = _MAG_SOFT_IRON_MATRIX_RESPONSE_0.write(*codec.elements("matrix", self.matrix, 9))
-        return codec.finished(out)
-
-
-_CONING_SCULLING_ENABLE_RESPONSE_0 = codec.Block("B", "enable")
-
 
 class ConingScullingEnableResponse(Response):
     """Coning and Sculling Enable response (0x0C,0x9E).
 
     Answers `ConingScullingEnable`. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and
-    3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15,
-    3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15,
-    3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45 and
-    3DM-RQ1-IMU.
+    3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
     """
@@ -4658,30 +3306,13 @@ class ConingScullingEnableResponse(Response):
     def __init__(self, enable: bool) -> None:
         self.enable = enable
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ConingScullingEnableResponse, int]:
-        v = _CONING_SCULLING_ENABLE_RESPONSE_0.read(raw, at)
-        at += 1
-        enable = codec.truth(v[0])
-        return cls(enable), at
-
-    def _write(self) -> bytes:
-        out = _CONING_SCULLING_ENABLE_RESPONSE_0.write(self.enable)
-        return codec.finished(out)
-
-
-_CONSTELLATION_SETTINGS_RESPONSE_0 = codec.Block(
-    "HHB", "max_channels_available", "max_channels_use", "config_count"
-)
-
 
 class ConstellationSettingsResponse(Response):
     """Constellation Settings response (0x0C,0xA0).
 
     Tracking channels of the receiver and the setting of each constellation.
 
-    Answers `ConstellationSettings`. Supported by 3DM-GQ4-45 and 3DM-GX5-35. Probably supported by
-    3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45 and 3DM-GX5-45.
+    Answers `ConstellationSettings`. Supported by 3DM-GQ4-45 and 3DM-GX5-35.
 
     - mip-sdk-4: Constellation Settings (0x0C,0x21)
     - 3dm-gx5-35: 4.2.8 GNSS Constellation Settings (0x0C, 0x21)
@@ -4695,6 +3326,12 @@ class ConstellationSettingsResponse(Response):
     DESCRIPTOR = 0xA0
     NAME = "3dm.constellation_settings_response"
     ROLE = "response"
+    _LAYOUT = (
+        ("max_channels_available", "H", None),
+        ("max_channels_use", "H", None),
+        ("config_count", "B", wire.Counts("settings", 41)),
+        ("settings", "", wire.Items(ConstellationSettingsEntry, "config_count", 41)),
+    )
 
     max_channels_available: int
     """Channels that the receiver has. Unit: 1."""
@@ -4715,39 +3352,11 @@ class ConstellationSettingsResponse(Response):
         self.max_channels_use = max_channels_use
         self.settings = codec.several(settings)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ConstellationSettingsResponse, int]:
-        v = _CONSTELLATION_SETTINGS_RESPONSE_0.read(raw, at)
-        at += 5
-        max_channels_available = v[0]
-        max_channels_use = v[1]
-        config_count = v[2]
-        n = codec.counted(raw, at, config_count, 6, 41)
-        settings, at = codec.read_structures(ConstellationSettingsEntry, raw, at, n)
-        return cls(max_channels_available, max_channels_use, settings), at
-
-    def _write(self) -> bytes:
-        out = _CONSTELLATION_SETTINGS_RESPONSE_0.write(
-            self.max_channels_available,
-            self.max_channels_use,
-            codec.count("settings", self.settings, 41),
-        )
-        out += codec.write_structures(
-            "settings", codec.at_most("settings", self.settings, 41), ConstellationSettingsEntry
-        )
-        return codec.finished(out)
-
-
-_GNSS_SBAS_SETTINGS_RESPONSE_0 = codec.Block(
-    "BHB", "enable_sbas", "sbas_options", "num_included_prns"
-)
-
 
 class GnssSbasSettingsResponse(Response):
     """GNSS SBAS Settings response (0x0C,0xA1).
 
-    Answers `GnssSbasSettings`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45 and 3DM-GX5-35. Probably
-    supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45, 3DM-GQ7-GNSS/INS and 3DM-GX5-45.
+    Answers `GnssSbasSettings`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45 and 3DM-GX5-35.
 
     - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
     """
@@ -4760,6 +3369,12 @@ class GnssSbasSettingsResponse(Response):
     DESCRIPTOR = 0xA1
     NAME = "3dm.gnss_sbas_settings_response"
     ROLE = "response"
+    _LAYOUT = (
+        ("enable_sbas", "B", None),
+        ("sbas_options", "H", SbasOptions),
+        ("num_included_prns", "B", wire.Counts("included_prns", 124)),
+        ("included_prns", "H", wire.Items(None, "num_included_prns", 124)),
+    )
 
     enable_sbas: int
     """1 switches SBAS on, 0 off. Range: 0 to 1."""
@@ -4777,38 +3392,11 @@ class GnssSbasSettingsResponse(Response):
         self.sbas_options = sbas_options
         self.included_prns = codec.several(included_prns)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssSbasSettingsResponse, int]:
-        v = _GNSS_SBAS_SETTINGS_RESPONSE_0.read(raw, at)
-        at += 4
-        enable_sbas = v[0]
-        sbas_options = SbasOptions(v[1])
-        num_included_prns = v[2]
-        n = codec.counted(raw, at, num_included_prns, 2, 124)
-        included_prns = codec.read_numbers("H", raw, at, n)
-        at += n * 2
-        return cls(enable_sbas, sbas_options, included_prns), at
-
-    def _write(self) -> bytes:
-        out = _GNSS_SBAS_SETTINGS_RESPONSE_0.write(
-            self.enable_sbas,
-            self.sbas_options,
-            codec.count("included_prns", self.included_prns, 124),
-        )
-        out += codec.write_numbers(
-            "included_prns", "H", codec.at_most("included_prns", self.included_prns, 124)
-        )
-        return codec.finished(out)
-
-
-_GNSS_ASSISTED_FIX_RESPONSE_0 = codec.Block("BB", "option", "flags")
-
 
 class GnssAssistedFixResponse(Response):
     """GNSS Assisted Fix response (0x0C,0xA2).
 
-    Answers `GnssAssistedFix`. Supported by 3DM-GX5-35. Probably supported by 3DM-CV5-45,
-    3DM-CX5-35, 3DM-CX5-45 and 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+    Answers `GnssAssistedFix`. Supported by 3DM-GX5-35. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: GNSS Assisted Fix (0x0C,0x23)
     """
@@ -4832,27 +3420,11 @@ class GnssAssistedFixResponse(Response):
         self.option = option
         self.flags = flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssAssistedFixResponse, int]:
-        v = _GNSS_ASSISTED_FIX_RESPONSE_0.read(raw, at)
-        at += 2
-        option = AssistedFixOption(v[0])
-        flags = v[1]
-        return cls(option, flags), at
-
-    def _write(self) -> bytes:
-        out = _GNSS_ASSISTED_FIX_RESPONSE_0.write(self.option, self.flags)
-        return codec.finished(out)
-
-
-_GNSS_TIME_ASSISTANCE_RESPONSE_0 = codec.Block("dHf", "tow", "week_number", "accuracy")
-
 
 class GnssTimeAssistanceResponse(Response):
     """GNSS Time Assistance response (0x0C,0xA3).
 
-    Answers `GnssTimeAssistance`. Supported by 3DM-GX5-35. Probably supported by 3DM-CV5-45,
-    3DM-CX5-35, 3DM-CX5-45 and 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+    Answers `GnssTimeAssistance`. Supported by 3DM-GX5-35. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: GNSS Time Assistance (0x0C,0x24)
     """
@@ -4879,29 +3451,11 @@ class GnssTimeAssistanceResponse(Response):
         self.week_number = week_number
         self.accuracy = accuracy
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssTimeAssistanceResponse, int]:
-        v = _GNSS_TIME_ASSISTANCE_RESPONSE_0.read(raw, at)
-        at += 14
-        tow = v[0]
-        week_number = v[1]
-        accuracy = v[2]
-        return cls(tow, week_number, accuracy), at
-
-    def _write(self) -> bytes:
-        out = _GNSS_TIME_ASSISTANCE_RESPONSE_0.write(self.tow, self.week_number, self.accuracy)
-        return codec.finished(out)
-
-
-_PPS_SOURCE_CONTROL_RESPONSE_0 = codec.Block("B", "source")
-
 
 class PpsSourceControlResponse(Response):
     """PPS Source Control response (0x0C,0xA8).
 
     Also called `pps_source_response`. Answers `PpsSourceControl`. Supported by 3DM-CV7-GNSS/INS.
-    Probably supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR,
-    3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
 
     - 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28)
     """
@@ -4922,28 +3476,12 @@ class PpsSourceControlResponse(Response):
     def __init__(self, source: PpsSource) -> None:
         self.source = source
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[PpsSourceControlResponse, int]:
-        v = _PPS_SOURCE_CONTROL_RESPONSE_0.read(raw, at)
-        at += 1
-        source = PpsSource(v[0])
-        return cls(source), at
-
-    def _write(self) -> bytes:
-        out = _PPS_SOURCE_CONTROL_RESPONSE_0.write(self.source)
-        return codec.finished(out)
-
-
-_SENSOR_TO_VEHICLE_TRANSFORM_EULER_RESPONSE_0 = codec.Block("fff", "roll", "pitch", "yaw")
-
 
 class SensorToVehicleTransformEulerResponse(Response):
     """Sensor-to-Vehicle Frame Transformation Euler response (0x0C,0xB1).
 
     Also called `sensor_2_vehicle_transform_euler_response`. Answers
-    `SensorToVehicleTransformEuler`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably
-    supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
-    3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+    `SensorToVehicleTransformEuler`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31)
     """
@@ -4970,30 +3508,12 @@ class SensorToVehicleTransformEulerResponse(Response):
         self.pitch = pitch
         self.yaw = yaw
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleTransformEulerResponse, int]:
-        v = _SENSOR_TO_VEHICLE_TRANSFORM_EULER_RESPONSE_0.read(raw, at)
-        at += 12
-        roll = v[0]
-        pitch = v[1]
-        yaw = v[2]
-        return cls(roll, pitch, yaw), at
-
-    def _write(self) -> bytes:
-        out = _SENSOR_TO_VEHICLE_TRANSFORM_EULER_RESPONSE_0.write(self.roll, self.pitch, self.yaw)
-        return codec.finished(out)
-
-
-_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_RESPONSE_0 = codec.Block("ffff", *["q"] * 4)
-
 
 class SensorToVehicleTransformQuaternionResponse(Response):
     """Sensor-to-Vehicle Frame Transformation Quaternion response (0x0C,0xB2).
 
     Also called `sensor_2_vehicle_transform_quaternion_response`. Answers
-    `SensorToVehicleTransformQuaternion`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
-    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
-    3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+    `SensorToVehicleTransformQuaternion`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32)
     """
@@ -5007,6 +3527,7 @@ class SensorToVehicleTransformQuaternionResponse(Response):
     NAME = "3dm.sensor_to_vehicle_transform_quaternion_response"
     ROLE = "response"
     _LAYOUT = (("q", "ffff", types.Quatf),)
+
     _VECTORS = {"q": (types.Quatf,)}
 
     q: types.Quatf
@@ -5017,30 +3538,12 @@ class SensorToVehicleTransformQuaternionResponse(Response):
     def __init__(self, q: types.Quatf | codec.Numbers) -> None:
         self.q = codec.vector(q, types.Quatf)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleTransformQuaternionResponse, int]:
-        v = _SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_RESPONSE_0.read(raw, at)
-        at += 16
-        q = types.Quatf._make(v[0:4])
-        return cls(q), at
-
-    def _write(self) -> bytes:
-        out = _SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_RESPONSE_0.write(
-            *codec.elements("q", self.q, 4)
-        )
-        return codec.finished(out)
-
-
-_SENSOR_TO_VEHICLE_TRANSFORM_DCM_RESPONSE_0 = codec.Block("fffffffff", *["dcm"] * 9)
-
 
 class SensorToVehicleTransformDcmResponse(Response):
     """Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix response (0x0C,0xB3).
 
     Also called `sensor_2_vehicle_transform_dcm_response`. Answers `SensorToVehicleTransformDcm`.
-    Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS,
-    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
-    3DM-GV7-INS.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33)
     """
@@ -5054,6 +3557,7 @@ class SensorToVehicleTransformDcmResponse(Response):
     NAME = "3dm.sensor_to_vehicle_transform_dcm_response"
     ROLE = "response"
     _LAYOUT = (("dcm", "fffffffff", types.Matrix3f),)
+
     _VECTORS = {"dcm": (types.Matrix3f,)}
 
     dcm: types.Matrix3f
@@ -5064,27 +3568,11 @@ class SensorToVehicleTransformDcmResponse(Response):
     def __init__(self, dcm: types.Matrix3f | codec.Rows) -> None:
         self.dcm = codec.vector(dcm, types.Matrix3f)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleTransformDcmResponse, int]:
-        v = _SENSOR_TO_VEHICLE_TRANSFORM_DCM_RESPONSE_0.read(raw, at)
-        at += 36
-        dcm = types.Matrix3f._make(v[0:9])
-        return cls(dcm), at
-
-    def _write(self) -> bytes:
-        out = _SENSOR_TO_VEHICLE_TRANSFORM_DCM_RESPONSE_0.write(*codec.elements("dcm", self.dcm, 9))
-        return codec.finished(out)
-
-
-_GET_EVENT_SUPPORT_RESPONSE_0 = codec.Block("BBB", "query", "max_instances", "num_entries")
-
 
 class GetEventSupportResponse(Response):
     """Get Supported Events response (0x0C,0xB4).
 
-    Answers `GetEventSupport`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS,
-    3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS,
-    3DM-GV7-AR and 3DM-GV7-INS.
+    Answers `GetEventSupport`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
     """
@@ -5097,6 +3585,12 @@ class GetEventSupportResponse(Response):
     DESCRIPTOR = 0xB4
     NAME = "3dm.get_event_support_response"
     ROLE = "response"
+    _LAYOUT = (
+        ("query", "B", EventSupportQuery),
+        ("max_instances", "B", None),
+        ("num_entries", "B", wire.Counts("entries", 125)),
+        ("entries", "", wire.Items(EventSupportInfo, "num_entries", 125)),
+    )
 
     query: EventSupportQuery
     """Query given in the command."""
@@ -5118,36 +3612,11 @@ class GetEventSupportResponse(Response):
         self.max_instances = max_instances
         self.entries = codec.several(entries)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetEventSupportResponse, int]:
-        v = _GET_EVENT_SUPPORT_RESPONSE_0.read(raw, at)
-        at += 3
-        query = EventSupportQuery(v[0])
-        max_instances = v[1]
-        num_entries = v[2]
-        n = codec.counted(raw, at, num_entries, 2, 125)
-        entries, at = codec.read_structures(EventSupportInfo, raw, at, n)
-        return cls(query, max_instances, entries), at
-
-    def _write(self) -> bytes:
-        out = _GET_EVENT_SUPPORT_RESPONSE_0.write(
-            self.query, self.max_instances, codec.count("entries", self.entries, 125)
-        )
-        out += codec.write_structures(
-            "entries", codec.at_most("entries", self.entries, 125), EventSupportInfo
-        )
-        return codec.finished(out)
-
-
-_EVENT_CONTROL_RESPONSE_0 = codec.Block("BB", "instance", "mode")
-
 
 class EventControlResponse(Response):
     """Event Control response (0x0C,0xB5).
 
-    Answers `EventControl`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS,
-    3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS,
-    3DM-GV7-AR and 3DM-GV7-INS.
+    Answers `EventControl`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Event Control (0x0C,0x2B)
     """
@@ -5171,28 +3640,11 @@ class EventControlResponse(Response):
         self.instance = instance
         self.mode = mode
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EventControlResponse, int]:
-        v = _EVENT_CONTROL_RESPONSE_0.read(raw, at)
-        at += 2
-        instance = v[0]
-        mode = types.EventTriggerMode(v[1])
-        return cls(instance, mode), at
-
-    def _write(self) -> bytes:
-        out = _EVENT_CONTROL_RESPONSE_0.write(self.instance, self.mode)
-        return codec.finished(out)
-
-
-_GET_EVENT_TRIGGER_STATUS_RESPONSE_0 = codec.Block("B", "count")
-
 
 class GetEventTriggerStatusResponse(Response):
     """Get Event Trigger Status response (0x0C,0xB6).
 
-    Answers `GetEventTriggerStatus`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
-    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
-    3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+    Answers `GetEventTriggerStatus`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C)
     """
@@ -5205,6 +3657,10 @@ class GetEventTriggerStatusResponse(Response):
     DESCRIPTOR = 0xB6
     NAME = "3dm.get_event_trigger_status_response"
     ROLE = "response"
+    _LAYOUT = (
+        ("count", "B", wire.Counts("triggers", 126)),
+        ("triggers", "", wire.Items(EventTriggerStatusEntry, "count", 126)),
+    )
 
     # On the wire only: count. Number of entries. The number of elements of `triggers`.
     triggers: tuple[EventTriggerStatusEntry, ...]
@@ -5213,34 +3669,11 @@ class GetEventTriggerStatusResponse(Response):
     def __init__(self, triggers: Sequence[EventTriggerStatusEntry]) -> None:
         self.triggers = codec.several(triggers)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetEventTriggerStatusResponse, int]:
-        v = _GET_EVENT_TRIGGER_STATUS_RESPONSE_0.read(raw, at)
-        at += 1
-        count = v[0]
-        n = codec.counted(raw, at, count, 2, 126)
-        triggers, at = codec.read_structures(EventTriggerStatusEntry, raw, at, n)
-        return cls(triggers), at
-
-    def _write(self) -> bytes:
-        out = _GET_EVENT_TRIGGER_STATUS_RESPONSE_0.write(
-            codec.count("triggers", self.triggers, 126)
-        )
-        out += codec.write_structures(
-            "triggers", codec.at_most("triggers", self.triggers, 126), EventTriggerStatusEntry
-        )
-        return codec.finished(out)
-
-
-_GET_EVENT_ACTION_STATUS_RESPONSE_0 = codec.Block("B", "count")
-
 
 class GetEventActionStatusResponse(Response):
     """Get Event Action Status response (0x0C,0xB7).
 
-    Answers `GetEventActionStatus`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
-    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
-    3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+    Answers `GetEventActionStatus`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D)
     """
@@ -5253,6 +3686,10 @@ class GetEventActionStatusResponse(Response):
     DESCRIPTOR = 0xB7
     NAME = "3dm.get_event_action_status_response"
     ROLE = "response"
+    _LAYOUT = (
+        ("count", "B", wire.Counts("actions", 126)),
+        ("actions", "", wire.Items(EventActionStatusEntry, "count", 126)),
+    )
 
     # On the wire only: count. Number of entries. The number of elements of `actions`.
     actions: tuple[EventActionStatusEntry, ...]
@@ -5261,32 +3698,12 @@ class GetEventActionStatusResponse(Response):
     def __init__(self, actions: Sequence[EventActionStatusEntry]) -> None:
         self.actions = codec.several(actions)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetEventActionStatusResponse, int]:
-        v = _GET_EVENT_ACTION_STATUS_RESPONSE_0.read(raw, at)
-        at += 1
-        count = v[0]
-        n = codec.counted(raw, at, count, 2, 126)
-        actions, at = codec.read_structures(EventActionStatusEntry, raw, at, n)
-        return cls(actions), at
-
-    def _write(self) -> bytes:
-        out = _GET_EVENT_ACTION_STATUS_RESPONSE_0.write(codec.count("actions", self.actions, 126))
-        out += codec.write_structures(
-            "actions", codec.at_most("actions", self.actions, 126), EventActionStatusEntry
-        )
-        return codec.finished(out)
-
-
-_EVENT_TRIGGER_CONFIG_RESPONSE_0 = codec.Block("BB", "instance", "type")
-
 
 class EventTriggerConfigResponse(Response):
     """Event Trigger Configuration response (0x0C,0xB8).
 
     Also called `event_trigger_response`. Answers `EventTriggerConfig`. Supported by 3DM-CV7-AHRS,
-    3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR,
-    3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+    3DM-CV7-AR and 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
     """
@@ -5299,6 +3716,22 @@ class EventTriggerConfigResponse(Response):
     DESCRIPTOR = 0xB8
     NAME = "3dm.event_trigger_config_response"
     ROLE = "response"
+    _LAYOUT = (
+        ("instance", "B", None),
+        ("type", "B", types.EventTriggerType),
+        (
+            "parameters",
+            "",
+            wire.Union(
+                "type",
+                {
+                    1: ("gpio", "", types.EventTriggerGpio),
+                    2: ("threshold", "", types.EventTriggerThreshold),
+                    3: ("combination", "", types.EventTriggerCombination),
+                },
+            ),
+        ),
+    )
 
     instance: int
     """Number of the trigger."""
@@ -5328,54 +3761,12 @@ class EventTriggerConfigResponse(Response):
         self.type = type
         self.parameters = parameters
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EventTriggerConfigResponse, int]:
-        parameters: (
-            types.EventTriggerGpio
-            | types.EventTriggerThreshold
-            | types.EventTriggerCombination
-            | None
-        ) = None
-        v = _EVENT_TRIGGER_CONFIG_RESPONSE_0.read(raw, at)
-        at += 2
-        instance = v[0]
-        type = types.EventTriggerType(v[1])
-        if type == 1:
-            parameters, at = types.EventTriggerGpio._read(raw, at)
-        elif type == 2:
-            parameters, at = types.EventTriggerThreshold._read(raw, at)
-        elif type == 3:
-            parameters, at = types.EventTriggerCombination._read(raw, at)
-        return cls(instance, type, parameters), at
-
-    def _write(self) -> bytes:
-        out = _EVENT_TRIGGER_CONFIG_RESPONSE_0.write(self.instance, self.type)
-        if self.type == 1:
-            if not isinstance(self.parameters, types.EventTriggerGpio):
-                raise codec.mismatch("parameters", self.type)
-            out += codec.structure("parameters", self.parameters, types.EventTriggerGpio)
-        elif self.type == 2:
-            if not isinstance(self.parameters, types.EventTriggerThreshold):
-                raise codec.mismatch("parameters", self.type)
-            out += codec.structure("parameters", self.parameters, types.EventTriggerThreshold)
-        elif self.type == 3:
-            if not isinstance(self.parameters, types.EventTriggerCombination):
-                raise codec.mismatch("parameters", self.type)
-            out += codec.structure("parameters", self.parameters, types.EventTriggerCombination)
-        elif self.parameters is not None:
-            raise codec.mismatch("parameters", self.type)
-        return codec.finished(out)
-
-
-_EVENT_ACTION_CONFIG_RESPONSE_0 = codec.Block("BBB", "instance", "trigger", "type")
-
 
 class EventActionConfigResponse(Response):
     """Event Action Configuration response (0x0C,0xB9).
 
     Also called `event_action_response`. Answers `EventActionConfig`. Supported by 3DM-CV7-AHRS,
-    3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR,
-    3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+    3DM-CV7-AR and 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
     - 3dm-cv7-gnss-ins: Event Cycle
@@ -5389,6 +3780,22 @@ class EventActionConfigResponse(Response):
     DESCRIPTOR = 0xB9
     NAME = "3dm.event_action_config_response"
     ROLE = "response"
+    _LAYOUT = (
+        ("instance", "B", None),
+        ("trigger", "B", None),
+        ("type", "B", types.EventActionType),
+        (
+            "parameters",
+            "",
+            wire.Union(
+                "type",
+                {
+                    1: ("gpio", "", types.EventActionGpio),
+                    2: ("message", "", types.EventActionMessage),
+                },
+            ),
+        ),
+    )
 
     instance: int
     """Number of the action."""
@@ -5416,44 +3823,11 @@ class EventActionConfigResponse(Response):
         self.type = type
         self.parameters = parameters
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EventActionConfigResponse, int]:
-        parameters: types.EventActionGpio | types.EventActionMessage | None = None
-        v = _EVENT_ACTION_CONFIG_RESPONSE_0.read(raw, at)
-        at += 3
-        instance = v[0]
-        trigger = v[1]
-        type = types.EventActionType(v[2])
-        if type == 1:
-            parameters, at = types.EventActionGpio._read(raw, at)
-        elif type == 2:
-            parameters, at = types.EventActionMessage._read(raw, at)
-        return cls(instance, trigger, type, parameters), at
-
-    def _write(self) -> bytes:
-        out = _EVENT_ACTION_CONFIG_RESPONSE_0.write(self.instance, self.trigger, self.type)
-        if self.type == 1:
-            if not isinstance(self.parameters, types.EventActionGpio):
-                raise codec.mismatch("parameters", self.type)
-            out += codec.structure("parameters", self.parameters, types.EventActionGpio)
-        elif self.type == 2:
-            if not isinstance(self.parameters, types.EventActionMessage):
-                raise codec.mismatch("parameters", self.type)
-            out += codec.structure("parameters", self.parameters, types.EventActionMessage)
-        elif self.parameters is not None:
-            raise codec.mismatch("parameters", self.type)
-        return codec.finished(out)
-
-
-_GPIO_CONFIG_RESPONSE_0 = codec.Block("BBBB", "pin", "feature", "behavior", "pin_mode")
-
 
 class GpioConfigResponse(Response):
     """GPIO Configuration response (0x0C,0xC1).
 
-    Answers `GpioConfig`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably
-    supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS,
-    3DM-GV7-AR and 3DM-GV7-INS.
+    Answers `GpioConfig`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
     """
@@ -5498,30 +3872,11 @@ class GpioConfigResponse(Response):
         self.behavior = behavior
         self.pin_mode = pin_mode
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GpioConfigResponse, int]:
-        v = _GPIO_CONFIG_RESPONSE_0.read(raw, at)
-        at += 4
-        pin = v[0]
-        feature = types.GpioFeature(v[1])
-        behavior = v[2]
-        pin_mode = types.GpioPinMode(v[3])
-        return cls(pin, feature, behavior, pin_mode), at
-
-    def _write(self) -> bytes:
-        out = _GPIO_CONFIG_RESPONSE_0.write(self.pin, self.feature, self.behavior, self.pin_mode)
-        return codec.finished(out)
-
-
-_GPIO_STATE_RESPONSE_0 = codec.Block("BB", "pin", "state")
-
 
 class GpioStateResponse(Response):
     """GPIO State response (0x0C,0xC2).
 
-    Answers `GpioState`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by
-    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS,
-    3DM-GV7-AR and 3DM-GV7-INS.
+    Answers `GpioState`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GPIO State (0x0C,0x42)
     """
@@ -5545,27 +3900,11 @@ class GpioStateResponse(Response):
         self.pin = pin
         self.state = state
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GpioStateResponse, int]:
-        v = _GPIO_STATE_RESPONSE_0.read(raw, at)
-        at += 2
-        pin = v[0]
-        state = codec.truth(v[1])
-        return cls(pin, state), at
-
-    def _write(self) -> bytes:
-        out = _GPIO_STATE_RESPONSE_0.write(self.pin, self.state)
-        return codec.finished(out)
-
-
-_ODOMETER_CONFIG_RESPONSE_0 = codec.Block("Bff", "mode", "scaling", "uncertainty")
-
 
 class OdometerConfigResponse(Response):
     """Odometer Configuration response (0x0C,0xC3).
 
     Also called `odometer_response`. Answers `OdometerConfig`. Supported by 3DM-CV7-GNSS/INS.
-    Probably supported by 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
     """
@@ -5594,29 +3933,11 @@ class OdometerConfigResponse(Response):
         self.scaling = scaling
         self.uncertainty = uncertainty
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[OdometerConfigResponse, int]:
-        v = _ODOMETER_CONFIG_RESPONSE_0.read(raw, at)
-        at += 9
-        mode = OdometerMode(v[0])
-        scaling = v[1]
-        uncertainty = v[2]
-        return cls(mode, scaling, uncertainty), at
-
-    def _write(self) -> bytes:
-        out = _ODOMETER_CONFIG_RESPONSE_0.write(self.mode, self.scaling, self.uncertainty)
-        return codec.finished(out)
-
-
-_SENSOR_RANGE_RESPONSE_0 = codec.Block("BB", "sensor", "setting")
-
 
 class SensorRangeResponse(Response):
     """Sensor Range response (0x0C,0xD2).
 
-    Answers `SensorRange`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS,
-    3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS,
-    3DM-GV7-AR and 3DM-GV7-INS.
+    Answers `SensorRange`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52)
     """
@@ -5640,28 +3961,12 @@ class SensorRangeResponse(Response):
         self.sensor = sensor
         self.setting = setting
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SensorRangeResponse, int]:
-        v = _SENSOR_RANGE_RESPONSE_0.read(raw, at)
-        at += 2
-        sensor = SensorRangeType(v[0])
-        setting = v[1]
-        return cls(sensor, setting), at
-
-    def _write(self) -> bytes:
-        out = _SENSOR_RANGE_RESPONSE_0.write(self.sensor, self.setting)
-        return codec.finished(out)
-
-
-_GET_CALIBRATED_SENSOR_RANGES_RESPONSE_0 = codec.Block("BB", "sensor", "num_ranges")
-
 
 class GetCalibratedSensorRangesResponse(Response):
     """Get Calibrated Sensor Ranges response (0x0C,0xD3).
 
     Also called `calibrated_sensor_ranges_response`. Answers `GetCalibratedSensorRanges`. Supported
-    by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS,
-    3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+    by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53)
     """
@@ -5674,6 +3979,11 @@ class GetCalibratedSensorRangesResponse(Response):
     DESCRIPTOR = 0xD3
     NAME = "3dm.get_calibrated_sensor_ranges_response"
     ROLE = "response"
+    _LAYOUT = (
+        ("sensor", "B", SensorRangeType),
+        ("num_ranges", "B", wire.Counts("ranges", 50)),
+        ("ranges", "", wire.Items(SensorRangeEntry, "num_ranges", 50)),
+    )
 
     sensor: SensorRangeType
     """Sensor given in the command."""
@@ -5691,37 +4001,12 @@ class GetCalibratedSensorRangesResponse(Response):
         self.sensor = sensor
         self.ranges = codec.several(ranges)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetCalibratedSensorRangesResponse, int]:
-        v = _GET_CALIBRATED_SENSOR_RANGES_RESPONSE_0.read(raw, at)
-        at += 2
-        sensor = SensorRangeType(v[0])
-        num_ranges = v[1]
-        n = codec.counted(raw, at, num_ranges, 5, 50)
-        ranges, at = codec.read_structures(SensorRangeEntry, raw, at, n)
-        return cls(sensor, ranges), at
-
-    def _write(self) -> bytes:
-        out = _GET_CALIBRATED_SENSOR_RANGES_RESPONSE_0.write(
-            self.sensor, codec.count("ranges", self.ranges, 50)
-        )
-        out += codec.write_structures(
-            "ranges", codec.at_most("ranges", self.ranges, 50), SensorRangeEntry
-        )
-        return codec.finished(out)
-
-
-_LOW_PASS_FILTER_RESPONSE_0 = codec.Block(
-    "BBBBf", "descriptor_set", "field_descriptor", "enable", "manual", "frequency"
-)
-
 
 class LowPassFilterResponse(Response):
     """Low-Pass Anti-Aliasing Filter response (0x0C,0xD4).
 
     Also called `lowpass_filter_response`. Answers `LowPassFilter`. Supported by 3DM-CV7-AHRS,
-    3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-INS,
-    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+    3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54)
     """
@@ -5767,26 +4052,6 @@ class LowPassFilterResponse(Response):
         self.manual = manual
         self.frequency = frequency
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[LowPassFilterResponse, int]:
-        v = _LOW_PASS_FILTER_RESPONSE_0.read(raw, at)
-        at += 8
-        descriptor_set = v[0]
-        field_descriptor = v[1]
-        enable = codec.truth(v[2])
-        manual = codec.truth(v[3])
-        frequency = v[4]
-        return cls(descriptor_set, field_descriptor, enable, manual, frequency), at
-
-    def _write(self) -> bytes:
-        out = _LOW_PASS_FILTER_RESPONSE_0.write(
-            self.descriptor_set, self.field_descriptor, self.enable, self.manual, self.frequency
-        )
-        return codec.finished(out)
-
-
-_POLL_IMU_DATA_0 = codec.Block("BB", "suppress_ack", "num_descriptors")
-
 
 class PollImuData(Command[None]):
     """Poll IMU Data (0x0C,0x01).
@@ -5794,11 +4059,7 @@ class PollImuData(Command[None]):
     Requests one sensor data packet (0x80) with the listed fields, in the listed order.
 
     Also called `poll_imu_message`. Not acknowledged if `suppress_ack` is true. Supported by
-    3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably
-    supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
-    3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45,
-    3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45 and
-    3DM-RQ1-IMU.
+    3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     An empty list polls what `ImuMessageFormat` stores; if nothing is stored, the device rejects the
     command. Descriptors that the device does not know are ignored. The data is sent in a separate
@@ -5815,6 +4076,11 @@ class PollImuData(Command[None]):
     DESCRIPTOR = 0x01
     NAME = "3dm.poll_imu_data"
     ROLE = "command"
+    _LAYOUT = (
+        ("suppress_ack", "B", codec.truth),
+        ("num_descriptors", "B", wire.Counts("descriptors", 83)),
+        ("descriptors", "", wire.Items(PollEntry, "num_descriptors", 83)),
+    )
 
     suppress_ack: bool
     """Send no acknowledge."""
@@ -5830,28 +4096,6 @@ class PollImuData(Command[None]):
     def answered(self) -> bool:
         return not self.suppress_ack
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[PollImuData, int]:
-        v = _POLL_IMU_DATA_0.read(raw, at)
-        at += 2
-        suppress_ack = codec.truth(v[0])
-        num_descriptors = v[1]
-        n = codec.counted(raw, at, num_descriptors, 3, 83)
-        descriptors, at = codec.read_structures(PollEntry, raw, at, n)
-        return cls(suppress_ack, descriptors), at
-
-    def _write(self) -> bytes:
-        out = _POLL_IMU_DATA_0.write(
-            self.suppress_ack, codec.count("descriptors", self.descriptors, 83)
-        )
-        out += codec.write_structures(
-            "descriptors", codec.at_most("descriptors", self.descriptors, 83), PollEntry
-        )
-        return codec.finished(out)
-
-
-_POLL_GNSS_DATA_0 = codec.Block("BB", "suppress_ack", "num_descriptors")
-
 
 class PollGnssData(Command[None]):
     """Poll GNSS Data (0x0C,0x02).
@@ -5859,9 +4103,8 @@ class PollGnssData(Command[None]):
     Requests one GNSS data packet with the listed fields, in the listed order.
 
     Also called `poll_gnss_message`. Not acknowledged if `suppress_ack` is true. Supported by
-    3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CV5-45,
-    3DM-CX5-35, 3DM-CX5-45, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-45 and 3DM-GX5-35. Known only from the
-    MicroStrain MIP SDK.
+    3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the MicroStrain MIP
+    SDK.
 
     An empty list polls the format stored by `GnssMessageFormat`; if none is stored, the device
     rejects the command. Descriptors that the device does not know are omitted. The data is sent in
@@ -5878,6 +4121,11 @@ class PollGnssData(Command[None]):
     DESCRIPTOR = 0x02
     NAME = "3dm.poll_gnss_data"
     ROLE = "command"
+    _LAYOUT = (
+        ("suppress_ack", "B", codec.truth),
+        ("num_descriptors", "B", wire.Counts("descriptors", 83)),
+        ("descriptors", "", wire.Items(PollEntry, "num_descriptors", 83)),
+    )
 
     suppress_ack: bool
     """Send no acknowledge."""
@@ -5896,28 +4144,6 @@ class PollGnssData(Command[None]):
     def answered(self) -> bool:
         return not self.suppress_ack
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[PollGnssData, int]:
-        v = _POLL_GNSS_DATA_0.read(raw, at)
-        at += 2
-        suppress_ack = codec.truth(v[0])
-        num_descriptors = v[1]
-        n = codec.counted(raw, at, num_descriptors, 3, 83)
-        descriptors, at = codec.read_structures(PollEntry, raw, at, n)
-        return cls(suppress_ack, descriptors), at
-
-    def _write(self) -> bytes:
-        out = _POLL_GNSS_DATA_0.write(
-            self.suppress_ack, codec.count("descriptors", self.descriptors, 83)
-        )
-        out += codec.write_structures(
-            "descriptors", codec.at_most("descriptors", self.descriptors, 83), PollEntry
-        )
-        return codec.finished(out)
-
-
-_POLL_FILTER_DATA_0 = codec.Block("BB", "suppress_ack", "num_descriptors")
-
 
 class PollFilterData(Command[None]):
     """Poll Estimation Filter Data (0x0C,0x03).
@@ -5925,9 +4151,7 @@ class PollFilterData(Command[None]):
     Requests one filter data packet (0x82) with the listed fields, in the listed order.
 
     Also called `poll_filter_message`. Not acknowledged if `suppress_ack` is true. Supported by
-    3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by
-    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
-    3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45 and 3DM-GX5-25.
+    3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     An empty list polls what `FilterMessageFormat` stores; if nothing is stored, the device rejects
     the command. Descriptors that the device does not know are ignored. The data is sent in a
@@ -5944,6 +4168,11 @@ class PollFilterData(Command[None]):
     DESCRIPTOR = 0x03
     NAME = "3dm.poll_filter_data"
     ROLE = "command"
+    _LAYOUT = (
+        ("suppress_ack", "B", codec.truth),
+        ("num_descriptors", "B", wire.Counts("descriptors", 83)),
+        ("descriptors", "", wire.Items(PollEntry, "num_descriptors", 83)),
+    )
 
     suppress_ack: bool
     """Send no acknowledge."""
@@ -5959,28 +4188,6 @@ class PollFilterData(Command[None]):
     def answered(self) -> bool:
         return not self.suppress_ack
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[PollFilterData, int]:
-        v = _POLL_FILTER_DATA_0.read(raw, at)
-        at += 2
-        suppress_ack = codec.truth(v[0])
-        num_descriptors = v[1]
-        n = codec.counted(raw, at, num_descriptors, 3, 83)
-        descriptors, at = codec.read_structures(PollEntry, raw, at, n)
-        return cls(suppress_ack, descriptors), at
-
-    def _write(self) -> bytes:
-        out = _POLL_FILTER_DATA_0.write(
-            self.suppress_ack, codec.count("descriptors", self.descriptors, 83)
-        )
-        out += codec.write_structures(
-            "descriptors", codec.at_most("descriptors", self.descriptors, 83), PollEntry
-        )
-        return codec.finished(out)
-
-
-_POLL_NMEA_DATA_0 = codec.Block("BB", "suppress_ack", "count")
-
 
 class PollNmeaData(Command[None]):
     """Poll NMEA Data (0x0C,0x04).
@@ -5988,8 +4195,7 @@ class PollNmeaData(Command[None]):
     Requests the listed NMEA sentences once.
 
     Also called `nmea_poll_data`. Not acknowledged if `suppress_ack` is true. Supported by
-    3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-INS and
-    3DM-GV7-INS.
+    3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     An empty list polls the stored NMEA format; if none is stored, the device rejects the command.
     The sentences follow the reply as ordinary NMEA text, on the port of the command, even if NMEA
@@ -6006,6 +4212,11 @@ class PollNmeaData(Command[None]):
     DESCRIPTOR = 0x04
     NAME = "3dm.poll_nmea_data"
     ROLE = "command"
+    _LAYOUT = (
+        ("suppress_ack", "B", codec.truth),
+        ("count", "B", wire.Counts("format_entries", 50)),
+        ("format_entries", "", wire.Items(types.NmeaMessage, "count", 50)),
+    )
 
     suppress_ack: bool
     """Send no acknowledge."""
@@ -6021,27 +4232,6 @@ class PollNmeaData(Command[None]):
     def answered(self) -> bool:
         return not self.suppress_ack
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[PollNmeaData, int]:
-        v = _POLL_NMEA_DATA_0.read(raw, at)
-        at += 2
-        suppress_ack = codec.truth(v[0])
-        count = v[1]
-        n = codec.counted(raw, at, count, 5, 50)
-        format_entries, at = codec.read_structures(types.NmeaMessage, raw, at, n)
-        return cls(suppress_ack, format_entries), at
-
-    def _write(self) -> bytes:
-        out = _POLL_NMEA_DATA_0.write(
-            self.suppress_ack, codec.count("format_entries", self.format_entries, 50)
-        )
-        out += codec.write_structures(
-            "format_entries",
-            codec.at_most("format_entries", self.format_entries, 50),
-            types.NmeaMessage,
-        )
-        return codec.finished(out)
-
 
 class GetImuBaseRate(Command[GetImuBaseRateResponse]):
     """Get IMU Data Base Rate (0x0C,0x06).
@@ -6049,10 +4239,7 @@ class GetImuBaseRate(Command[GetImuBaseRateResponse]):
     Gets the rate that is divided by the decimations of `ImuMessageFormat`.
 
     Also called `imu_get_base_rate`. Answered by `GetImuBaseRateResponse`. Supported by 3DM-CX5-10,
-    3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by
-    3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15,
-    3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15,
-    3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35 and 3DM-RQ1-IMU.
+    3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
     """
@@ -6066,13 +4253,6 @@ class GetImuBaseRate(Command[GetImuBaseRateResponse]):
     ROLE = "command"
     RESPONSES = (GetImuBaseRateResponse,)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetImuBaseRate, int]:
-        return cls(), at
-
-    def _write(self) -> bytes:
-        return b""
-
 
 class GetGnssBaseRate(Command[GetGnssBaseRateResponse]):
     """Get GNSS Data Base Rate (0x0C,0x07).
@@ -6080,8 +4260,7 @@ class GetGnssBaseRate(Command[GetGnssBaseRateResponse]):
     Gets the rate that is divided by the decimations of `GnssMessageFormat`.
 
     Also called `gnss_get_base_rate`. Answered by `GetGnssBaseRateResponse`. Supported by
-    3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by
-    3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX3-35, 3DM-GX3-45 and 3DM-GX4-45. Known only from the
+    3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the
     MicroStrain MIP SDK.
 
     - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
@@ -6096,18 +4275,6 @@ class GetGnssBaseRate(Command[GetGnssBaseRateResponse]):
     ROLE = "command"
     RESPONSES = (GetGnssBaseRateResponse,)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetGnssBaseRate, int]:
-        return cls(), at
-
-    def _write(self) -> bytes:
-        return b""
-
-
-_IMU_MESSAGE_FORMAT_0 = codec.Block("B", "function")
-_IMU_MESSAGE_FORMAT_1 = codec.Block("B", "num_descriptors")
-_IMU_MESSAGE_FORMAT_GROUPS = ((2, ("descriptors",), False),)
-
 
 class ImuMessageFormat(Command[R]):
     """IMU Message Format (0x0C,0x08).
@@ -6116,10 +4283,7 @@ class ImuMessageFormat(Command[R]):
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `ImuMessageFormatResponse`. Supported by 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
-    3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15,
-    3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35,
-    3DM-CX5-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
-    3DM-GX4-IMU, 3DM-GX5-10, 3DM-GX5-25 and 3DM-RQ1-IMU.
+    3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     The decimation is the base rate, as `GetImuBaseRate` reports it, divided by the desired rate.
     The list replaces the previous one. If any descriptor is unknown, the device rejects the command
@@ -6138,6 +4302,12 @@ class ImuMessageFormat(Command[R]):
     ROLE = "command"
     RESPONSES = (ImuMessageFormatResponse,)
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("num_descriptors", "B", wire.Counts("descriptors", 83)),
+        ("descriptors", "", wire.Items(types.DescriptorRate, "num_descriptors", 83)),
+    )
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -6185,47 +4355,6 @@ class ImuMessageFormat(Command[R]):
             return (ImuMessageFormatResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ImuMessageFormat[R], int]:
-        descriptors: tuple[types.DescriptorRate, ...] | None = None
-        v = _IMU_MESSAGE_FORMAT_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _IMU_MESSAGE_FORMAT_1.read(raw, at)
-            at += 1
-            num_descriptors = v[0]
-            n = codec.counted(raw, at, num_descriptors, 3, 83)
-            descriptors, at = codec.read_structures(types.DescriptorRate, raw, at, n)
-            done, end = 2, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, descriptors), at
-
-    def _write(self) -> bytes:
-        out = _IMU_MESSAGE_FORMAT_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _IMU_MESSAGE_FORMAT_GROUPS)
-        if there >= 2:
-            out += _IMU_MESSAGE_FORMAT_1.write(codec.count("descriptors", self.descriptors, 83))
-            out += codec.write_structures(
-                "descriptors",
-                codec.at_most("descriptors", self.descriptors, 83),
-                types.DescriptorRate,
-            )
-        return codec.finished(out)
-
-
-_GNSS_MESSAGE_FORMAT_0 = codec.Block("B", "function")
-_GNSS_MESSAGE_FORMAT_1 = codec.Block("B", "num_descriptors")
-_GNSS_MESSAGE_FORMAT_GROUPS = ((2, ("descriptors",), False),)
-
 
 class GnssMessageFormat(Command[R]):
     """GNSS Message Format (0x0C,0x09).
@@ -6234,8 +4363,7 @@ class GnssMessageFormat(Command[R]):
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `GnssMessageFormatResponse`. Supported by 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and
-    3DM-RQ1-45-ST. Probably supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX3-35, 3DM-GX3-45
-    and 3DM-GX4-45.
+    3DM-RQ1-45-ST.
 
     The decimation is the base rate, as `GetGnssBaseRate` reports it, divided by the desired rate.
 
@@ -6253,6 +4381,12 @@ class GnssMessageFormat(Command[R]):
     ROLE = "command"
     RESPONSES = (GnssMessageFormatResponse,)
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("num_descriptors", "B", wire.Counts("descriptors", 83)),
+        ("descriptors", "", wire.Items(types.DescriptorRate, "num_descriptors", 83)),
+    )
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -6300,47 +4434,6 @@ class GnssMessageFormat(Command[R]):
             return (GnssMessageFormatResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssMessageFormat[R], int]:
-        descriptors: tuple[types.DescriptorRate, ...] | None = None
-        v = _GNSS_MESSAGE_FORMAT_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _GNSS_MESSAGE_FORMAT_1.read(raw, at)
-            at += 1
-            num_descriptors = v[0]
-            n = codec.counted(raw, at, num_descriptors, 3, 83)
-            descriptors, at = codec.read_structures(types.DescriptorRate, raw, at, n)
-            done, end = 2, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, descriptors), at
-
-    def _write(self) -> bytes:
-        out = _GNSS_MESSAGE_FORMAT_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _GNSS_MESSAGE_FORMAT_GROUPS)
-        if there >= 2:
-            out += _GNSS_MESSAGE_FORMAT_1.write(codec.count("descriptors", self.descriptors, 83))
-            out += codec.write_structures(
-                "descriptors",
-                codec.at_most("descriptors", self.descriptors, 83),
-                types.DescriptorRate,
-            )
-        return codec.finished(out)
-
-
-_FILTER_MESSAGE_FORMAT_0 = codec.Block("B", "function")
-_FILTER_MESSAGE_FORMAT_1 = codec.Block("B", "num_descriptors")
-_FILTER_MESSAGE_FORMAT_GROUPS = ((2, ("descriptors",), False),)
-
 
 class FilterMessageFormat(Command[R]):
     """Estimation Filter Message Format (0x0C,0x0A).
@@ -6349,9 +4442,7 @@ class FilterMessageFormat(Command[R]):
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `FilterMessageFormatResponse`. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT
-    and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25,
-    3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45
-    and 3DM-GX5-25.
+    and 3DM-RQ1-45-ST.
 
     The decimation is the base rate, as `GetFilterBaseRate` reports it, divided by the desired rate.
     The list replaces the previous one. If any descriptor is unknown, the device rejects the command
@@ -6370,6 +4461,12 @@ class FilterMessageFormat(Command[R]):
     ROLE = "command"
     RESPONSES = (FilterMessageFormatResponse,)
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("num_descriptors", "B", wire.Counts("descriptors", 83)),
+        ("descriptors", "", wire.Items(types.DescriptorRate, "num_descriptors", 83)),
+    )
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -6419,42 +4516,6 @@ class FilterMessageFormat(Command[R]):
             return (FilterMessageFormatResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[FilterMessageFormat[R], int]:
-        descriptors: tuple[types.DescriptorRate, ...] | None = None
-        v = _FILTER_MESSAGE_FORMAT_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _FILTER_MESSAGE_FORMAT_1.read(raw, at)
-            at += 1
-            num_descriptors = v[0]
-            n = codec.counted(raw, at, num_descriptors, 3, 83)
-            descriptors, at = codec.read_structures(types.DescriptorRate, raw, at, n)
-            done, end = 2, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, descriptors), at
-
-    def _write(self) -> bytes:
-        out = _FILTER_MESSAGE_FORMAT_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _FILTER_MESSAGE_FORMAT_GROUPS)
-        if there >= 2:
-            out += _FILTER_MESSAGE_FORMAT_1.write(codec.count("descriptors", self.descriptors, 83))
-            out += codec.write_structures(
-                "descriptors",
-                codec.at_most("descriptors", self.descriptors, 83),
-                types.DescriptorRate,
-            )
-        return codec.finished(out)
-
 
 class GetFilterBaseRate(Command[GetFilterBaseRateResponse]):
     """Get Estimation Filter Data Base Rate (0x0C,0x0B).
@@ -6462,9 +4523,7 @@ class GetFilterBaseRate(Command[GetFilterBaseRateResponse]):
     Gets the rate that is divided by the decimations of `FilterMessageFormat`.
 
     Also called `filter_get_base_rate`. Answered by `GetFilterBaseRateResponse`. Supported by
-    3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by
-    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
-    3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45 and 3DM-GX5-25.
+    3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
     """
@@ -6478,18 +4537,6 @@ class GetFilterBaseRate(Command[GetFilterBaseRateResponse]):
     ROLE = "command"
     RESPONSES = (GetFilterBaseRateResponse,)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetFilterBaseRate, int]:
-        return cls(), at
-
-    def _write(self) -> bytes:
-        return b""
-
-
-_NMEA_MESSAGE_FORMAT_0 = codec.Block("B", "function")
-_NMEA_MESSAGE_FORMAT_1 = codec.Block("B", "count")
-_NMEA_MESSAGE_FORMAT_GROUPS = ((2, ("format_entries",), False),)
-
 
 class NmeaMessageFormat(Command[R]):
     """NMEA Message Format (0x0C,0x0C).
@@ -6497,8 +4544,7 @@ class NmeaMessageFormat(Command[R]):
     Sets the NMEA sentences that the device streams.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `NmeaMessageFormatResponse`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS,
-    3DM-CX7-INS, 3DM-GQ7-GNSS/INS and 3DM-GV7-INS. Refused by 3DM-GX3-25.
+    `NmeaMessageFormatResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     A sentence may be listed several times with different talkers or sources. A sentence is sent
     only while the device is not idle and the data of the source is valid. The 3DM-CV7-GNSS/INS
@@ -6518,6 +4564,12 @@ class NmeaMessageFormat(Command[R]):
     ROLE = "command"
     RESPONSES = (NmeaMessageFormatResponse,)
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("count", "B", wire.Counts("format_entries", 50)),
+        ("format_entries", "", wire.Items(types.NmeaMessage, "count", 50)),
+    )
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -6565,56 +4617,13 @@ class NmeaMessageFormat(Command[R]):
             return (NmeaMessageFormatResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[NmeaMessageFormat[R], int]:
-        format_entries: tuple[types.NmeaMessage, ...] | None = None
-        v = _NMEA_MESSAGE_FORMAT_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _NMEA_MESSAGE_FORMAT_1.read(raw, at)
-            at += 1
-            count = v[0]
-            n = codec.counted(raw, at, count, 5, 50)
-            format_entries, at = codec.read_structures(types.NmeaMessage, raw, at, n)
-            done, end = 2, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, format_entries), at
-
-    def _write(self) -> bytes:
-        out = _NMEA_MESSAGE_FORMAT_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _NMEA_MESSAGE_FORMAT_GROUPS)
-        if there >= 2:
-            out += _NMEA_MESSAGE_FORMAT_1.write(
-                codec.count("format_entries", self.format_entries, 50)
-            )
-            out += codec.write_structures(
-                "format_entries",
-                codec.at_most("format_entries", self.format_entries, 50),
-                types.NmeaMessage,
-            )
-        return codec.finished(out)
-
-
-_POLL_DATA_0 = codec.Block("BBB", "descriptor_set", "suppress_ack", "num_descriptors")
-
 
 class PollData(Command[None]):
     """Poll Data (0x0C,0x0D).
 
     Requests one data packet of the descriptor set with the listed fields, in the listed order.
 
-    Not acknowledged if `suppress_ack` is true. Supported by 3DM-CV7-GNSS/INS. Probably supported by
-    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
-    3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+    Not acknowledged if `suppress_ack` is true. Supported by 3DM-CV7-GNSS/INS.
 
     An empty list polls what `MessageFormat` stores; if nothing is stored, the device rejects the
     command. Descriptors that the device does not know are ignored. The data is sent in a separate
@@ -6632,6 +4641,12 @@ class PollData(Command[None]):
     DESCRIPTOR = 0x0D
     NAME = "3dm.poll_data"
     ROLE = "command"
+    _LAYOUT = (
+        ("descriptor_set", "B", None),
+        ("suppress_ack", "B", codec.truth),
+        ("num_descriptors", "B", wire.Counts("descriptors", 250)),
+        ("descriptors", "B", wire.Items(None, "num_descriptors", 250)),
+    )
 
     descriptor_set: int
     """Data descriptor set. Range: 0x80 to 0xFE."""
@@ -6650,32 +4665,6 @@ class PollData(Command[None]):
     def answered(self) -> bool:
         return not self.suppress_ack
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[PollData, int]:
-        v = _POLL_DATA_0.read(raw, at)
-        at += 3
-        descriptor_set = v[0]
-        suppress_ack = codec.truth(v[1])
-        num_descriptors = v[2]
-        n = codec.counted(raw, at, num_descriptors, 1, 250)
-        descriptors = codec.read_numbers("B", raw, at, n)
-        at += n
-        return cls(descriptor_set, suppress_ack, descriptors), at
-
-    def _write(self) -> bytes:
-        out = _POLL_DATA_0.write(
-            self.descriptor_set,
-            self.suppress_ack,
-            codec.count("descriptors", self.descriptors, 250),
-        )
-        out += codec.write_numbers(
-            "descriptors", "B", codec.at_most("descriptors", self.descriptors, 250)
-        )
-        return codec.finished(out)
-
-
-_GET_BASE_RATE_0 = codec.Block("B", "descriptor_set")
-
 
 class GetBaseRate(Command[GetBaseRateResponse]):
     """Get Data Base Rate (0x0C,0x0E).
@@ -6683,8 +4672,7 @@ class GetBaseRate(Command[GetBaseRateResponse]):
     Gets the rate that is divided by the decimations of a descriptor set.
 
     Answered by `GetBaseRateResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and
-    3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
-    3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+    3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
     """
@@ -6706,23 +4694,6 @@ class GetBaseRate(Command[GetBaseRateResponse]):
     def __init__(self, descriptor_set: int) -> None:
         self.descriptor_set = descriptor_set
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetBaseRate, int]:
-        v = _GET_BASE_RATE_0.read(raw, at)
-        at += 1
-        descriptor_set = v[0]
-        return cls(descriptor_set), at
-
-    def _write(self) -> bytes:
-        out = _GET_BASE_RATE_0.write(self.descriptor_set)
-        return codec.finished(out)
-
-
-_MESSAGE_FORMAT_0 = codec.Block("B", "function")
-_MESSAGE_FORMAT_1 = codec.Block("B", "descriptor_set")
-_MESSAGE_FORMAT_2 = codec.Block("B", "num_descriptors")
-_MESSAGE_FORMAT_GROUPS = ((1, ("descriptor_set",), False), (3, ("descriptors",), False))
-
 
 class MessageFormat(Command[R]):
     """Message Format (0x0C,0x0F).
@@ -6730,9 +4701,7 @@ class MessageFormat(Command[R]):
     Sets the fields of the data packets of a descriptor set, their order and their decimations.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `MessageFormatResponse`.
-    Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS,
-    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
-    3DM-GV7-INS.
+    Supported by 3DM-CV7-GNSS/INS.
 
     The decimation is the base rate, as `GetBaseRate` reports it, divided by the desired rate. List
     shared descriptors (0xD0 and up) under the set whose packets will contain them, before the
@@ -6751,6 +4720,13 @@ class MessageFormat(Command[R]):
     ROLE = "command"
     RESPONSES = (MessageFormatResponse,)
     REQUIRED = {1: 3, 2: 1, 3: 1, 4: 1, 5: 1}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("descriptor_set", "B", None),
+        ("num_descriptors", "B", wire.Counts("descriptors", 83)),
+        ("descriptors", "", wire.Items(types.DescriptorRate, "num_descriptors", 83)),
+    )
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -6808,63 +4784,13 @@ class MessageFormat(Command[R]):
             return (MessageFormatResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MessageFormat[R], int]:
-        descriptor_set: int | None = None
-        descriptors: tuple[types.DescriptorRate, ...] | None = None
-        v = _MESSAGE_FORMAT_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _MESSAGE_FORMAT_1.read(raw, at)
-            at += 1
-            descriptor_set = v[0]
-            done, end = 1, at
-            if at == len(raw) and required < 3:
-                raise Truncated(1, 0)
-            v = _MESSAGE_FORMAT_2.read(raw, at)
-            at += 1
-            num_descriptors = v[0]
-            n = codec.counted(raw, at, num_descriptors, 3, 83)
-            descriptors, at = codec.read_structures(types.DescriptorRate, raw, at, n)
-            done, end = 3, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, descriptor_set, descriptors), at
-
-    def _write(self) -> bytes:
-        out = _MESSAGE_FORMAT_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _MESSAGE_FORMAT_GROUPS)
-        if there >= 1:
-            out += _MESSAGE_FORMAT_1.write(self.descriptor_set)
-        if there >= 3:
-            out += _MESSAGE_FORMAT_2.write(codec.count("descriptors", self.descriptors, 83))
-            out += codec.write_structures(
-                "descriptors",
-                codec.at_most("descriptors", self.descriptors, 83),
-                types.DescriptorRate,
-            )
-        return codec.finished(out)
-
-
-_FACTORY_STREAMING_0 = codec.Block("BB", "action", "reserved")
-
 
 class FactoryStreaming(Command[None]):
     """Factory Streaming (0x0C,0x10).
 
     Sets all message formats to those that technical support needs in a recording.
 
-    Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS,
-    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
-    3DM-GV7-INS.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Factory Streaming (0x0C,0x10)
     """
@@ -6888,24 +4814,6 @@ class FactoryStreaming(Command[None]):
         self.action = action
         self.reserved = reserved
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[FactoryStreaming, int]:
-        v = _FACTORY_STREAMING_0.read(raw, at)
-        at += 2
-        action = FactoryStreamingAction(v[0])
-        reserved = v[1]
-        return cls(action, reserved), at
-
-    def _write(self) -> bytes:
-        out = _FACTORY_STREAMING_0.write(self.action, self.reserved)
-        return codec.finished(out)
-
-
-_DATA_STREAM_CONTROL_0 = codec.Block("B", "function")
-_DATA_STREAM_CONTROL_1 = codec.Block("B", "descriptor_set")
-_DATA_STREAM_CONTROL_2 = codec.Block("B", "enable")
-_DATA_STREAM_CONTROL_GROUPS = ((1, ("descriptor_set",), False), (2, ("enable",), False))
-
 
 class DataStreamControl(Command[R]):
     """Data Stream Control (0x0C,0x11).
@@ -6915,11 +4823,7 @@ class DataStreamControl(Command[R]):
     Also called `datastream_control`. Functions: `write`, `read`, `save`, `load` and `default`.
     Answered by `DataStreamControlResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
     3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and
-    3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15,
-    3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45,
-    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-DH3, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR,
-    3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
-    3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45 and 3DM-MV5-AR.
+    3DM-RQ1-45-ST.
 
     Devices of the generations 3 to 5 identify the stream by a number (`LegacyDataStream`), other
     devices by its descriptor set. A stream that you enable begins with current data, not with data
@@ -6939,6 +4843,12 @@ class DataStreamControl(Command[R]):
     ROLE = "command"
     RESPONSES = (DataStreamControlResponse,)
     REQUIRED = {1: 2, 2: 1, 3: 1, 4: 1, 5: 1}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("descriptor_set", "B", None),
+        ("enable", "B", codec.truth),
+    )
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -7005,44 +4915,6 @@ class DataStreamControl(Command[R]):
             return (DataStreamControlResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[DataStreamControl[R], int]:
-        descriptor_set: int | None = None
-        enable: bool | None = None
-        v = _DATA_STREAM_CONTROL_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _DATA_STREAM_CONTROL_1.read(raw, at)
-            at += 1
-            descriptor_set = v[0]
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _DATA_STREAM_CONTROL_2.read(raw, at)
-            at += 1
-            enable = codec.truth(v[0])
-            done, end = 2, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, descriptor_set, enable), at
-
-    def _write(self) -> bytes:
-        out = _DATA_STREAM_CONTROL_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _DATA_STREAM_CONTROL_GROUPS)
-        if there >= 1:
-            out += _DATA_STREAM_CONTROL_1.write(self.descriptor_set)
-        if there >= 2:
-            out += _DATA_STREAM_CONTROL_2.write(self.enable)
-        return codec.finished(out)
-
 
 class RawRtcm2_3Message(Command[None]):
     """Raw RTCM 2.3 message (0x0C,0x20).
@@ -7067,29 +4939,13 @@ class RawRtcm2_3Message(Command[None]):
     DESCRIPTOR = 0x20
     NAME = "3dm.raw_rtcm_2_3_message"
     ROLE = "command"
+    _LAYOUT = (("data", "B", wire.Items(None, None, 253)),)
 
     data: tuple[int, ...]
     """Bytes of the RTCM stream."""
 
     def __init__(self, data: Sequence[int]) -> None:
         self.data = codec.several(data)
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[RawRtcm2_3Message, int]:
-        n = codec.remaining(raw, at, 1)
-        data = codec.read_numbers("B", raw, at, n)
-        at += n
-        return cls(data), at
-
-    def _write(self) -> bytes:
-        out = codec.write_numbers("data", "B", codec.at_most("data", self.data, 253))
-        return codec.finished(out)
-
-
-_CONSTELLATION_SETTINGS_0 = codec.Block("B", "function")
-_CONSTELLATION_SETTINGS_1 = codec.Block("H", "max_channels")
-_CONSTELLATION_SETTINGS_2 = codec.Block("B", "config_count")
-_CONSTELLATION_SETTINGS_GROUPS = ((1, ("max_channels",), False), (3, ("settings",), False))
 
 
 class ConstellationSettings(Command[R]):
@@ -7100,9 +4956,9 @@ class ConstellationSettings(Command[R]):
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `ConstellationSettingsResponse`. Probably changes `gnss_data.FixInfo`, `gnss_data.SvInfo` and
-    `gnss_data.SatelliteStatus`. Supported by 3DM-GQ4-45 and 3DM-GX5-35. Probably supported by
-    3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45 and 3DM-GX5-45. Uncertain: The factory default. The SDK names
-    only GPS and GLONASS as enabled, but gives channels for SBAS and QZSS too.
+    `gnss_data.SatelliteStatus`. Supported by 3DM-GQ4-45 and 3DM-GX5-35. Uncertain: The factory
+    default. The SDK names only GPS and GLONASS as enabled, but gives channels for SBAS and QZSS
+    too.
 
     The device rejects entries that reserve more than 32 channels in total. The maximum of an entry
     must not be less than the number of channels it reserves. GLONASS and BeiDou cannot be used
@@ -7125,6 +4981,13 @@ class ConstellationSettings(Command[R]):
     ROLE = "command"
     RESPONSES = (ConstellationSettingsResponse,)
     REQUIRED = {1: 3, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("max_channels", "H", None),
+        ("config_count", "B", wire.Counts("settings", 41)),
+        ("settings", "", wire.Items(ConstellationSettingsEntry, "config_count", 41)),
+    )
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -7184,60 +5047,6 @@ class ConstellationSettings(Command[R]):
             return (ConstellationSettingsResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ConstellationSettings[R], int]:
-        max_channels: int | None = None
-        settings: tuple[ConstellationSettingsEntry, ...] | None = None
-        v = _CONSTELLATION_SETTINGS_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _CONSTELLATION_SETTINGS_1.read(raw, at)
-            at += 2
-            max_channels = v[0]
-            done, end = 1, at
-            if at == len(raw) and required < 3:
-                raise Truncated(1, 0)
-            v = _CONSTELLATION_SETTINGS_2.read(raw, at)
-            at += 1
-            config_count = v[0]
-            n = codec.counted(raw, at, config_count, 6, 41)
-            settings, at = codec.read_structures(ConstellationSettingsEntry, raw, at, n)
-            done, end = 3, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, max_channels, settings), at
-
-    def _write(self) -> bytes:
-        out = _CONSTELLATION_SETTINGS_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _CONSTELLATION_SETTINGS_GROUPS)
-        if there >= 1:
-            out += _CONSTELLATION_SETTINGS_1.write(self.max_channels)
-        if there >= 3:
-            out += _CONSTELLATION_SETTINGS_2.write(codec.count("settings", self.settings, 41))
-            out += codec.write_structures(
-                "settings", codec.at_most("settings", self.settings, 41), ConstellationSettingsEntry
-            )
-        return codec.finished(out)
-
-
-_GNSS_SBAS_SETTINGS_0 = codec.Block("B", "function")
-_GNSS_SBAS_SETTINGS_1 = codec.Block("B", "enable_sbas")
-_GNSS_SBAS_SETTINGS_2 = codec.Block("H", "sbas_options")
-_GNSS_SBAS_SETTINGS_3 = codec.Block("B", "num_included_prns")
-_GNSS_SBAS_SETTINGS_GROUPS = (
-    (1, ("enable_sbas",), False),
-    (2, ("sbas_options",), False),
-    (4, ("included_prns",), False),
-)
-
 
 class GnssSbasSettings(Command[R]):
     """GNSS SBAS Settings (0x0C,0x22).
@@ -7246,9 +5055,7 @@ class GnssSbasSettings(Command[R]):
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `GnssSbasSettingsResponse`. Probably changes `gnss_data.SbasInfo` and
-    `gnss_data.SbasCorrection`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45 and 3DM-GX5-35. Probably
-    supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45, 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Refused by
-    3DM-GX3-25.
+    `gnss_data.SbasCorrection`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45 and 3DM-GX5-35.
 
     - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
     """
@@ -7263,6 +5070,14 @@ class GnssSbasSettings(Command[R]):
     ROLE = "command"
     RESPONSES = (GnssSbasSettingsResponse,)
     REQUIRED = {1: 4, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("enable_sbas", "B", None),
+        ("sbas_options", "H", SbasOptions),
+        ("num_included_prns", "B", wire.Counts("included_prns", 124)),
+        ("included_prns", "H", wire.Items(None, "num_included_prns", 124)),
+    )
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -7334,67 +5149,6 @@ class GnssSbasSettings(Command[R]):
             return (GnssSbasSettingsResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssSbasSettings[R], int]:
-        enable_sbas: int | None = None
-        sbas_options: SbasOptions | None = None
-        included_prns: tuple[int, ...] | None = None
-        v = _GNSS_SBAS_SETTINGS_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _GNSS_SBAS_SETTINGS_1.read(raw, at)
-            at += 1
-            enable_sbas = v[0]
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _GNSS_SBAS_SETTINGS_2.read(raw, at)
-            at += 2
-            sbas_options = SbasOptions(v[0])
-            done, end = 2, at
-            if at == len(raw) and required < 4:
-                raise Truncated(1, 0)
-            v = _GNSS_SBAS_SETTINGS_3.read(raw, at)
-            at += 1
-            num_included_prns = v[0]
-            n = codec.counted(raw, at, num_included_prns, 2, 124)
-            included_prns = codec.read_numbers("H", raw, at, n)
-            at += n * 2
-            done, end = 4, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, enable_sbas, sbas_options, included_prns), at
-
-    def _write(self) -> bytes:
-        out = _GNSS_SBAS_SETTINGS_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _GNSS_SBAS_SETTINGS_GROUPS)
-        if there >= 1:
-            out += _GNSS_SBAS_SETTINGS_1.write(self.enable_sbas)
-        if there >= 2:
-            out += _GNSS_SBAS_SETTINGS_2.write(self.sbas_options)
-        if there >= 4:
-            out += _GNSS_SBAS_SETTINGS_3.write(
-                codec.count("included_prns", self.included_prns, 124)
-            )
-            out += codec.write_numbers(
-                "included_prns", "H", codec.at_most("included_prns", self.included_prns, 124)
-            )
-        return codec.finished(out)
-
-
-_GNSS_ASSISTED_FIX_0 = codec.Block("B", "function")
-_GNSS_ASSISTED_FIX_1 = codec.Block("B", "option")
-_GNSS_ASSISTED_FIX_2 = codec.Block("B", "flags")
-_GNSS_ASSISTED_FIX_GROUPS = ((1, ("option",), False), (2, ("flags",), False))
-
 
 class GnssAssistedFix(Command[R]):
     """GNSS Assisted Fix (0x0C,0x23).
@@ -7403,8 +5157,7 @@ class GnssAssistedFix(Command[R]):
     power-up.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GnssAssistedFixResponse`.
-    Supported by 3DM-GX5-35. Probably supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45 and
-    3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+    Supported by 3DM-GX5-35. Known only from the MicroStrain MIP SDK.
 
     The last fix is kept in the flash memory and the FRAM of the receiver. With the time of
     `GnssTimeAssistance` right after power-up, the first fix takes 1 s at best. A change from
@@ -7424,6 +5177,12 @@ class GnssAssistedFix(Command[R]):
     ROLE = "command"
     RESPONSES = (GnssAssistedFixResponse,)
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("option", "B", AssistedFixOption),
+        ("flags", "B", None),
+    )
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -7482,55 +5241,6 @@ class GnssAssistedFix(Command[R]):
             return (GnssAssistedFixResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssAssistedFix[R], int]:
-        option: AssistedFixOption | None = None
-        flags: int | None = None
-        v = _GNSS_ASSISTED_FIX_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _GNSS_ASSISTED_FIX_1.read(raw, at)
-            at += 1
-            option = AssistedFixOption(v[0])
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _GNSS_ASSISTED_FIX_2.read(raw, at)
-            at += 1
-            flags = v[0]
-            done, end = 2, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, option, flags), at
-
-    def _write(self) -> bytes:
-        out = _GNSS_ASSISTED_FIX_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _GNSS_ASSISTED_FIX_GROUPS)
-        if there >= 1:
-            out += _GNSS_ASSISTED_FIX_1.write(self.option)
-        if there >= 2:
-            out += _GNSS_ASSISTED_FIX_2.write(self.flags)
-        return codec.finished(out)
-
-
-_GNSS_TIME_ASSISTANCE_0 = codec.Block("B", "function")
-_GNSS_TIME_ASSISTANCE_1 = codec.Block("d", "tow")
-_GNSS_TIME_ASSISTANCE_2 = codec.Block("H", "week_number")
-_GNSS_TIME_ASSISTANCE_3 = codec.Block("f", "accuracy")
-_GNSS_TIME_ASSISTANCE_GROUPS = (
-    (1, ("tow",), False),
-    (2, ("week_number",), False),
-    (3, ("accuracy",), False),
-)
-
 
 class GnssTimeAssistance(Command[R]):
     """GNSS Time Assistance (0x0C,0x24).
@@ -7538,8 +5248,7 @@ class GnssTimeAssistance(Command[R]):
     Sends the current GPS time to the GNSS receiver.
 
     Functions: `write` and `read`. Answered by `GnssTimeAssistanceResponse`. Supported by
-    3DM-GX5-35. Probably supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45 and 3DM-GX5-45. Known only
-    from the MicroStrain MIP SDK.
+    3DM-GX5-35. Known only from the MicroStrain MIP SDK.
 
     It is needed right after power-up if `GnssAssistedFix` was on at power-off.
 
@@ -7556,6 +5265,13 @@ class GnssTimeAssistance(Command[R]):
     ROLE = "command"
     RESPONSES = (GnssTimeAssistanceResponse,)
     REQUIRED = {1: 3, 2: 0}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("tow", "d", None),
+        ("week_number", "H", None),
+        ("accuracy", "f", None),
+    )
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -7600,58 +5316,6 @@ class GnssTimeAssistance(Command[R]):
             return (GnssTimeAssistanceResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssTimeAssistance[R], int]:
-        tow: float | None = None
-        week_number: int | None = None
-        accuracy: float | None = None
-        v = _GNSS_TIME_ASSISTANCE_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _GNSS_TIME_ASSISTANCE_1.read(raw, at)
-            at += 8
-            tow = v[0]
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _GNSS_TIME_ASSISTANCE_2.read(raw, at)
-            at += 2
-            week_number = v[0]
-            done, end = 2, at
-            if at == len(raw) and required < 3:
-                raise Truncated(1, 0)
-            v = _GNSS_TIME_ASSISTANCE_3.read(raw, at)
-            at += 4
-            accuracy = v[0]
-            done, end = 3, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, tow, week_number, accuracy), at
-
-    def _write(self) -> bytes:
-        out = _GNSS_TIME_ASSISTANCE_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _GNSS_TIME_ASSISTANCE_GROUPS)
-        if there >= 1:
-            out += _GNSS_TIME_ASSISTANCE_1.write(self.tow)
-        if there >= 2:
-            out += _GNSS_TIME_ASSISTANCE_2.write(self.week_number)
-        if there >= 3:
-            out += _GNSS_TIME_ASSISTANCE_3.write(self.accuracy)
-        return codec.finished(out)
-
-
-_PPS_SOURCE_CONTROL_0 = codec.Block("B", "function")
-_PPS_SOURCE_CONTROL_1 = codec.Block("B", "source")
-_PPS_SOURCE_CONTROL_GROUPS = ((1, ("source",), False),)
-
 
 class PpsSourceControl(Command[R]):
     """PPS Source Control (0x0C,0x28).
@@ -7660,10 +5324,8 @@ class PpsSourceControl(Command[R]):
 
     Also called `pps_source`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `PpsSourceControlResponse`. Changes `system_data.TimeSyncStatus`. Probably changes
-    `shared.GpsTimestamp`, `shared.ExternalTimestamp` and `sensor.GpsTimestamp`. Flagged by
-    `filter_data.Cv7StatusFlags.TIME_SYNC_WARNING` of `filter_data.Cv7StatusFlags`. Supported by
-    3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS,
-    3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+    `shared.GpsTimestamp`, `shared.ExternalTimestamp` and `sensor.GpsTimestamp`. Supported by
+    3DM-CV7-GNSS/INS.
 
     The pins are configured separately, by `GpioConfig`. The filter needs a valid pulse; `disabled`
     and `generated` are rarely useful.
@@ -7681,6 +5343,8 @@ class PpsSourceControl(Command[R]):
     ROLE = "command"
     RESPONSES = (PpsSourceControlResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (("function", "B", FunctionSelector), ("source", "B", PpsSource))
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -7730,47 +5394,13 @@ class PpsSourceControl(Command[R]):
             return (PpsSourceControlResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[PpsSourceControl[R], int]:
-        source: PpsSource | None = None
-        v = _PPS_SOURCE_CONTROL_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _PPS_SOURCE_CONTROL_1.read(raw, at)
-            at += 1
-            source = PpsSource(v[0])
-            done, end = 1, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, source), at
-
-    def _write(self) -> bytes:
-        out = _PPS_SOURCE_CONTROL_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _PPS_SOURCE_CONTROL_GROUPS)
-        if there >= 1:
-            out += _PPS_SOURCE_CONTROL_1.write(self.source)
-        return codec.finished(out)
-
-
-_GET_EVENT_SUPPORT_0 = codec.Block("B", "query")
-
 
 class GetEventSupport(Command[GetEventSupportResponse]):
     """Get Supported Events (0x0C,0x2A).
 
     Gets the types of event triggers or actions that the device has, and how many of each.
 
-    Answered by `GetEventSupportResponse`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
-    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
-    3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+    Answered by `GetEventSupportResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
     """
@@ -7792,23 +5422,6 @@ class GetEventSupport(Command[GetEventSupportResponse]):
     def __init__(self, query: EventSupportQuery) -> None:
         self.query = query
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetEventSupport, int]:
-        v = _GET_EVENT_SUPPORT_0.read(raw, at)
-        at += 1
-        query = EventSupportQuery(v[0])
-        return cls(query), at
-
-    def _write(self) -> bytes:
-        out = _GET_EVENT_SUPPORT_0.write(self.query)
-        return codec.finished(out)
-
-
-_EVENT_CONTROL_0 = codec.Block("B", "function")
-_EVENT_CONTROL_1 = codec.Block("B", "instance")
-_EVENT_CONTROL_2 = codec.Block("B", "mode")
-_EVENT_CONTROL_GROUPS = ((1, ("instance",), False), (2, ("mode",), False))
-
 
 class EventControl(Command[R]):
     """Event Control (0x0C,0x2B).
@@ -7816,9 +5429,7 @@ class EventControl(Command[R]):
     Enables, disables or tests an event trigger.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `EventControlResponse`.
-    Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS,
-    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
-    3DM-GV7-INS.
+    Supported by 3DM-CV7-GNSS/INS.
 
     Triggers are disabled by default and after configuration. A trigger of type none cannot be
     enabled.
@@ -7836,6 +5447,12 @@ class EventControl(Command[R]):
     ROLE = "command"
     RESPONSES = (EventControlResponse,)
     REQUIRED = {1: 2, 2: 1, 3: 1, 4: 1, 5: 1}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("instance", "B", None),
+        ("mode", "B", types.EventTriggerMode),
+    )
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -7887,56 +5504,13 @@ class EventControl(Command[R]):
             return (EventControlResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EventControl[R], int]:
-        instance: int | None = None
-        mode: types.EventTriggerMode | None = None
-        v = _EVENT_CONTROL_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _EVENT_CONTROL_1.read(raw, at)
-            at += 1
-            instance = v[0]
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _EVENT_CONTROL_2.read(raw, at)
-            at += 1
-            mode = types.EventTriggerMode(v[0])
-            done, end = 2, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, instance, mode), at
-
-    def _write(self) -> bytes:
-        out = _EVENT_CONTROL_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _EVENT_CONTROL_GROUPS)
-        if there >= 1:
-            out += _EVENT_CONTROL_1.write(self.instance)
-        if there >= 2:
-            out += _EVENT_CONTROL_2.write(self.mode)
-        return codec.finished(out)
-
-
-_GET_EVENT_TRIGGER_STATUS_0 = codec.Block("B", "requested_count")
-
 
 class GetEventTriggerStatus(Command[GetEventTriggerStatusResponse]):
     """Get Event Trigger Status (0x0C,0x2C).
 
     Gets the type and the state of event triggers.
 
-    Answered by `GetEventTriggerStatusResponse`. Supported by 3DM-CV7-GNSS/INS. Probably supported
-    by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
-    3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+    Answered by `GetEventTriggerStatusResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C)
     """
@@ -7950,6 +5524,10 @@ class GetEventTriggerStatus(Command[GetEventTriggerStatusResponse]):
     NAME = "3dm.get_event_trigger_status"
     ROLE = "command"
     RESPONSES = (GetEventTriggerStatusResponse,)
+    _LAYOUT = (
+        ("requested_count", "B", wire.Counts("requested_instances", 252)),
+        ("requested_instances", "B", wire.Items(None, "requested_count", 252)),
+    )
 
     # On the wire only: requested_count. Number of requested triggers; 0 requests all slots. The
     # number of elements of `requested_instances`.
@@ -7959,39 +5537,13 @@ class GetEventTriggerStatus(Command[GetEventTriggerStatusResponse]):
     def __init__(self, requested_instances: Sequence[int]) -> None:
         self.requested_instances = codec.several(requested_instances)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetEventTriggerStatus, int]:
-        v = _GET_EVENT_TRIGGER_STATUS_0.read(raw, at)
-        at += 1
-        requested_count = v[0]
-        n = codec.counted(raw, at, requested_count, 1, 252)
-        requested_instances = codec.read_numbers("B", raw, at, n)
-        at += n
-        return cls(requested_instances), at
-
-    def _write(self) -> bytes:
-        out = _GET_EVENT_TRIGGER_STATUS_0.write(
-            codec.count("requested_instances", self.requested_instances, 252)
-        )
-        out += codec.write_numbers(
-            "requested_instances",
-            "B",
-            codec.at_most("requested_instances", self.requested_instances, 252),
-        )
-        return codec.finished(out)
-
-
-_GET_EVENT_ACTION_STATUS_0 = codec.Block("B", "requested_count")
-
 
 class GetEventActionStatus(Command[GetEventActionStatusResponse]):
     """Get Event Action Status (0x0C,0x2D).
 
     Gets the type and the trigger of event actions.
 
-    Answered by `GetEventActionStatusResponse`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
-    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
-    3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+    Answered by `GetEventActionStatusResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D)
     """
@@ -8005,6 +5557,10 @@ class GetEventActionStatus(Command[GetEventActionStatusResponse]):
     NAME = "3dm.get_event_action_status"
     ROLE = "command"
     RESPONSES = (GetEventActionStatusResponse,)
+    _LAYOUT = (
+        ("requested_count", "B", wire.Counts("requested_instances", 252)),
+        ("requested_instances", "B", wire.Items(None, "requested_count", 252)),
+    )
 
     # On the wire only: requested_count. Number of requested actions; 0 requests all slots. The
     # number of elements of `requested_instances`.
@@ -8014,37 +5570,6 @@ class GetEventActionStatus(Command[GetEventActionStatusResponse]):
     def __init__(self, requested_instances: Sequence[int]) -> None:
         self.requested_instances = codec.several(requested_instances)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetEventActionStatus, int]:
-        v = _GET_EVENT_ACTION_STATUS_0.read(raw, at)
-        at += 1
-        requested_count = v[0]
-        n = codec.counted(raw, at, requested_count, 1, 252)
-        requested_instances = codec.read_numbers("B", raw, at, n)
-        at += n
-        return cls(requested_instances), at
-
-    def _write(self) -> bytes:
-        out = _GET_EVENT_ACTION_STATUS_0.write(
-            codec.count("requested_instances", self.requested_instances, 252)
-        )
-        out += codec.write_numbers(
-            "requested_instances",
-            "B",
-            codec.at_most("requested_instances", self.requested_instances, 252),
-        )
-        return codec.finished(out)
-
-
-_EVENT_TRIGGER_CONFIG_0 = codec.Block("B", "function")
-_EVENT_TRIGGER_CONFIG_1 = codec.Block("B", "instance")
-_EVENT_TRIGGER_CONFIG_2 = codec.Block("B", "type")
-_EVENT_TRIGGER_CONFIG_GROUPS = (
-    (1, ("instance",), False),
-    (2, ("type",), False),
-    (3, ("parameters",), True),
-)
-
 
 class EventTriggerConfig(Command[R]):
     """Event Trigger Configuration (0x0C,0x2E).
@@ -8053,8 +5578,6 @@ class EventTriggerConfig(Command[R]):
 
     Also called `event_trigger`. Functions: `write`, `read`, `save`, `load` and `default`. Answered
     by `EventTriggerConfigResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
-    Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
-    3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
 
     The trigger is disabled afterwards; `EventControl` enables it. A GPIO trigger needs its pin
     configured by `GpioConfig`.
@@ -8072,6 +5595,24 @@ class EventTriggerConfig(Command[R]):
     ROLE = "command"
     RESPONSES = (EventTriggerConfigResponse,)
     REQUIRED = {1: 3, 2: 1, 3: 1, 4: 1, 5: 1}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("instance", "B", None),
+        ("type", "B", types.EventTriggerType),
+        (
+            "parameters",
+            "",
+            wire.Union(
+                "type",
+                {
+                    1: ("gpio", "", types.EventTriggerGpio),
+                    2: ("threshold", "", types.EventTriggerThreshold),
+                    3: ("combination", "", types.EventTriggerCombination),
+                },
+            ),
+        ),
+    )
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -8146,86 +5687,6 @@ class EventTriggerConfig(Command[R]):
             return (EventTriggerConfigResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EventTriggerConfig[R], int]:
-        instance: int | None = None
-        type: types.EventTriggerType | None = None
-        parameters: (
-            types.EventTriggerGpio
-            | types.EventTriggerThreshold
-            | types.EventTriggerCombination
-            | None
-        ) = None
-        v = _EVENT_TRIGGER_CONFIG_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _EVENT_TRIGGER_CONFIG_1.read(raw, at)
-            at += 1
-            instance = v[0]
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _EVENT_TRIGGER_CONFIG_2.read(raw, at)
-            at += 1
-            type = types.EventTriggerType(v[0])
-            done, end = 2, at
-            if at == len(raw) and required < 3:
-                raise Truncated(1, 0)
-            if type == 1:
-                parameters, at = types.EventTriggerGpio._read(raw, at)
-            elif type == 2:
-                parameters, at = types.EventTriggerThreshold._read(raw, at)
-            elif type == 3:
-                parameters, at = types.EventTriggerCombination._read(raw, at)
-            done, end = 3, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, instance, type, parameters), at
-
-    def _write(self) -> bytes:
-        out = _EVENT_TRIGGER_CONFIG_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _EVENT_TRIGGER_CONFIG_GROUPS)
-        if there >= 1:
-            out += _EVENT_TRIGGER_CONFIG_1.write(self.instance)
-        if there >= 2:
-            out += _EVENT_TRIGGER_CONFIG_2.write(self.type)
-        if there >= 3:
-            if self.type == 1:
-                if not isinstance(self.parameters, types.EventTriggerGpio):
-                    raise codec.mismatch("parameters", self.type)
-                out += codec.structure("parameters", self.parameters, types.EventTriggerGpio)
-            elif self.type == 2:
-                if not isinstance(self.parameters, types.EventTriggerThreshold):
-                    raise codec.mismatch("parameters", self.type)
-                out += codec.structure("parameters", self.parameters, types.EventTriggerThreshold)
-            elif self.type == 3:
-                if not isinstance(self.parameters, types.EventTriggerCombination):
-                    raise codec.mismatch("parameters", self.type)
-                out += codec.structure("parameters", self.parameters, types.EventTriggerCombination)
-            elif self.parameters is not None:
-                raise codec.mismatch("parameters", self.type)
-        return codec.finished(out)
-
-
-_EVENT_ACTION_CONFIG_0 = codec.Block("B", "function")
-_EVENT_ACTION_CONFIG_1 = codec.Block("B", "instance")
-_EVENT_ACTION_CONFIG_2 = codec.Block("B", "trigger")
-_EVENT_ACTION_CONFIG_3 = codec.Block("B", "type")
-_EVENT_ACTION_CONFIG_GROUPS = (
-    (1, ("instance",), False),
-    (2, ("trigger",), False),
-    (3, ("type",), False),
-    (4, ("parameters",), True),
-)
-
 
 class EventActionConfig(Command[R]):
     """Event Action Configuration (0x0C,0x2F).
@@ -8234,8 +5695,6 @@ class EventActionConfig(Command[R]):
 
     Also called `event_action`. Functions: `write`, `read`, `save`, `load` and `default`. Answered
     by `EventActionConfigResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
-    Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
-    3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
 
     A packet holds one descriptor set; for several sets use several actions with the same trigger. A
     GPIO action needs its pin configured as an output with the gpio feature. In each event cycle,
@@ -8256,6 +5715,24 @@ class EventActionConfig(Command[R]):
     ROLE = "command"
     RESPONSES = (EventActionConfigResponse,)
     REQUIRED = {1: 4, 2: 1, 3: 1, 4: 1, 5: 1}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("instance", "B", None),
+        ("trigger", "B", None),
+        ("type", "B", types.EventActionType),
+        (
+            "parameters",
+            "",
+            wire.Union(
+                "type",
+                {
+                    1: ("gpio", "", types.EventActionGpio),
+                    2: ("message", "", types.EventActionMessage),
+                },
+            ),
+        ),
+    )
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -8332,75 +5809,6 @@ class EventActionConfig(Command[R]):
             return (EventActionConfigResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EventActionConfig[R], int]:
-        instance: int | None = None
-        trigger: int | None = None
-        type: types.EventActionType | None = None
-        parameters: types.EventActionGpio | types.EventActionMessage | None = None
-        v = _EVENT_ACTION_CONFIG_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _EVENT_ACTION_CONFIG_1.read(raw, at)
-            at += 1
-            instance = v[0]
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _EVENT_ACTION_CONFIG_2.read(raw, at)
-            at += 1
-            trigger = v[0]
-            done, end = 2, at
-            if at == len(raw) and required < 3:
-                raise Truncated(1, 0)
-            v = _EVENT_ACTION_CONFIG_3.read(raw, at)
-            at += 1
-            type = types.EventActionType(v[0])
-            done, end = 3, at
-            if at == len(raw) and required < 4:
-                raise Truncated(1, 0)
-            if type == 1:
-                parameters, at = types.EventActionGpio._read(raw, at)
-            elif type == 2:
-                parameters, at = types.EventActionMessage._read(raw, at)
-            done, end = 4, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, instance, trigger, type, parameters), at
-
-    def _write(self) -> bytes:
-        out = _EVENT_ACTION_CONFIG_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _EVENT_ACTION_CONFIG_GROUPS)
-        if there >= 1:
-            out += _EVENT_ACTION_CONFIG_1.write(self.instance)
-        if there >= 2:
-            out += _EVENT_ACTION_CONFIG_2.write(self.trigger)
-        if there >= 3:
-            out += _EVENT_ACTION_CONFIG_3.write(self.type)
-        if there >= 4:
-            if self.type == 1:
-                if not isinstance(self.parameters, types.EventActionGpio):
-                    raise codec.mismatch("parameters", self.type)
-                out += codec.structure("parameters", self.parameters, types.EventActionGpio)
-            elif self.type == 2:
-                if not isinstance(self.parameters, types.EventActionMessage):
-                    raise codec.mismatch("parameters", self.type)
-                out += codec.structure("parameters", self.parameters, types.EventActionMessage)
-            elif self.parameters is not None:
-                raise codec.mismatch("parameters", self.type)
-        return codec.finished(out)
-
-
-_DEVICE_SETTINGS_0 = codec.Block("B", "function")
-
 
 class DeviceSettings(Command[None]):
     """Device Start Up Settings (0x0C,0x30).
@@ -8409,11 +5817,7 @@ class DeviceSettings(Command[None]):
 
     Functions: `save`, `load` and `default`. The device may take 2 s to answer. Supported by
     3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and
-    3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15,
-    3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15,
-    3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
-    3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10,
-    3DM-GX5-25 and 3DM-RTK.
+    3DM-RQ1-45-ST.
 
     A save may disturb the data output for a short time. A save may take up to 1 s. Use a reply
     time-out of at least 2 s.
@@ -8432,6 +5836,7 @@ class DeviceSettings(Command[None]):
     ROLE = "command"
     REQUIRED = {3: 0, 4: 0, 5: 0}
     TIMEOUT = 2.0
+    _LAYOUT = (("function", "B", FunctionSelector),)
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -8454,28 +5859,6 @@ class DeviceSettings(Command[None]):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[DeviceSettings, int]:
-        v = _DEVICE_SETTINGS_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        return cls(function), at
-
-    def _write(self) -> bytes:
-        out = _DEVICE_SETTINGS_0.write(self.function)
-        return codec.finished(out)
-
-
-_SENSOR_TO_VEHICLE_TRANSFORM_EULER_0 = codec.Block("B", "function")
-_SENSOR_TO_VEHICLE_TRANSFORM_EULER_1 = codec.Block("f", "roll")
-_SENSOR_TO_VEHICLE_TRANSFORM_EULER_2 = codec.Block("f", "pitch")
-_SENSOR_TO_VEHICLE_TRANSFORM_EULER_3 = codec.Block("f", "yaw")
-_SENSOR_TO_VEHICLE_TRANSFORM_EULER_GROUPS = (
-    (1, ("roll",), False),
-    (2, ("pitch",), False),
-    (3, ("yaw",), False),
-)
-
 
 class SensorToVehicleTransformEuler(Command[R]):
     """Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31).
@@ -8488,11 +5871,8 @@ class SensorToVehicleTransformEuler(Command[R]):
     `sensor.CompOrientationMatrix`, `sensor.CompQuaternion`, `sensor.CompEulerAngles`,
     `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
     `filter_data.LinearAccel`, `filter_data.CompAngularRate` and `filter_data.GravityVector`.
-    Probably changes `filter_data.CompAccel` and `sensor.CompOrientationUpdateMatrix`. Flagged by
-    `filter_data.Cv7StatusFlags.MOUNTING_TRANSFORM_WARNING` of `filter_data.Cv7StatusFlags`.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-AHRS,
-    3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
-    3DM-GV7-INS.
+    Probably changes `filter_data.CompAccel` and `sensor.CompOrientationUpdateMatrix`. Supported by
+    3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     `SensorToVehicleTransformQuaternion` and `SensorToVehicleTransformDcm` set the same
     transformation; the value read back may be another form of it. Starting in line with the vehicle
@@ -8514,6 +5894,13 @@ class SensorToVehicleTransformEuler(Command[R]):
     ROLE = "command"
     RESPONSES = (SensorToVehicleTransformEulerResponse,)
     REQUIRED = {1: 3, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("roll", "f", None),
+        ("pitch", "f", None),
+        ("yaw", "f", None),
+    )
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -8577,58 +5964,6 @@ class SensorToVehicleTransformEuler(Command[R]):
             return (SensorToVehicleTransformEulerResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleTransformEuler[R], int]:
-        roll: float | None = None
-        pitch: float | None = None
-        yaw: float | None = None
-        v = _SENSOR_TO_VEHICLE_TRANSFORM_EULER_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _SENSOR_TO_VEHICLE_TRANSFORM_EULER_1.read(raw, at)
-            at += 4
-            roll = v[0]
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _SENSOR_TO_VEHICLE_TRANSFORM_EULER_2.read(raw, at)
-            at += 4
-            pitch = v[0]
-            done, end = 2, at
-            if at == len(raw) and required < 3:
-                raise Truncated(1, 0)
-            v = _SENSOR_TO_VEHICLE_TRANSFORM_EULER_3.read(raw, at)
-            at += 4
-            yaw = v[0]
-            done, end = 3, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, roll, pitch, yaw), at
-
-    def _write(self) -> bytes:
-        out = _SENSOR_TO_VEHICLE_TRANSFORM_EULER_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _SENSOR_TO_VEHICLE_TRANSFORM_EULER_GROUPS)
-        if there >= 1:
-            out += _SENSOR_TO_VEHICLE_TRANSFORM_EULER_1.write(self.roll)
-        if there >= 2:
-            out += _SENSOR_TO_VEHICLE_TRANSFORM_EULER_2.write(self.pitch)
-        if there >= 3:
-            out += _SENSOR_TO_VEHICLE_TRANSFORM_EULER_3.write(self.yaw)
-        return codec.finished(out)
-
-
-_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_0 = codec.Block("B", "function")
-_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_1 = codec.Block("ffff", *["q"] * 4)
-_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_GROUPS = ((1, ("q",), False),)
-
 
 class SensorToVehicleTransformQuaternion(Command[R]):
     """Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32).
@@ -8642,9 +5977,7 @@ class SensorToVehicleTransformQuaternion(Command[R]):
     `sensor.CompEulerAngles`, `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`,
     `filter_data.EulerAngles`, `filter_data.LinearAccel`, `filter_data.CompAngularRate` and
     `filter_data.GravityVector`. Probably changes `filter_data.CompAccel` and
-    `sensor.CompOrientationUpdateMatrix`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
-    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
-    3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+    `sensor.CompOrientationUpdateMatrix`. Supported by 3DM-CV7-GNSS/INS.
 
     `SensorToVehicleTransformEuler` and `SensorToVehicleTransformDcm` set the same transformation;
     the value read back may be another form of it. `p_vehicle = q^-1 * p_sensor * q`, where the
@@ -8665,6 +5998,9 @@ class SensorToVehicleTransformQuaternion(Command[R]):
     ROLE = "command"
     RESPONSES = (SensorToVehicleTransformQuaternionResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (("function", "B", FunctionSelector), ("q", "ffff", types.Quatf))
+    _ALWAYS = 1
+
     _VECTORS = {"q": (types.Quatf,)}
 
     function: FunctionSelector
@@ -8721,40 +6057,6 @@ class SensorToVehicleTransformQuaternion(Command[R]):
             return (SensorToVehicleTransformQuaternionResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleTransformQuaternion[R], int]:
-        q: types.Quatf | None = None
-        v = _SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_1.read(raw, at)
-            at += 16
-            q = types.Quatf._make(v[0:4])
-            done, end = 1, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, q), at
-
-    def _write(self) -> bytes:
-        out = _SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_GROUPS)
-        if there >= 1:
-            out += _SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_1.write(*codec.elements("q", self.q, 4))
-        return codec.finished(out)
-
-
-_SENSOR_TO_VEHICLE_TRANSFORM_DCM_0 = codec.Block("B", "function")
-_SENSOR_TO_VEHICLE_TRANSFORM_DCM_1 = codec.Block("fffffffff", *["dcm"] * 9)
-_SENSOR_TO_VEHICLE_TRANSFORM_DCM_GROUPS = ((1, ("dcm",), False),)
-
 
 class SensorToVehicleTransformDcm(Command[R]):
     """Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33).
@@ -8767,11 +6069,8 @@ class SensorToVehicleTransformDcm(Command[R]):
     `sensor.CompOrientationMatrix`, `sensor.CompQuaternion`, `sensor.CompEulerAngles`,
     `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
     `filter_data.LinearAccel`, `filter_data.CompAngularRate` and `filter_data.GravityVector`.
-    Probably changes `filter_data.CompAccel` and `sensor.CompOrientationUpdateMatrix`. Flagged by
-    `filter_data.Cv7StatusFlags.MOUNTING_TRANSFORM_WARNING` of `filter_data.Cv7StatusFlags`.
-    Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS,
-    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
-    3DM-GV7-INS.
+    Probably changes `filter_data.CompAccel` and `sensor.CompOrientationUpdateMatrix`. Supported by
+    3DM-CV7-GNSS/INS.
 
     `SensorToVehicleTransformEuler` and `SensorToVehicleTransformQuaternion` set the same
     transformation; the value read back may be another form of it. `v_vehicle = dcm * v_sensor`.
@@ -8791,6 +6090,9 @@ class SensorToVehicleTransformDcm(Command[R]):
     ROLE = "command"
     RESPONSES = (SensorToVehicleTransformDcmResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (("function", "B", FunctionSelector), ("dcm", "fffffffff", types.Matrix3f))
+    _ALWAYS = 1
+
     _VECTORS = {"dcm": (types.Matrix3f,)}
 
     function: FunctionSelector
@@ -8843,50 +6145,17 @@ class SensorToVehicleTransformDcm(Command[R]):
             return (SensorToVehicleTransformDcmResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleTransformDcm[R], int]:
-        dcm: types.Matrix3f | None = None
-        v = _SENSOR_TO_VEHICLE_TRANSFORM_DCM_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _SENSOR_TO_VEHICLE_TRANSFORM_DCM_1.read(raw, at)
-            at += 36
-            dcm = types.Matrix3f._make(v[0:9])
-            done, end = 1, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, dcm), at
-
-    def _write(self) -> bytes:
-        out = _SENSOR_TO_VEHICLE_TRANSFORM_DCM_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _SENSOR_TO_VEHICLE_TRANSFORM_DCM_GROUPS)
-        if there >= 1:
-            out += _SENSOR_TO_VEHICLE_TRANSFORM_DCM_1.write(*codec.elements("dcm", self.dcm, 9))
-        return codec.finished(out)
-
-
-_GPS_DYNAMICS_MODE_0 = codec.Block("B", "function")
-_GPS_DYNAMICS_MODE_1 = codec.Block("B", "mode")
-_GPS_DYNAMICS_MODE_GROUPS = ((1, ("mode",), False),)
-
 
 class GpsDynamicsMode(Command[R]):
     """GPS dynamics mode (0x0C,0x34).
 
     Sets the dynamics that the GNSS receiver assumes of the vehicle.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GpsDynamicsModeResponse`.
-    Probably changes `gnss_data.LlhPosition` and `gnss_data.NedVelocity`. Probably supported by
-    3DM-GX3-35. Known only from the MIP SDK of 2014 and MicroStrain Communication Library.
-    Uncertain: Which devices have it. The SDK of 2014 has it in its example for the 3DM-GX3-35 only.
+    No device is certain to support it. Functions: `write`, `read`, `save`, `load` and `default`.
+    Answered by `GpsDynamicsModeResponse`. Probably changes `gnss_data.LlhPosition` and
+    `gnss_data.NedVelocity`. Known only from the MIP SDK of 2014 and MicroStrain Communication
+    Library. Uncertain: Which devices have it. The SDK of 2014 has it in its example for the
+    3DM-GX3-35 only.
 
     - mip-sdk-2014: GPS dynamics mode (0x0C,0x34)
     - mscl: GPS dynamics mode (0x0C,0x34)
@@ -8902,6 +6171,8 @@ class GpsDynamicsMode(Command[R]):
     ROLE = "command"
     RESPONSES = (GpsDynamicsModeResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (("function", "B", FunctionSelector), ("mode", "B", ReceiverDynamics))
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -8943,72 +6214,21 @@ class GpsDynamicsMode(Command[R]):
             return (GpsDynamicsModeResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GpsDynamicsMode[R], int]:
-        mode: ReceiverDynamics | None = None
-        v = _GPS_DYNAMICS_MODE_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _GPS_DYNAMICS_MODE_1.read(raw, at)
-            at += 1
-            mode = ReceiverDynamics(v[0])
-            done, end = 1, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, mode), at
-
-    def _write(self) -> bytes:
-        out = _GPS_DYNAMICS_MODE_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _GPS_DYNAMICS_MODE_GROUPS)
-        if there >= 1:
-            out += _GPS_DYNAMICS_MODE_1.write(self.mode)
-        return codec.finished(out)
-
-
-_IMU_SIGNAL_CONDITIONING_0 = codec.Block("B", "function")
-_IMU_SIGNAL_CONDITIONING_1 = codec.Block("H", "orientation_decimation")
-_IMU_SIGNAL_CONDITIONING_2 = codec.Block("H", "data_conditioning_flags")
-_IMU_SIGNAL_CONDITIONING_3 = codec.Block("B", "inertial_filter_width")
-_IMU_SIGNAL_CONDITIONING_4 = codec.Block("B", "mag_filter_width")
-_IMU_SIGNAL_CONDITIONING_5 = codec.Block("H", "up_compensation")
-_IMU_SIGNAL_CONDITIONING_6 = codec.Block("H", "north_compensation")
-_IMU_SIGNAL_CONDITIONING_7 = codec.Block("B", "mag_bandwidth")
-_IMU_SIGNAL_CONDITIONING_8 = codec.Block("H", "reserved")
-_IMU_SIGNAL_CONDITIONING_GROUPS = (
-    (1, ("orientation_decimation",), False),
-    (2, ("data_conditioning_flags",), False),
-    (3, ("inertial_filter_width",), False),
-    (4, ("mag_filter_width",), False),
-    (5, ("up_compensation",), False),
-    (6, ("north_compensation",), False),
-    (7, ("mag_bandwidth",), False),
-    (8, ("reserved",), False),
-)
-
 
 class ImuSignalConditioning(Command[R]):
     """IMU signal conditioning (0x0C,0x35).
 
     Configures the filters and the orientation algorithm of 3-series devices.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `ImuSignalConditioningResponse`. Changes `sensor.ScaledAccel`, `sensor.ScaledGyro`,
+    No device is certain to support it. Functions: `write`, `read`, `save`, `load` and `default`.
+    Answered by `ImuSignalConditioningResponse`. Changes `sensor.ScaledAccel`, `sensor.ScaledGyro`,
     `sensor.DeltaTheta`, `sensor.DeltaVelocity`, `sensor.CompOrientationMatrix`,
-    `sensor.CompQuaternion` and `sensor.CompEulerAngles`. Probably changes `sensor.ScaledMag`.
-    Probably supported by 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35 and 3DM-GX3-45. Known only from the MIP
-    SDK of 2014 and MicroStrain Communication Library. Uncertain: The ranges, the defaults, and some
-    of the flags. They are those of the single-byte protocol of the 3DM-GX3, which has the same
-    record. Uncertain: Which devices have it. The SDK of 2014 has it in its example for the
-    3DM-GX3-35 only. Uncertain: Whether every device sends `reserved` in the response. MSCL reads it
-    without.
+    `sensor.CompQuaternion` and `sensor.CompEulerAngles`. Probably changes `sensor.ScaledMag`. Known
+    only from the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: The ranges, the
+    defaults, and some of the flags. They are those of the single-byte protocol of the 3DM-GX3,
+    which has the same record. Uncertain: Which devices have it. The SDK of 2014 has it in its
+    example for the 3DM-GX3-35 only. Uncertain: Whether every device sends `reserved` in the
+    response. MSCL reads it without.
 
     The filters are moving averages; the first zero of their response is at 1000 Hz divided by the
     width.
@@ -9047,6 +6267,18 @@ class ImuSignalConditioning(Command[R]):
     ROLE = "command"
     RESPONSES = (ImuSignalConditioningResponse,)
     REQUIRED = {1: 8, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("orientation_decimation", "H", None),
+        ("data_conditioning_flags", "H", DataConditioningFlags),
+        ("inertial_filter_width", "B", None),
+        ("mag_filter_width", "B", None),
+        ("up_compensation", "H", None),
+        ("north_compensation", "H", None),
+        ("mag_bandwidth", "B", MagBandwidth),
+        ("reserved", "H", None),
+    )
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -9151,124 +6383,16 @@ class ImuSignalConditioning(Command[R]):
             return (ImuSignalConditioningResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ImuSignalConditioning[R], int]:
-        orientation_decimation: int | None = None
-        data_conditioning_flags: DataConditioningFlags | None = None
-        inertial_filter_width: int | None = None
-        mag_filter_width: int | None = None
-        up_compensation: int | None = None
-        north_compensation: int | None = None
-        mag_bandwidth: MagBandwidth | None = None
-        reserved: int | None = None
-        v = _IMU_SIGNAL_CONDITIONING_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _IMU_SIGNAL_CONDITIONING_1.read(raw, at)
-            at += 2
-            orientation_decimation = v[0]
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _IMU_SIGNAL_CONDITIONING_2.read(raw, at)
-            at += 2
-            data_conditioning_flags = DataConditioningFlags(v[0])
-            done, end = 2, at
-            if at == len(raw) and required < 3:
-                raise Truncated(1, 0)
-            v = _IMU_SIGNAL_CONDITIONING_3.read(raw, at)
-            at += 1
-            inertial_filter_width = v[0]
-            done, end = 3, at
-            if at == len(raw) and required < 4:
-                raise Truncated(1, 0)
-            v = _IMU_SIGNAL_CONDITIONING_4.read(raw, at)
-            at += 1
-            mag_filter_width = v[0]
-            done, end = 4, at
-            if at == len(raw) and required < 5:
-                raise Truncated(1, 0)
-            v = _IMU_SIGNAL_CONDITIONING_5.read(raw, at)
-            at += 2
-            up_compensation = v[0]
-            done, end = 5, at
-            if at == len(raw) and required < 6:
-                raise Truncated(1, 0)
-            v = _IMU_SIGNAL_CONDITIONING_6.read(raw, at)
-            at += 2
-            north_compensation = v[0]
-            done, end = 6, at
-            if at == len(raw) and required < 7:
-                raise Truncated(1, 0)
-            v = _IMU_SIGNAL_CONDITIONING_7.read(raw, at)
-            at += 1
-            mag_bandwidth = MagBandwidth(v[0])
-            done, end = 7, at
-            if at == len(raw) and required < 8:
-                raise Truncated(1, 0)
-            v = _IMU_SIGNAL_CONDITIONING_8.read(raw, at)
-            at += 2
-            reserved = v[0]
-            done, end = 8, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(
-            function,
-            orientation_decimation,
-            data_conditioning_flags,
-            inertial_filter_width,
-            mag_filter_width,
-            up_compensation,
-            north_compensation,
-            mag_bandwidth,
-            reserved,
-        ), at
-
-    def _write(self) -> bytes:
-        out = _IMU_SIGNAL_CONDITIONING_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _IMU_SIGNAL_CONDITIONING_GROUPS)
-        if there >= 1:
-            out += _IMU_SIGNAL_CONDITIONING_1.write(self.orientation_decimation)
-        if there >= 2:
-            out += _IMU_SIGNAL_CONDITIONING_2.write(self.data_conditioning_flags)
-        if there >= 3:
-            out += _IMU_SIGNAL_CONDITIONING_3.write(self.inertial_filter_width)
-        if there >= 4:
-            out += _IMU_SIGNAL_CONDITIONING_4.write(self.mag_filter_width)
-        if there >= 5:
-            out += _IMU_SIGNAL_CONDITIONING_5.write(self.up_compensation)
-        if there >= 6:
-            out += _IMU_SIGNAL_CONDITIONING_6.write(self.north_compensation)
-        if there >= 7:
-            out += _IMU_SIGNAL_CONDITIONING_7.write(self.mag_bandwidth)
-        if there >= 8:
-            out += _IMU_SIGNAL_CONDITIONING_8.write(self.reserved)
-        return codec.finished(out)
-
-
-_IMU_TIMESTAMP_0 = codec.Block("B", "function")
-_IMU_TIMESTAMP_1 = codec.Block("B", "selector")
-_IMU_TIMESTAMP_2 = codec.Block("I", "time")
-_IMU_TIMESTAMP_GROUPS = ((1, ("selector",), False), (2, ("time",), False))
-
 
 class ImuTimestamp(Command[R]):
     """IMU timestamp (0x0C,0x36).
 
     Sets or reads a counter of the time of the sensor data.
 
-    Functions: `write` and `read`. Answered by `ImuTimestampResponse`. Probably supported by
-    3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35 and 3DM-GX3-45. Known only from the MIP SDK of 2014.
-    Uncertain: Which devices have it. The SDK of 2014 has it in its example for the 3DM-GX3-35 only.
-    Uncertain: Whether a read needs `time` and ignores it, or leaves it out, as is assumed.
+    No device is certain to support it. Functions: `write` and `read`. Answered by
+    `ImuTimestampResponse`. Known only from the MIP SDK of 2014. Uncertain: Which devices have it.
+    The SDK of 2014 has it in its example for the 3DM-GX3-35 only. Uncertain: Whether a read needs
+    `time` and ignores it, or leaves it out, as is assumed.
 
     - mip-sdk-2014: IMU timestamp (0x0C,0x36)
     """
@@ -9283,6 +6407,12 @@ class ImuTimestamp(Command[R]):
     ROLE = "command"
     RESPONSES = (ImuTimestampResponse,)
     REQUIRED = {1: 2, 2: 1}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("selector", "B", ImuTimestampSelector),
+        ("time", "I", None),
+    )
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -9321,49 +6451,6 @@ class ImuTimestamp(Command[R]):
             return (ImuTimestampResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ImuTimestamp[R], int]:
-        selector: ImuTimestampSelector | None = None
-        time: int | None = None
-        v = _IMU_TIMESTAMP_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _IMU_TIMESTAMP_1.read(raw, at)
-            at += 1
-            selector = ImuTimestampSelector(v[0])
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _IMU_TIMESTAMP_2.read(raw, at)
-            at += 4
-            time = v[0]
-            done, end = 2, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, selector, time), at
-
-    def _write(self) -> bytes:
-        out = _IMU_TIMESTAMP_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _IMU_TIMESTAMP_GROUPS)
-        if there >= 1:
-            out += _IMU_TIMESTAMP_1.write(self.selector)
-        if there >= 2:
-            out += _IMU_TIMESTAMP_2.write(self.time)
-        return codec.finished(out)
-
-
-_ACCEL_BIAS_0 = codec.Block("B", "function")
-_ACCEL_BIAS_1 = codec.Block("fff", *["bias"] * 3)
-_ACCEL_BIAS_GROUPS = ((1, ("bias",), False),)
-
 
 class AccelBias(Command[R]):
     """Accelerometer Bias Configuration (0x0C,0x37).
@@ -9373,12 +6460,8 @@ class AccelBias(Command[R]):
     For advanced use. Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Answered by
     `AccelBiasResponse`. Changes `sensor.ScaledAccel`. Probably changes `sensor.DeltaVelocity` and
     `filter_data.AccelBias`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
-    3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25,
-    3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS,
-    3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR,
-    3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25,
-    3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45 and 3DM-RQ1-IMU. On the
-    3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and `default` only.
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST. On the 3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and
+    `default` only.
 
     - 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
     - 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
@@ -9394,6 +6477,9 @@ class AccelBias(Command[R]):
     ROLE = "command"
     RESPONSES = (AccelBiasResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0, 6: 1}
+    _LAYOUT = (("function", "B", FunctionSelector), ("bias", "fff", types.Vector3f))
+    _ALWAYS = 1
+
     _VECTORS = {"bias": (types.Vector3f,)}
 
     function: FunctionSelector
@@ -9453,40 +6539,6 @@ class AccelBias(Command[R]):
             return (AccelBiasResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AccelBias[R], int]:
-        bias: types.Vector3f | None = None
-        v = _ACCEL_BIAS_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _ACCEL_BIAS_1.read(raw, at)
-            at += 12
-            bias = types.Vector3f._make(v[0:3])
-            done, end = 1, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, bias), at
-
-    def _write(self) -> bytes:
-        out = _ACCEL_BIAS_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _ACCEL_BIAS_GROUPS)
-        if there >= 1:
-            out += _ACCEL_BIAS_1.write(*codec.elements("bias", self.bias, 3))
-        return codec.finished(out)
-
-
-_GYRO_BIAS_0 = codec.Block("B", "function")
-_GYRO_BIAS_1 = codec.Block("fff", *["bias"] * 3)
-_GYRO_BIAS_GROUPS = ((1, ("bias",), False),)
-
 
 class GyroBias(Command[R]):
     """Gyroscope Bias Configuration (0x0C,0x38).
@@ -9496,14 +6548,10 @@ class GyroBias(Command[R]):
     For advanced use. Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Answered by
     `GyroBiasResponse`. Changes `sensor.ScaledGyro`. Probably changes `sensor.DeltaTheta`,
     `filter_data.GyroBias` and `filter_data.Status`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
-    3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by
-    3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS,
-    3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR,
-    3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25,
-    3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45 and 3DM-RQ1-IMU. On the
-    3DM-CV7-AHRS: `write`, `read`, `save`, `load` and `default` only. On the 3DM-CV7-AR: `write`,
-    `read`, `save`, `load` and `default` only. On the 3DM-CV7-GNSS/INS: `write`, `read`, `save`,
-    `load` and `default` only.
+    3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. On the 3DM-CV7-AHRS:
+    `write`, `read`, `save`, `load` and `default` only. On the 3DM-CV7-AR: `write`, `read`, `save`,
+    `load` and `default` only. On the 3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and
+    `default` only.
 
     - 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
     - 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
@@ -9519,6 +6567,9 @@ class GyroBias(Command[R]):
     ROLE = "command"
     RESPONSES = (GyroBiasResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0, 6: 1}
+    _LAYOUT = (("function", "B", FunctionSelector), ("bias", "fff", types.Vector3f))
+    _ALWAYS = 1
+
     _VECTORS = {"bias": (types.Vector3f,)}
 
     function: FunctionSelector
@@ -9574,38 +6625,6 @@ class GyroBias(Command[R]):
             return (GyroBiasResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GyroBias[R], int]:
-        bias: types.Vector3f | None = None
-        v = _GYRO_BIAS_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _GYRO_BIAS_1.read(raw, at)
-            at += 12
-            bias = types.Vector3f._make(v[0:3])
-            done, end = 1, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, bias), at
-
-    def _write(self) -> bytes:
-        out = _GYRO_BIAS_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _GYRO_BIAS_GROUPS)
-        if there >= 1:
-            out += _GYRO_BIAS_1.write(*codec.elements("bias", self.bias, 3))
-        return codec.finished(out)
-
-
-_CAPTURE_GYRO_BIAS_0 = codec.Block("H", "averaging_time_ms")
-
 
 class CaptureGyroBias(Command[GyroBiasResponse]):
     """Capture Gyroscope Bias (0x0C,0x39).
@@ -9613,14 +6632,9 @@ class CaptureGyroBias(Command[GyroBiasResponse]):
     Averages the angular rate of the device at rest and uses the result as the gyroscope bias.
 
     Answered by `GyroBiasResponse`. Changes `sensor.ScaledGyro`. Probably changes
-    `sensor.DeltaTheta`, `filter_data.GyroBias` and `filter_data.Status`. Flagged by
-    `filter_data.Cv7StatusFlags.IMU_BIAS_WARNING` of `filter_data.Cv7StatusFlags`. The device may
-    take 31 s to answer. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
-    3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by
-    3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS,
-    3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR,
-    3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
-    3DM-GX4-IMU, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45 and 3DM-RQ1-IMU.
+    `sensor.DeltaTheta`, `filter_data.GyroBias` and `filter_data.Status`. The device may take 31 s
+    to answer. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
+    3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     The device must be at rest, with as little vibration as possible, for the whole time. The reply
     arrives after the averaging time. The bias is not saved; to save it, send `GyroBias` with save.
@@ -9648,22 +6662,6 @@ class CaptureGyroBias(Command[GyroBiasResponse]):
     def __init__(self, averaging_time_ms: int) -> None:
         self.averaging_time_ms = averaging_time_ms
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[CaptureGyroBias, int]:
-        v = _CAPTURE_GYRO_BIAS_0.read(raw, at)
-        at += 2
-        averaging_time_ms = v[0]
-        return cls(averaging_time_ms), at
-
-    def _write(self) -> bytes:
-        out = _CAPTURE_GYRO_BIAS_0.write(self.averaging_time_ms)
-        return codec.finished(out)
-
-
-_MAG_HARD_IRON_OFFSET_0 = codec.Block("B", "function")
-_MAG_HARD_IRON_OFFSET_1 = codec.Block("fff", *["offset"] * 3)
-_MAG_HARD_IRON_OFFSET_GROUPS = ((1, ("offset",), False),)
-
 
 class MagHardIronOffset(Command[R]):
     """Magnetometer Hard Iron Offset (0x0C,0x3A).
@@ -9672,12 +6670,10 @@ class MagHardIronOffset(Command[R]):
 
     Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Answered by
     `MagHardIronOffsetResponse`. Changes `sensor.ScaledMag`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
-    3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by
-    3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45,
-    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS,
-    3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-25 and 3DM-GX5-35. On the 3DM-CV7-AHRS: `write`,
-    `read`, `save`, `load` and `default` only. On the 3DM-CV7-AR: `write`, `read`, `save`, `load`
-    and `default` only. On the 3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and `default` only.
+    3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. On the 3DM-CV7-AHRS:
+    `write`, `read`, `save`, `load` and `default` only. On the 3DM-CV7-AR: `write`, `read`, `save`,
+    `load` and `default` only. On the 3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and
+    `default` only.
 
     The values come from a calibration of the device as it is installed. On some devices,
     `filter.MagCaptureAutoCalibration` captures them from the calibration that the filter makes
@@ -9697,6 +6693,9 @@ class MagHardIronOffset(Command[R]):
     ROLE = "command"
     RESPONSES = (MagHardIronOffsetResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0, 6: 1}
+    _LAYOUT = (("function", "B", FunctionSelector), ("offset", "fff", types.Vector3f))
+    _ALWAYS = 1
+
     _VECTORS = {"offset": (types.Vector3f,)}
 
     function: FunctionSelector
@@ -9758,40 +6757,6 @@ class MagHardIronOffset(Command[R]):
             return (MagHardIronOffsetResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagHardIronOffset[R], int]:
-        offset: types.Vector3f | None = None
-        v = _MAG_HARD_IRON_OFFSET_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _MAG_HARD_IRON_OFFSET_1.read(raw, at)
-            at += 12
-            offset = types.Vector3f._make(v[0:3])
-            done, end = 1, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, offset), at
-
-    def _write(self) -> bytes:
-        out = _MAG_HARD_IRON_OFFSET_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _MAG_HARD_IRON_OFFSET_GROUPS)
-        if there >= 1:
-            out += _MAG_HARD_IRON_OFFSET_1.write(*codec.elements("offset", self.offset, 3))
-        return codec.finished(out)
-
-
-_MAG_SOFT_IRON_MATRIX_0 = codec.Block("B", "function")
-_MAG_SOFT_IRON_MATRIX_1 = codec.Block("fffffffff", *["matrix"] * 9)
-_MAG_SOFT_IRON_MATRIX_GROUPS = ((1, ("matrix",), False),)
-
 
 class MagSoftIronMatrix(Command[R]):
     """Magnetometer Soft Iron Matrix (0x0C,0x3B).
@@ -9800,12 +6765,10 @@ class MagSoftIronMatrix(Command[R]):
 
     Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Answered by
     `MagSoftIronMatrixResponse`. Changes `sensor.ScaledMag`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
-    3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by
-    3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45,
-    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS,
-    3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-25 and 3DM-GX5-45. On the 3DM-CV7-AHRS: `write`,
-    `read`, `save`, `load` and `default` only. On the 3DM-CV7-AR: `write`, `read`, `save`, `load`
-    and `default` only. On the 3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and `default` only.
+    3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. On the 3DM-CV7-AHRS:
+    `write`, `read`, `save`, `load` and `default` only. On the 3DM-CV7-AR: `write`, `read`, `save`,
+    `load` and `default` only. On the 3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and
+    `default` only.
 
     The values come from a calibration of the device as it is installed. On some devices,
     `filter.MagCaptureAutoCalibration` captures them from the calibration that the filter makes
@@ -9825,6 +6788,9 @@ class MagSoftIronMatrix(Command[R]):
     ROLE = "command"
     RESPONSES = (MagSoftIronMatrixResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0, 6: 1}
+    _LAYOUT = (("function", "B", FunctionSelector), ("matrix", "fffffffff", types.Matrix3f))
+    _ALWAYS = 1
+
     _VECTORS = {"matrix": (types.Matrix3f,)}
 
     function: FunctionSelector
@@ -9884,40 +6850,6 @@ class MagSoftIronMatrix(Command[R]):
             return (MagSoftIronMatrixResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagSoftIronMatrix[R], int]:
-        matrix: types.Matrix3f | None = None
-        v = _MAG_SOFT_IRON_MATRIX_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _MAG_SOFT_IRON_MATRIX_1.read(raw, at)
-            at += 36
-            matrix = types.Matrix3f._make(v[0:9])
-            done, end = 1, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, matrix), at
-
-    def _write(self) -> bytes:
-        out = _MAG_SOFT_IRON_MATRIX_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _MAG_SOFT_IRON_MATRIX_GROUPS)
-        if there >= 1:
-            out += _MAG_SOFT_IRON_MATRIX_1.write(*codec.elements("matrix", self.matrix, 9))
-        return codec.finished(out)
-
-
-_CONING_SCULLING_ENABLE_0 = codec.Block("B", "function")
-_CONING_SCULLING_ENABLE_1 = codec.Block("B", "enable")
-_CONING_SCULLING_ENABLE_GROUPS = ((1, ("enable",), False),)
-
 
 class ConingScullingEnable(Command[R]):
     """Coning and Sculling Enable (0x0C,0x3E).
@@ -9926,10 +6858,7 @@ class ConingScullingEnable(Command[R]):
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `ConingScullingEnableResponse`. Probably changes `sensor.DeltaTheta` and `sensor.DeltaVelocity`.
-    Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by
-    3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-10,
-    3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU,
-    3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45 and 3DM-RQ1-IMU.
+    Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
     """
@@ -9944,6 +6873,8 @@ class ConingScullingEnable(Command[R]):
     ROLE = "command"
     RESPONSES = (ConingScullingEnableResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (("function", "B", FunctionSelector), ("enable", "B", codec.truth))
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -9987,40 +6918,6 @@ class ConingScullingEnable(Command[R]):
             return (ConingScullingEnableResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ConingScullingEnable[R], int]:
-        enable: bool | None = None
-        v = _CONING_SCULLING_ENABLE_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _CONING_SCULLING_ENABLE_1.read(raw, at)
-            at += 1
-            enable = codec.truth(v[0])
-            done, end = 1, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, enable), at
-
-    def _write(self) -> bytes:
-        out = _CONING_SCULLING_ENABLE_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _CONING_SCULLING_ENABLE_GROUPS)
-        if there >= 1:
-            out += _CONING_SCULLING_ENABLE_1.write(self.enable)
-        return codec.finished(out)
-
-
-_UART_BAUD_RATE_0 = codec.Block("B", "function")
-_UART_BAUD_RATE_1 = codec.Block("I", "baud")
-_UART_BAUD_RATE_GROUPS = ((1, ("baud",), False),)
-
 
 class UartBaudRate(Command[R]):
     """UART Baud Rate (0x0C,0x40).
@@ -10029,9 +6926,7 @@ class UartBaudRate(Command[R]):
 
     Also called `uart_baudrate`. Functions: `write`, `read`, `save`, `load` and `default`. Answered
     by `UartBaudRateResponse`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45,
-    3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25,
-    3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35,
-    3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25 and 3DM-GX5-35.
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     The 3DM-GX5-15 replies at the old rate and accepts commands at the new rate 250 ms later. The
     3DM-CV7 applies the rate when the port is empty, after at most 250 ms; until then, commands and
@@ -10052,6 +6947,8 @@ class UartBaudRate(Command[R]):
     ROLE = "command"
     RESPONSES = (UartBaudRateResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (("function", "B", FunctionSelector), ("baud", "I", None))
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -10096,48 +6993,6 @@ class UartBaudRate(Command[R]):
             return (UartBaudRateResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[UartBaudRate[R], int]:
-        baud: int | None = None
-        v = _UART_BAUD_RATE_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _UART_BAUD_RATE_1.read(raw, at)
-            at += 4
-            baud = v[0]
-            done, end = 1, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, baud), at
-
-    def _write(self) -> bytes:
-        out = _UART_BAUD_RATE_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _UART_BAUD_RATE_GROUPS)
-        if there >= 1:
-            out += _UART_BAUD_RATE_1.write(self.baud)
-        return codec.finished(out)
-
-
-_GPIO_CONFIG_0 = codec.Block("B", "function")
-_GPIO_CONFIG_1 = codec.Block("B", "pin")
-_GPIO_CONFIG_2 = codec.Block("B", "feature")
-_GPIO_CONFIG_3 = codec.Block("B", "behavior")
-_GPIO_CONFIG_4 = codec.Block("B", "pin_mode")
-_GPIO_CONFIG_GROUPS = (
-    (1, ("pin",), False),
-    (2, ("feature",), False),
-    (3, ("behavior",), False),
-    (4, ("pin_mode",), False),
-)
-
 
 class GpioConfig(Command[R]):
     """GPIO Configuration (0x0C,0x41).
@@ -10146,9 +7001,7 @@ class GpioConfig(Command[R]):
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GpioConfigResponse`.
     Probably changes `system_data.GpioState` and `system_data.GpioAnalogValue`. Supported by
-    3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS,
-    3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS. Refused by
-    3DM-GX5-25.
+    3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
 
     Not every pin has every feature. For an output with another feature than gpio, set up what
     drives it first, then the pin; meanwhile, its level would be undefined. For an input, configure
@@ -10169,6 +7022,14 @@ class GpioConfig(Command[R]):
     ROLE = "command"
     RESPONSES = (GpioConfigResponse,)
     REQUIRED = {1: 4, 2: 1, 3: 1, 4: 1, 5: 1}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("pin", "B", None),
+        ("feature", "B", types.GpioFeature),
+        ("behavior", "B", None),
+        ("pin_mode", "B", types.GpioPinMode),
+    )
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -10242,68 +7103,6 @@ class GpioConfig(Command[R]):
             return (GpioConfigResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GpioConfig[R], int]:
-        pin: int | None = None
-        feature: types.GpioFeature | None = None
-        behavior: int | None = None
-        pin_mode: types.GpioPinMode | None = None
-        v = _GPIO_CONFIG_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _GPIO_CONFIG_1.read(raw, at)
-            at += 1
-            pin = v[0]
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _GPIO_CONFIG_2.read(raw, at)
-            at += 1
-            feature = types.GpioFeature(v[0])
-            done, end = 2, at
-            if at == len(raw) and required < 3:
-                raise Truncated(1, 0)
-            v = _GPIO_CONFIG_3.read(raw, at)
-            at += 1
-            behavior = v[0]
-            done, end = 3, at
-            if at == len(raw) and required < 4:
-                raise Truncated(1, 0)
-            v = _GPIO_CONFIG_4.read(raw, at)
-            at += 1
-            pin_mode = types.GpioPinMode(v[0])
-            done, end = 4, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, pin, feature, behavior, pin_mode), at
-
-    def _write(self) -> bytes:
-        out = _GPIO_CONFIG_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _GPIO_CONFIG_GROUPS)
-        if there >= 1:
-            out += _GPIO_CONFIG_1.write(self.pin)
-        if there >= 2:
-            out += _GPIO_CONFIG_2.write(self.feature)
-        if there >= 3:
-            out += _GPIO_CONFIG_3.write(self.behavior)
-        if there >= 4:
-            out += _GPIO_CONFIG_4.write(self.pin_mode)
-        return codec.finished(out)
-
-
-_GPIO_STATE_0 = codec.Block("B", "function")
-_GPIO_STATE_1 = codec.Block("B", "pin")
-_GPIO_STATE_2 = codec.Block("B", "state")
-_GPIO_STATE_GROUPS = ((1, ("pin",), False), (2, ("state",), False))
-
 
 class GpioState(Command[R]):
     """GPIO State (0x0C,0x42).
@@ -10311,9 +7110,7 @@ class GpioState(Command[R]):
     Sets or reads the state of a GPIO pin.
 
     Functions: `write` and `read`. Answered by `GpioStateResponse`. Changes `system_data.GpioState`.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-AHRS,
-    3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
-    3DM-GV7-INS.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     A read returns the level of the pin itself. A write has an effect only on a pin that is
     configured as an output. An event action of mode `active_high` or `active_low` on the pin
@@ -10333,6 +7130,8 @@ class GpioState(Command[R]):
     ROLE = "command"
     RESPONSES = (GpioStateResponse,)
     REQUIRED = {1: 2, 2: 1}
+    _LAYOUT = (("function", "B", FunctionSelector), ("pin", "B", None), ("state", "B", codec.truth))
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -10364,55 +7163,6 @@ class GpioState(Command[R]):
             return (GpioStateResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GpioState[R], int]:
-        pin: int | None = None
-        state: bool | None = None
-        v = _GPIO_STATE_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _GPIO_STATE_1.read(raw, at)
-            at += 1
-            pin = v[0]
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _GPIO_STATE_2.read(raw, at)
-            at += 1
-            state = codec.truth(v[0])
-            done, end = 2, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, pin, state), at
-
-    def _write(self) -> bytes:
-        out = _GPIO_STATE_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _GPIO_STATE_GROUPS)
-        if there >= 1:
-            out += _GPIO_STATE_1.write(self.pin)
-        if there >= 2:
-            out += _GPIO_STATE_2.write(self.state)
-        return codec.finished(out)
-
-
-_ODOMETER_CONFIG_0 = codec.Block("B", "function")
-_ODOMETER_CONFIG_1 = codec.Block("B", "mode")
-_ODOMETER_CONFIG_2 = codec.Block("f", "scaling")
-_ODOMETER_CONFIG_3 = codec.Block("f", "uncertainty")
-_ODOMETER_CONFIG_GROUPS = (
-    (1, ("mode",), False),
-    (2, ("scaling",), False),
-    (3, ("uncertainty",), False),
-)
-
 
 class OdometerConfig(Command[R]):
     """Odometer Configuration (0x0C,0x43).
@@ -10420,8 +7170,7 @@ class OdometerConfig(Command[R]):
     Configures the input from a wheel encoder.
 
     Also called `odometer`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `OdometerConfigResponse`. Changes `sensor.Odometer`. Supported by 3DM-CV7-GNSS/INS. Probably
-    supported by 3DM-GQ7-GNSS/INS. Refused by 3DM-GX3-25.
+    `OdometerConfigResponse`. Changes `sensor.Odometer`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
     """
@@ -10436,6 +7185,13 @@ class OdometerConfig(Command[R]):
     ROLE = "command"
     RESPONSES = (OdometerConfigResponse,)
     REQUIRED = {1: 3, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("mode", "B", OdometerMode),
+        ("scaling", "f", None),
+        ("uncertainty", "f", None),
+    )
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -10496,68 +7252,6 @@ class OdometerConfig(Command[R]):
             return (OdometerConfigResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[OdometerConfig[R], int]:
-        mode: OdometerMode | None = None
-        scaling: float | None = None
-        uncertainty: float | None = None
-        v = _ODOMETER_CONFIG_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _ODOMETER_CONFIG_1.read(raw, at)
-            at += 1
-            mode = OdometerMode(v[0])
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _ODOMETER_CONFIG_2.read(raw, at)
-            at += 4
-            scaling = v[0]
-            done, end = 2, at
-            if at == len(raw) and required < 3:
-                raise Truncated(1, 0)
-            v = _ODOMETER_CONFIG_3.read(raw, at)
-            at += 4
-            uncertainty = v[0]
-            done, end = 3, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, mode, scaling, uncertainty), at
-
-    def _write(self) -> bytes:
-        out = _ODOMETER_CONFIG_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _ODOMETER_CONFIG_GROUPS)
-        if there >= 1:
-            out += _ODOMETER_CONFIG_1.write(self.mode)
-        if there >= 2:
-            out += _ODOMETER_CONFIG_2.write(self.scaling)
-        if there >= 3:
-            out += _ODOMETER_CONFIG_3.write(self.uncertainty)
-        return codec.finished(out)
-
-
-_IMU_LOW_PASS_FILTER_0 = codec.Block("B", "function")
-_IMU_LOW_PASS_FILTER_1 = codec.Block("B", "target_descriptor")
-_IMU_LOW_PASS_FILTER_2 = codec.Block("B", "enable")
-_IMU_LOW_PASS_FILTER_3 = codec.Block("B", "manual")
-_IMU_LOW_PASS_FILTER_4 = codec.Block("H", "frequency")
-_IMU_LOW_PASS_FILTER_5 = codec.Block("B", "reserved")
-_IMU_LOW_PASS_FILTER_GROUPS = (
-    (1, ("target_descriptor",), False),
-    (2, ("enable",), False),
-    (3, ("manual",), False),
-    (4, ("frequency",), False),
-    (5, ("reserved",), False),
-)
-
 
 class ImuLowPassFilter(Command[R]):
     """Advanced Low-Pass Filter Settings (0x0C,0x50).
@@ -10568,14 +7262,11 @@ class ImuLowPassFilter(Command[R]):
     and `default`. Answered by `ImuLowPassFilterResponse`. Changes `sensor.ScaledAccel`,
     `sensor.ScaledGyro`, `sensor.ScaledMag` and `sensor.ScaledPressure`. Supported by 3DM-CV7-AHRS,
     3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-RQ1-45-LT and
-    3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15,
-    3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45,
-    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15,
-    3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35 and 3DM-GX5-45. Deprecated on the
-    3DM-CV7-AHRS: use `LowPassFilter` instead. Deprecated on the 3DM-CV7-AR: use `LowPassFilter`
-    instead. Deprecated on the 3DM-CV7-GNSS/INS: use `LowPassFilter` instead. Deprecated on the
-    3DM-GQ7-GNSS/INS: use `LowPassFilter` instead. On the 3DM-CV7-AHRS: firmware <= 1.0.07. On the
-    3DM-CV7-AR: firmware <= 1.0.07. On the 3DM-GQ7-GNSS/INS: firmware <= 1.0.10.
+    3DM-RQ1-45-ST. Deprecated on the 3DM-CV7-AHRS: use `LowPassFilter` instead. Deprecated on the
+    3DM-CV7-AR: use `LowPassFilter` instead. Deprecated on the 3DM-CV7-GNSS/INS: use `LowPassFilter`
+    instead. Deprecated on the 3DM-GQ7-GNSS/INS: use `LowPassFilter` instead. On the 3DM-CV7-AHRS:
+    firmware <= 1.0.07. On the 3DM-CV7-AR: firmware <= 1.0.07. On the 3DM-GQ7-GNSS/INS: firmware <=
+    1.0.10.
 
     The filter has one pole. By default it is on and its cutoff is half the rate of the message
     format.
@@ -10594,6 +7285,15 @@ class ImuLowPassFilter(Command[R]):
     ROLE = "command"
     RESPONSES = (ImuLowPassFilterResponse,)
     REQUIRED = {1: 5, 2: 1, 3: 1, 4: 1, 5: 1}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("target_descriptor", "B", None),
+        ("enable", "B", codec.truth),
+        ("manual", "B", codec.truth),
+        ("frequency", "H", None),
+        ("reserved", "B", None),
+    )
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -10682,84 +7382,6 @@ class ImuLowPassFilter(Command[R]):
             return (ImuLowPassFilterResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ImuLowPassFilter[R], int]:
-        target_descriptor: int | None = None
-        enable: bool | None = None
-        manual: bool | None = None
-        frequency: int | None = None
-        reserved: int | None = None
-        v = _IMU_LOW_PASS_FILTER_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _IMU_LOW_PASS_FILTER_1.read(raw, at)
-            at += 1
-            target_descriptor = v[0]
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _IMU_LOW_PASS_FILTER_2.read(raw, at)
-            at += 1
-            enable = codec.truth(v[0])
-            done, end = 2, at
-            if at == len(raw) and required < 3:
-                raise Truncated(1, 0)
-            v = _IMU_LOW_PASS_FILTER_3.read(raw, at)
-            at += 1
-            manual = codec.truth(v[0])
-            done, end = 3, at
-            if at == len(raw) and required < 4:
-                raise Truncated(1, 0)
-            v = _IMU_LOW_PASS_FILTER_4.read(raw, at)
-            at += 2
-            frequency = v[0]
-            done, end = 4, at
-            if at == len(raw) and required < 5:
-                raise Truncated(1, 0)
-            v = _IMU_LOW_PASS_FILTER_5.read(raw, at)
-            at += 1
-            reserved = v[0]
-            done, end = 5, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, target_descriptor, enable, manual, frequency, reserved), at
-
-    def _write(self) -> bytes:
-        out = _IMU_LOW_PASS_FILTER_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _IMU_LOW_PASS_FILTER_GROUPS)
-        if there >= 1:
-            out += _IMU_LOW_PASS_FILTER_1.write(self.target_descriptor)
-        if there >= 2:
-            out += _IMU_LOW_PASS_FILTER_2.write(self.enable)
-        if there >= 3:
-            out += _IMU_LOW_PASS_FILTER_3.write(self.manual)
-        if there >= 4:
-            out += _IMU_LOW_PASS_FILTER_4.write(self.frequency)
-        if there >= 5:
-            out += _IMU_LOW_PASS_FILTER_5.write(self.reserved)
-        return codec.finished(out)
-
-
-_COMPLEMENTARY_FILTER_0 = codec.Block("B", "function")
-_COMPLEMENTARY_FILTER_1 = codec.Block("B", "pitch_roll_enable")
-_COMPLEMENTARY_FILTER_2 = codec.Block("B", "heading_enable")
-_COMPLEMENTARY_FILTER_3 = codec.Block("f", "pitch_roll_time_constant")
-_COMPLEMENTARY_FILTER_4 = codec.Block("f", "heading_time_constant")
-_COMPLEMENTARY_FILTER_GROUPS = (
-    (1, ("pitch_roll_enable",), False),
-    (2, ("heading_enable",), False),
-    (3, ("pitch_roll_time_constant",), False),
-    (4, ("heading_time_constant",), False),
-)
-
 
 class ComplementaryFilter(Command[R]):
     """Complementary Filter Configuration (0x0C,0x51).
@@ -10770,11 +7392,7 @@ class ComplementaryFilter(Command[R]):
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `ComplementaryFilterResponse`. Changes `sensor.CompOrientationMatrix`, `sensor.CompQuaternion`
     and `sensor.CompEulerAngles`. Probably changes `sensor.NorthVector` and `sensor.UpVector`.
-    Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35. Probably supported by
-    3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
-    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35,
-    3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR,
-    3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25 and 3DM-GX5-45.
+    Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35.
 
     Pitch and roll follow the accelerometers, on the assumption that the mean acceleration is zero.
     The heading follows the magnetometer, if the device has one. The device rejects time constants
@@ -10807,6 +7425,14 @@ class ComplementaryFilter(Command[R]):
     ROLE = "command"
     RESPONSES = (ComplementaryFilterResponse,)
     REQUIRED = {1: 4, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("pitch_roll_enable", "B", codec.truth),
+        ("heading_enable", "B", codec.truth),
+        ("pitch_roll_time_constant", "f", None),
+        ("heading_time_constant", "f", None),
+    )
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -10890,74 +7516,6 @@ class ComplementaryFilter(Command[R]):
             return (ComplementaryFilterResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ComplementaryFilter[R], int]:
-        pitch_roll_enable: bool | None = None
-        heading_enable: bool | None = None
-        pitch_roll_time_constant: float | None = None
-        heading_time_constant: float | None = None
-        v = _COMPLEMENTARY_FILTER_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _COMPLEMENTARY_FILTER_1.read(raw, at)
-            at += 1
-            pitch_roll_enable = codec.truth(v[0])
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _COMPLEMENTARY_FILTER_2.read(raw, at)
-            at += 1
-            heading_enable = codec.truth(v[0])
-            done, end = 2, at
-            if at == len(raw) and required < 3:
-                raise Truncated(1, 0)
-            v = _COMPLEMENTARY_FILTER_3.read(raw, at)
-            at += 4
-            pitch_roll_time_constant = v[0]
-            done, end = 3, at
-            if at == len(raw) and required < 4:
-                raise Truncated(1, 0)
-            v = _COMPLEMENTARY_FILTER_4.read(raw, at)
-            at += 4
-            heading_time_constant = v[0]
-            done, end = 4, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(
-            function,
-            pitch_roll_enable,
-            heading_enable,
-            pitch_roll_time_constant,
-            heading_time_constant,
-        ), at
-
-    def _write(self) -> bytes:
-        out = _COMPLEMENTARY_FILTER_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _COMPLEMENTARY_FILTER_GROUPS)
-        if there >= 1:
-            out += _COMPLEMENTARY_FILTER_1.write(self.pitch_roll_enable)
-        if there >= 2:
-            out += _COMPLEMENTARY_FILTER_2.write(self.heading_enable)
-        if there >= 3:
-            out += _COMPLEMENTARY_FILTER_3.write(self.pitch_roll_time_constant)
-        if there >= 4:
-            out += _COMPLEMENTARY_FILTER_4.write(self.heading_time_constant)
-        return codec.finished(out)
-
-
-_SENSOR_RANGE_0 = codec.Block("B", "function")
-_SENSOR_RANGE_1 = codec.Block("B", "sensor")
-_SENSOR_RANGE_2 = codec.Block("B", "setting")
-_SENSOR_RANGE_GROUPS = ((1, ("sensor",), False), (2, ("setting",), False))
-
 
 class SensorRange(Command[R]):
     """Sensor Range (0x0C,0x52).
@@ -10966,9 +7524,7 @@ class SensorRange(Command[R]):
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `SensorRangeResponse`.
     Probably changes `sensor.ScaledAccel`, `sensor.ScaledGyro` and `sensor.OverrangeStatus`.
-    Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS,
-    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
-    3DM-GV7-INS.
+    Supported by 3DM-CV7-GNSS/INS.
 
     `GetCalibratedSensorRanges` lists the settings. The device may reject other settings, or measure
     incorrectly with them.
@@ -10986,6 +7542,12 @@ class SensorRange(Command[R]):
     ROLE = "command"
     RESPONSES = (SensorRangeResponse,)
     REQUIRED = {1: 2, 2: 1, 3: 1, 4: 1, 5: 1}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("sensor", "B", SensorRangeType),
+        ("setting", "B", None),
+    )
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -11039,47 +7601,6 @@ class SensorRange(Command[R]):
             return (SensorRangeResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SensorRange[R], int]:
-        sensor: SensorRangeType | None = None
-        setting: int | None = None
-        v = _SENSOR_RANGE_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _SENSOR_RANGE_1.read(raw, at)
-            at += 1
-            sensor = SensorRangeType(v[0])
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _SENSOR_RANGE_2.read(raw, at)
-            at += 1
-            setting = v[0]
-            done, end = 2, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, sensor, setting), at
-
-    def _write(self) -> bytes:
-        out = _SENSOR_RANGE_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _SENSOR_RANGE_GROUPS)
-        if there >= 1:
-            out += _SENSOR_RANGE_1.write(self.sensor)
-        if there >= 2:
-            out += _SENSOR_RANGE_2.write(self.setting)
-        return codec.finished(out)
-
-
-_GET_CALIBRATED_SENSOR_RANGES_0 = codec.Block("B", "sensor")
-
 
 class GetCalibratedSensorRanges(Command[GetCalibratedSensorRangesResponse]):
     """Get Calibrated Sensor Ranges (0x0C,0x53).
@@ -11087,9 +7608,7 @@ class GetCalibratedSensorRanges(Command[GetCalibratedSensorRangesResponse]):
     Gets the ranges that a sensor supports.
 
     Also called `calibrated_sensor_ranges`. Answered by `GetCalibratedSensorRangesResponse`.
-    Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS,
-    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
-    3DM-GV7-INS.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53)
     """
@@ -11111,32 +7630,6 @@ class GetCalibratedSensorRanges(Command[GetCalibratedSensorRangesResponse]):
     def __init__(self, sensor: SensorRangeType) -> None:
         self.sensor = sensor
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetCalibratedSensorRanges, int]:
-        v = _GET_CALIBRATED_SENSOR_RANGES_0.read(raw, at)
-        at += 1
-        sensor = SensorRangeType(v[0])
-        return cls(sensor), at
-
-    def _write(self) -> bytes:
-        out = _GET_CALIBRATED_SENSOR_RANGES_0.write(self.sensor)
-        return codec.finished(out)
-
-
-_LOW_PASS_FILTER_0 = codec.Block("B", "function")
-_LOW_PASS_FILTER_1 = codec.Block("B", "descriptor_set")
-_LOW_PASS_FILTER_2 = codec.Block("B", "field_descriptor")
-_LOW_PASS_FILTER_3 = codec.Block("B", "enable")
-_LOW_PASS_FILTER_4 = codec.Block("B", "manual")
-_LOW_PASS_FILTER_5 = codec.Block("f", "frequency")
-_LOW_PASS_FILTER_GROUPS = (
-    (1, ("descriptor_set",), False),
-    (2, ("field_descriptor",), False),
-    (3, ("enable",), False),
-    (4, ("manual",), False),
-    (5, ("frequency",), False),
-)
-
 
 class LowPassFilter(Command[R]):
     """Low-Pass Anti-Aliasing Filter (0x0C,0x54).
@@ -11147,10 +7640,8 @@ class LowPassFilter(Command[R]):
     by `LowPassFilterResponse`. Changes `sensor.ScaledAccel`, `sensor.ScaledGyro`,
     `sensor.ScaledMag`, `sensor.ScaledPressure`, `filter_data.CompAccel`,
     `filter_data.CompAngularRate` and `filter_data.LinearAccel`. Supported by 3DM-CV7-AHRS,
-    3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-INS,
-    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS. On the
-    3DM-CV7-AHRS: firmware > 1.0.07. On the 3DM-CV7-AR: firmware > 1.0.07. On the 3DM-GQ7-GNSS/INS:
-    firmware > 1.0.10.
+    3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. On the 3DM-CV7-AHRS: firmware > 1.0.07. On
+    the 3DM-CV7-AR: firmware > 1.0.07. On the 3DM-GQ7-GNSS/INS: firmware > 1.0.10.
 
     Except for read, a field descriptor of 0 means all fields of the set; if both are 0, all sets
     are meant.
@@ -11175,6 +7666,15 @@ class LowPassFilter(Command[R]):
     ROLE = "command"
     RESPONSES = (LowPassFilterResponse,)
     REQUIRED = {1: 5, 2: 2, 3: 2, 4: 2, 5: 2}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("descriptor_set", "B", None),
+        ("field_descriptor", "B", None),
+        ("enable", "B", codec.truth),
+        ("manual", "B", codec.truth),
+        ("frequency", "f", None),
+    )
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -11272,89 +7772,17 @@ class LowPassFilter(Command[R]):
             return (LowPassFilterResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[LowPassFilter[R], int]:
-        descriptor_set: int | None = None
-        field_descriptor: int | None = None
-        enable: bool | None = None
-        manual: bool | None = None
-        frequency: float | None = None
-        v = _LOW_PASS_FILTER_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _LOW_PASS_FILTER_1.read(raw, at)
-            at += 1
-            descriptor_set = v[0]
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _LOW_PASS_FILTER_2.read(raw, at)
-            at += 1
-            field_descriptor = v[0]
-            done, end = 2, at
-            if at == len(raw) and required < 3:
-                raise Truncated(1, 0)
-            v = _LOW_PASS_FILTER_3.read(raw, at)
-            at += 1
-            enable = codec.truth(v[0])
-            done, end = 3, at
-            if at == len(raw) and required < 4:
-                raise Truncated(1, 0)
-            v = _LOW_PASS_FILTER_4.read(raw, at)
-            at += 1
-            manual = codec.truth(v[0])
-            done, end = 4, at
-            if at == len(raw) and required < 5:
-                raise Truncated(1, 0)
-            v = _LOW_PASS_FILTER_5.read(raw, at)
-            at += 4
-            frequency = v[0]
-            done, end = 5, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, descriptor_set, field_descriptor, enable, manual, frequency), at
-
-    def _write(self) -> bytes:
-        out = _LOW_PASS_FILTER_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _LOW_PASS_FILTER_GROUPS)
-        if there >= 1:
-            out += _LOW_PASS_FILTER_1.write(self.descriptor_set)
-        if there >= 2:
-            out += _LOW_PASS_FILTER_2.write(self.field_descriptor)
-        if there >= 3:
-            out += _LOW_PASS_FILTER_3.write(self.enable)
-        if there >= 4:
-            out += _LOW_PASS_FILTER_4.write(self.manual)
-        if there >= 5:
-            out += _LOW_PASS_FILTER_5.write(self.frequency)
-        return codec.finished(out)
-
-
-_DATA_STREAM_FORMAT_0 = codec.Block("B", "function")
-_DATA_STREAM_FORMAT_1 = codec.Block("B", "stream")
-_DATA_STREAM_FORMAT_2 = codec.Block("B", "format")
-_DATA_STREAM_FORMAT_GROUPS = ((1, ("stream",), False), (2, ("format",), False))
-
 
 class DataStreamFormat(Command[R]):
     """Data stream format (0x0C,0x60).
 
     Selects MIP data or the raw data of a sensor for a stream.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `DataStreamFormatResponse`. Probably supported by 3DM-GX3-35. Known only from the MIP SDK of
-    2014 and MicroStrain Communication Library. Uncertain: Which devices have it. A comment in the
-    SDK of 2014 restricts it to the 3DM-GX3-35. Uncertain: Whether functions other than write
-    require `format`. The SDK of 2014 sends both parameters with every function, and a 0 in place of
-    `format`.
+    No device is certain to support it. Functions: `write`, `read`, `save`, `load` and `default`.
+    Answered by `DataStreamFormatResponse`. Known only from the MIP SDK of 2014 and MicroStrain
+    Communication Library. Uncertain: Which devices have it. A comment in the SDK of 2014 restricts
+    it to the 3DM-GX3-35. Uncertain: Whether functions other than write require `format`. The SDK of
+    2014 sends both parameters with every function, and a 0 in place of `format`.
 
     In the wrapped format, packets of the sensor arrive in fields of the data sets: `sensor.aspp`
     and `sensor.gxsb` for the IMU, `gnss_data.nmea` and `gnss_data.ubx` for the receiver.
@@ -11373,6 +7801,12 @@ class DataStreamFormat(Command[R]):
     ROLE = "command"
     RESPONSES = (DataStreamFormatResponse,)
     REQUIRED = {1: 2, 2: 2, 3: 2, 4: 2, 5: 2}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("stream", "B", InternalSensor),
+        ("format", "B", StreamFormat),
+    )
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -11432,63 +7866,19 @@ class DataStreamFormat(Command[R]):
             return (DataStreamFormatResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[DataStreamFormat[R], int]:
-        stream: InternalSensor | None = None
-        format: StreamFormat | None = None
-        v = _DATA_STREAM_FORMAT_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _DATA_STREAM_FORMAT_1.read(raw, at)
-            at += 1
-            stream = InternalSensor(v[0])
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _DATA_STREAM_FORMAT_2.read(raw, at)
-            at += 1
-            format = StreamFormat(v[0])
-            done, end = 2, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, stream, format), at
-
-    def _write(self) -> bytes:
-        out = _DATA_STREAM_FORMAT_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _DATA_STREAM_FORMAT_GROUPS)
-        if there >= 1:
-            out += _DATA_STREAM_FORMAT_1.write(self.stream)
-        if there >= 2:
-            out += _DATA_STREAM_FORMAT_2.write(self.format)
-        return codec.finished(out)
-
-
-_DEVICE_POWER_STATE_0 = codec.Block("B", "function")
-_DEVICE_POWER_STATE_1 = codec.Block("B", "device")
-_DEVICE_POWER_STATE_2 = codec.Block("B", "state")
-_DEVICE_POWER_STATE_GROUPS = ((1, ("device",), False), (2, ("state",), False))
-
 
 class DevicePowerState(Command[R]):
     """Device power state (0x0C,0x61).
 
     Sets the power state of an internal sensor.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `DevicePowerStateResponse`. The device may take 5 s to answer. Probably supported by 3DM-GX3-15,
-    3DM-GX3-25 and 3DM-GX3-35. Known only from the MIP SDK of 2014 and MicroStrain Communication
-    Library. Uncertain: Which devices have it. A comment in the SDK of 2014 names the 3DM-GX3-25 and
-    the 3DM-GX3-35. Uncertain: The time-out. The SDK of 2014 uses a longer one than usual; 5 s is
-    assumed. Uncertain: Whether `state` may be left out with functions other than write. The SDK of
-    2014 sends `device` with every function, and a 0 in place of `state`.
+    No device is certain to support it. Functions: `write`, `read`, `save`, `load` and `default`.
+    Answered by `DevicePowerStateResponse`. The device may take 5 s to answer. Known only from the
+    MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: Which devices have it. A
+    comment in the SDK of 2014 names the 3DM-GX3-25 and the 3DM-GX3-35. Uncertain: The time-out. The
+    SDK of 2014 uses a longer one than usual; 5 s is assumed. Uncertain: Whether `state` may be left
+    out with functions other than write. The SDK of 2014 sends `device` with every function, and a 0
+    in place of `state`.
 
     - mip-sdk-2014: Device power state (0x0C,0x61)
     - mscl: Device power state (0x0C,0x61)
@@ -11505,6 +7895,12 @@ class DevicePowerState(Command[R]):
     RESPONSES = (DevicePowerStateResponse,)
     REQUIRED = {1: 2, 2: 1, 3: 1, 4: 1, 5: 1}
     TIMEOUT = 5.0
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("device", "B", InternalSensor),
+        ("state", "B", SensorPowerState),
+    )
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -11560,54 +7956,13 @@ class DevicePowerState(Command[R]):
             return (DevicePowerStateResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[DevicePowerState[R], int]:
-        device: InternalSensor | None = None
-        state: SensorPowerState | None = None
-        v = _DEVICE_POWER_STATE_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _DEVICE_POWER_STATE_1.read(raw, at)
-            at += 1
-            device = InternalSensor(v[0])
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _DEVICE_POWER_STATE_2.read(raw, at)
-            at += 1
-            state = SensorPowerState(v[0])
-            done, end = 2, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, device, state), at
-
-    def _write(self) -> bytes:
-        out = _DEVICE_POWER_STATE_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _DEVICE_POWER_STATE_GROUPS)
-        if there >= 1:
-            out += _DEVICE_POWER_STATE_1.write(self.device)
-        if there >= 2:
-            out += _DEVICE_POWER_STATE_2.write(self.state)
-        return codec.finished(out)
-
-
-_GPS_ADVANCED_SETTINGS_0 = codec.Block("B", "function")
-
 
 class GpsAdvancedSettings(Command[None]):
     """GPS advanced settings (0x0C,0x62).
 
     Saves, loads or resets the settings of the GNSS receiver that were made in direct mode.
 
-    For advanced use. Functions: `save`, `load` and `default`. Probably supported by 3DM-GX3-35.
+    No device is certain to support it. For advanced use. Functions: `save`, `load` and `default`.
     Known only from the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: Which
     devices have it. A comment in the SDK of 2014 names the 3DM-GX3-35.
 
@@ -11627,6 +7982,7 @@ class GpsAdvancedSettings(Command[None]):
     NAME = "3dm.gps_advanced_settings"
     ROLE = "command"
     REQUIRED = {3: 0, 4: 0, 5: 0}
+    _LAYOUT = (("function", "B", FunctionSelector),)
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -11648,20 +8004,6 @@ class GpsAdvancedSettings(Command[None]):
     def default(cls) -> GpsAdvancedSettings:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GpsAdvancedSettings, int]:
-        v = _GPS_ADVANCED_SETTINGS_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        return cls(function), at
-
-    def _write(self) -> bytes:
-        out = _GPS_ADVANCED_SETTINGS_0.write(self.function)
-        return codec.finished(out)
-
-
-_DEVICE_STATUS_0 = codec.Block("HB", "model_number", "status_selector")
 
 
 class DeviceStatus(
@@ -11692,10 +8034,7 @@ class DeviceStatus(
     `DeviceStatusDiagnosticImuResponse`, `DeviceStatusDiagnosticGx4ImuResponse`,
     `DeviceStatusDiagnosticRq1ImuResponse`, `DeviceStatusBasicGx3Response` or
     `DeviceStatusDiagnosticGx3Response`. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
-    3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15,
-    3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
-    3DM-CX5-35, 3DM-CX5-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25,
-    3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-10, 3DM-GX5-25 and 3DM-RQ1-IMU.
+    3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     The device expects its own model number, which `base.GetDeviceInfo` returns. Families of devices
     answer in different layouts. The selector and the length distinguish them.
@@ -11767,18 +8106,6 @@ class DeviceStatus(
                 DeviceStatusDiagnosticGx3Response,
             )
         return ()
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[DeviceStatus, int]:
-        v = _DEVICE_STATUS_0.read(raw, at)
-        at += 3
-        model_number = v[0]
-        status_selector = DeviceStatusSelector(v[1])
-        return cls(model_number, status_selector), at
-
-    def _write(self) -> bytes:
-        out = _DEVICE_STATUS_0.write(self.model_number, self.status_selector)
-        return codec.finished(out)
 
 
 ImuMessageFormatResponse.COMMANDS = (ImuMessageFormat,)

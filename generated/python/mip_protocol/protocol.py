@@ -31,9 +31,6 @@ class FunctionSelector(codec.OpenEnum):
     """Apply the new setting and send no acknowledge (5-series devices)."""
 
 
-_ACKNOWLEDGE_0 = codec.Block("BB", "command", "code")
-
-
 class Acknowledge(Shared, Response):
     """Acknowledge (0x00,0xF1).
 
@@ -61,18 +58,6 @@ class Acknowledge(Shared, Response):
     def __init__(self, command: int, code: types.AckCode) -> None:
         self.command = command
         self.code = code
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[Acknowledge, int]:
-        v = _ACKNOWLEDGE_0.read(raw, at)
-        at += 2
-        command = v[0]
-        code = types.AckCode(v[1])
-        return cls(command, code), at
-
-    def _write(self) -> bytes:
-        out = _ACKNOWLEDGE_0.write(self.command, self.code)
-        return codec.finished(out)
 
 
 __all__ = ["VERSION", "AckCode", "Acknowledge", "FunctionSelector"]

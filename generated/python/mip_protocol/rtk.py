@@ -14,8 +14,7 @@ from collections.abc import Sequence
 from enum import IntFlag
 from typing import Any
 
-from . import codec, types
-from .errors import Truncated
+from . import codec, types, wire
 from .field import ClassOf, Command, Field, R, Response, ResponseClasses
 from .protocol import FunctionSelector
 
@@ -71,14 +70,11 @@ class LedAction(codec.OpenEnum):
     """Pulsating."""
 
 
-_GET_STATUS_FLAGS_RESPONSE_0 = codec.Block("I", "flags")
-
-
 class GetStatusFlagsResponse(Response):
     """Get status flags response (0x0F,0x81).
 
-    Answers `GetStatusFlags`. Probably supported by 3DM-RTK. Known only from the MicroStrain MIP
-    SDK.
+    No device is certain to support it. Answers `GetStatusFlags`. Known only from the MicroStrain
+    MIP SDK.
 
     - mip-sdk-4: Get status flags (0x0F,0x01)
     """
@@ -99,17 +95,6 @@ class GetStatusFlagsResponse(Response):
     def __init__(self, flags: types.RtkStatusFlags) -> None:
         self.flags = flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetStatusFlagsResponse, int]:
-        v = _GET_STATUS_FLAGS_RESPONSE_0.read(raw, at)
-        at += 4
-        flags = types.RtkStatusFlags(v[0])
-        return cls(flags), at
-
-    def _write(self) -> bytes:
-        out = _GET_STATUS_FLAGS_RESPONSE_0.write(self.flags)
-        return codec.finished(out)
-
 
 class GetImeiResponse(Response):
     """Get IMEI response (0x0F,0x82).
@@ -127,22 +112,13 @@ class GetImeiResponse(Response):
     DESCRIPTOR = 0x82
     NAME = "rtk.get_imei_response"
     ROLE = "response"
+    _LAYOUT = (("imei", "", wire.Text(32, 32)),)
 
     imei: str
     """International mobile equipment identity."""
 
     def __init__(self, imei: str) -> None:
         self.imei = imei
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetImeiResponse, int]:
-        imei = codec.take(raw, at, 32).decode("latin-1")
-        at += 32
-        return cls(imei), at
-
-    def _write(self) -> bytes:
-        out = codec.padded("imei", self.imei, 32)
-        return codec.finished(out)
 
 
 class GetImsiResponse(Response):
@@ -161,22 +137,13 @@ class GetImsiResponse(Response):
     DESCRIPTOR = 0x83
     NAME = "rtk.get_imsi_response"
     ROLE = "response"
+    _LAYOUT = (("imsi", "", wire.Text(32, 32)),)
 
     imsi: str
     """International mobile subscriber identity."""
 
     def __init__(self, imsi: str) -> None:
         self.imsi = imsi
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetImsiResponse, int]:
-        imsi = codec.take(raw, at, 32).decode("latin-1")
-        at += 32
-        return cls(imsi), at
-
-    def _write(self) -> bytes:
-        out = codec.padded("imsi", self.imsi, 32)
-        return codec.finished(out)
 
 
 class GetIccidResponse(Response):
@@ -195,25 +162,13 @@ class GetIccidResponse(Response):
     DESCRIPTOR = 0x84
     NAME = "rtk.get_iccid_response"
     ROLE = "response"
+    _LAYOUT = (("iccid", "", wire.Text(32, 32)),)
 
     iccid: str
     """Number of the SIM card."""
 
     def __init__(self, iccid: str) -> None:
         self.iccid = iccid
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetIccidResponse, int]:
-        iccid = codec.take(raw, at, 32).decode("latin-1")
-        at += 32
-        return cls(iccid), at
-
-    def _write(self) -> bytes:
-        out = codec.padded("iccid", self.iccid, 32)
-        return codec.finished(out)
-
-
-_GET_RSSI_RESPONSE_0 = codec.Block("Bii", "valid", "rssi", "signal_quality")
 
 
 class GetRssiResponse(Response):
@@ -247,22 +202,6 @@ class GetRssiResponse(Response):
         self.rssi = rssi
         self.signal_quality = signal_quality
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetRssiResponse, int]:
-        v = _GET_RSSI_RESPONSE_0.read(raw, at)
-        at += 9
-        valid = codec.truth(v[0])
-        rssi = v[1]
-        signal_quality = v[2]
-        return cls(valid, rssi, signal_quality), at
-
-    def _write(self) -> bytes:
-        out = _GET_RSSI_RESPONSE_0.write(self.valid, self.rssi, self.signal_quality)
-        return codec.finished(out)
-
-
-_CONNECTED_DEVICE_TYPE_RESPONSE_0 = codec.Block("B", "device_type")
-
 
 class ConnectedDeviceTypeResponse(Response):
     """Connected device type response (0x0F,0x86).
@@ -288,23 +227,12 @@ class ConnectedDeviceTypeResponse(Response):
     def __init__(self, device_type: ConnectedDevice) -> None:
         self.device_type = device_type
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ConnectedDeviceTypeResponse, int]:
-        v = _CONNECTED_DEVICE_TYPE_RESPONSE_0.read(raw, at)
-        at += 1
-        device_type = ConnectedDevice(v[0])
-        return cls(device_type), at
-
-    def _write(self) -> bytes:
-        out = _CONNECTED_DEVICE_TYPE_RESPONSE_0.write(self.device_type)
-        return codec.finished(out)
-
 
 class GetActivationCodeResponse(Response):
     """Get activation code response (0x0F,0x87).
 
-    Also called `get_act_code_response`. Answers `GetActivationCode`. Probably supported by 3DM-RTK.
-    Known only from the MicroStrain MIP SDK.
+    No device is certain to support it. Also called `get_act_code_response`. Answers
+    `GetActivationCode`. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Get Act Code (0x0F,0x07)
     """
@@ -317,22 +245,13 @@ class GetActivationCodeResponse(Response):
     DESCRIPTOR = 0x87
     NAME = "rtk.get_activation_code_response"
     ROLE = "response"
+    _LAYOUT = (("activation_code", "", wire.Text(32, 32)),)
 
     activation_code: str
     """Code with which the modem is activated for its service."""
 
     def __init__(self, activation_code: str) -> None:
         self.activation_code = activation_code
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetActivationCodeResponse, int]:
-        activation_code = codec.take(raw, at, 32).decode("latin-1")
-        at += 32
-        return cls(activation_code), at
-
-    def _write(self) -> bytes:
-        out = codec.padded("activation_code", self.activation_code, 32)
-        return codec.finished(out)
 
 
 class GetModemFirmwareVersionResponse(Response):
@@ -351,27 +270,13 @@ class GetModemFirmwareVersionResponse(Response):
     DESCRIPTOR = 0x88
     NAME = "rtk.get_modem_firmware_version_response"
     ROLE = "response"
+    _LAYOUT = (("modem_firmware_version", "", wire.Text(32, 32)),)
 
     modem_firmware_version: str
     """Firmware version of the modem, not of the dongle."""
 
     def __init__(self, modem_firmware_version: str) -> None:
         self.modem_firmware_version = modem_firmware_version
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetModemFirmwareVersionResponse, int]:
-        modem_firmware_version = codec.take(raw, at, 32).decode("latin-1")
-        at += 32
-        return cls(modem_firmware_version), at
-
-    def _write(self) -> bytes:
-        out = codec.padded("modem_firmware_version", self.modem_firmware_version, 32)
-        return codec.finished(out)
-
-
-_SERVICE_STATUS_RESPONSE_0 = codec.Block(
-    "BIIQ", "flags", "received_bytes", "last_bytes", "last_bytes_time"
-)
 
 
 class ServiceStatusResponse(Response):
@@ -417,31 +322,14 @@ class ServiceStatusResponse(Response):
         self.last_bytes = last_bytes
         self.last_bytes_time = last_bytes_time
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ServiceStatusResponse, int]:
-        v = _SERVICE_STATUS_RESPONSE_0.read(raw, at)
-        at += 17
-        flags = ServiceFlags(v[0])
-        received_bytes = v[1]
-        last_bytes = v[2]
-        last_bytes_time = v[3]
-        return cls(flags, received_bytes, last_bytes, last_bytes_time), at
-
-    def _write(self) -> bytes:
-        out = _SERVICE_STATUS_RESPONSE_0.write(
-            self.flags, self.received_bytes, self.last_bytes, self.last_bytes_time
-        )
-        return codec.finished(out)
-
 
 class GetStatusFlags(Command[GetStatusFlagsResponse]):
     """Get status flags (0x0F,0x01).
 
     Gets the state of the modem and of the corrections.
 
-    Answered by `GetStatusFlagsResponse`. Flagged by
-    `types.Gq7ContinuousBuiltInTest.RTK_DONGLE_FAULT` of `types.Gq7ContinuousBuiltInTest`. Probably
-    supported by 3DM-RTK. Known only from the MicroStrain MIP SDK.
+    No device is certain to support it. Answered by `GetStatusFlagsResponse`. Known only from the
+    MicroStrain MIP SDK.
 
     The word of the response has two forms, `types.RtkStatusFlags` and `types.RtkStatusFlagsLegacy`.
 
@@ -456,13 +344,6 @@ class GetStatusFlags(Command[GetStatusFlagsResponse]):
     NAME = "rtk.get_status_flags"
     ROLE = "command"
     RESPONSES = (GetStatusFlagsResponse,)
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetStatusFlags, int]:
-        return cls(), at
-
-    def _write(self) -> bytes:
-        return b""
 
 
 class GetImei(Command[GetImeiResponse]):
@@ -485,13 +366,6 @@ class GetImei(Command[GetImeiResponse]):
     ROLE = "command"
     RESPONSES = (GetImeiResponse,)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetImei, int]:
-        return cls(), at
-
-    def _write(self) -> bytes:
-        return b""
-
 
 class GetImsi(Command[GetImsiResponse]):
     """Get IMSI (0x0F,0x03).
@@ -512,13 +386,6 @@ class GetImsi(Command[GetImsiResponse]):
     NAME = "rtk.get_imsi"
     ROLE = "command"
     RESPONSES = (GetImsiResponse,)
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetImsi, int]:
-        return cls(), at
-
-    def _write(self) -> bytes:
-        return b""
 
 
 class GetIccid(Command[GetIccidResponse]):
@@ -541,13 +408,6 @@ class GetIccid(Command[GetIccidResponse]):
     ROLE = "command"
     RESPONSES = (GetIccidResponse,)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetIccid, int]:
-        return cls(), at
-
-    def _write(self) -> bytes:
-        return b""
-
 
 class GetRssi(Command[GetRssiResponse]):
     """Get RSSI (0x0F,0x05).
@@ -568,18 +428,6 @@ class GetRssi(Command[GetRssiResponse]):
     NAME = "rtk.get_rssi"
     ROLE = "command"
     RESPONSES = (GetRssiResponse,)
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetRssi, int]:
-        return cls(), at
-
-    def _write(self) -> bytes:
-        return b""
-
-
-_CONNECTED_DEVICE_TYPE_0 = codec.Block("B", "function")
-_CONNECTED_DEVICE_TYPE_1 = codec.Block("B", "device_type")
-_CONNECTED_DEVICE_TYPE_GROUPS = ((1, ("device_type",), False),)
 
 
 class ConnectedDeviceType(Command[R]):
@@ -604,6 +452,8 @@ class ConnectedDeviceType(Command[R]):
     ROLE = "command"
     RESPONSES = (ConnectedDeviceTypeResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (("function", "B", FunctionSelector), ("device_type", "B", ConnectedDevice))
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -651,43 +501,14 @@ class ConnectedDeviceType(Command[R]):
             return (ConnectedDeviceTypeResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ConnectedDeviceType[R], int]:
-        device_type: ConnectedDevice | None = None
-        v = _CONNECTED_DEVICE_TYPE_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _CONNECTED_DEVICE_TYPE_1.read(raw, at)
-            at += 1
-            device_type = ConnectedDevice(v[0])
-            done, end = 1, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, device_type), at
-
-    def _write(self) -> bytes:
-        out = _CONNECTED_DEVICE_TYPE_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _CONNECTED_DEVICE_TYPE_GROUPS)
-        if there >= 1:
-            out += _CONNECTED_DEVICE_TYPE_1.write(self.device_type)
-        return codec.finished(out)
-
 
 class GetActivationCode(Command[GetActivationCodeResponse]):
     """Get activation code (0x0F,0x07).
 
     Reads the code with which the modem is activated for its service.
 
-    Also called `get_act_code`. Answered by `GetActivationCodeResponse`. Probably supported by
-    3DM-RTK. Known only from the MicroStrain MIP SDK.
+    No device is certain to support it. Also called `get_act_code`. Answered by
+    `GetActivationCodeResponse`. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Get Act Code (0x0F,0x07)
     """
@@ -700,13 +521,6 @@ class GetActivationCode(Command[GetActivationCodeResponse]):
     NAME = "rtk.get_activation_code"
     ROLE = "command"
     RESPONSES = (GetActivationCodeResponse,)
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetActivationCode, int]:
-        return cls(), at
-
-    def _write(self) -> bytes:
-        return b""
 
 
 class GetModemFirmwareVersion(Command[GetModemFirmwareVersionResponse]):
@@ -728,16 +542,6 @@ class GetModemFirmwareVersion(Command[GetModemFirmwareVersionResponse]):
     NAME = "rtk.get_modem_firmware_version"
     ROLE = "command"
     RESPONSES = (GetModemFirmwareVersionResponse,)
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetModemFirmwareVersion, int]:
-        return cls(), at
-
-    def _write(self) -> bytes:
-        return b""
-
-
-_SERVICE_STATUS_0 = codec.Block("II", "reserved1", "reserved2")
 
 
 class ServiceStatus(Command[ServiceStatusResponse]):
@@ -773,21 +577,6 @@ class ServiceStatus(Command[ServiceStatusResponse]):
         self.reserved1 = reserved1
         self.reserved2 = reserved2
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ServiceStatus, int]:
-        v = _SERVICE_STATUS_0.read(raw, at)
-        at += 8
-        reserved1 = v[0]
-        reserved2 = v[1]
-        return cls(reserved1, reserved2), at
-
-    def _write(self) -> bytes:
-        out = _SERVICE_STATUS_0.write(self.reserved1, self.reserved2)
-        return codec.finished(out)
-
-
-_ERASE_STORAGE_0 = codec.Block("B", "media")
-
 
 class EraseStorage(Command[None]):
     """Erase storage (0x0F,0x20).
@@ -817,22 +606,6 @@ class EraseStorage(Command[None]):
 
     def __init__(self, media: StorageMedium) -> None:
         self.media = media
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EraseStorage, int]:
-        v = _ERASE_STORAGE_0.read(raw, at)
-        at += 1
-        media = StorageMedium(v[0])
-        return cls(media), at
-
-    def _write(self) -> bytes:
-        out = _ERASE_STORAGE_0.write(self.media)
-        return codec.finished(out)
-
-
-_LED_CONTROL_0 = codec.Block(
-    "BBBBBBBI", *["primary_color"] * 3, *["alternate_color"] * 3, "action", "period"
-)
 
 
 class LedControl(Command[None]):
@@ -883,25 +656,6 @@ class LedControl(Command[None]):
         self.action = action
         self.period = period
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[LedControl, int]:
-        v = _LED_CONTROL_0.read(raw, at)
-        at += 11
-        primary_color = v[0:3]
-        alternate_color = v[3:6]
-        action = LedAction(v[6])
-        period = v[7]
-        return cls(primary_color, alternate_color, action, period), at
-
-    def _write(self) -> bytes:
-        out = _LED_CONTROL_0.write(
-            *codec.exactly("primary_color", self.primary_color, 3),
-            *codec.exactly("alternate_color", self.alternate_color, 3),
-            self.action,
-            self.period,
-        )
-        return codec.finished(out)
-
 
 class ModemHardReset(Command[None]):
     """Modem hard reset (0x0F,0x22).
@@ -922,13 +676,6 @@ class ModemHardReset(Command[None]):
     DESCRIPTOR = 0x22
     NAME = "rtk.modem_hard_reset"
     ROLE = "command"
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ModemHardReset, int]:
-        return cls(), at
-
-    def _write(self) -> bytes:
-        return b""
 
 
 GetStatusFlagsResponse.COMMANDS = (GetStatusFlags,)

@@ -49,16 +49,12 @@ class OdometerFlags(IntFlag):
     """Set if an odometer is configured; its values are then valid. Bit 0."""
 
 
-_RAW_ACCEL_0 = codec.Block("fff", *["raw_accel"] * 3)
-
-
 class RawAccel(Data):
     """Raw accel (0x80,0x01).
 
     Raw acceleration in counts of the sensor, temperature compensated.
 
-    Refused by 3DM-CV5-10, 3DM-GX5-15 and 3DM-GX5-45. Not listed in any device profile. Known only
-    from the MIP SDK of 2014 and MicroStrain MIP SDK.
+    Not listed in any device profile. Known only from the MIP SDK of 2014 and MicroStrain MIP SDK.
 
     - mip-sdk-4: Raw accel (0x80,0x01)
     - mip-sdk-2014: Raw accel (0x80,0x01)
@@ -73,6 +69,7 @@ class RawAccel(Data):
     NAME = "sensor.raw_accel"
     ROLE = "data"
     _LAYOUT = (("raw_accel", "fff", types.Vector3f),)
+
     _VECTORS = {"raw_accel": (types.Vector3f,)}
 
     raw_accel: types.Vector3f
@@ -81,28 +78,13 @@ class RawAccel(Data):
     def __init__(self, raw_accel: types.Vector3f | codec.Numbers) -> None:
         self.raw_accel = codec.vector(raw_accel, types.Vector3f)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[RawAccel, int]:
-        v = _RAW_ACCEL_0.read(raw, at)
-        at += 12
-        raw_accel = types.Vector3f._make(v[0:3])
-        return cls(raw_accel), at
-
-    def _write(self) -> bytes:
-        out = _RAW_ACCEL_0.write(*codec.elements("raw_accel", self.raw_accel, 3))
-        return codec.finished(out)
-
-
-_RAW_GYRO_0 = codec.Block("fff", *["raw_gyro"] * 3)
-
 
 class RawGyro(Data):
     """Raw gyro (0x80,0x02).
 
     Raw angular rate in counts of the sensor, temperature compensated.
 
-    Refused by 3DM-GX5-15. Not listed in any device profile. Known only from the MIP SDK of 2014 and
-    MicroStrain MIP SDK.
+    Not listed in any device profile. Known only from the MIP SDK of 2014 and MicroStrain MIP SDK.
 
     - mip-sdk-4: Raw gyro (0x80,0x02)
     - mip-sdk-2014: Raw gyro (0x80,0x02)
@@ -117,6 +99,7 @@ class RawGyro(Data):
     NAME = "sensor.raw_gyro"
     ROLE = "data"
     _LAYOUT = (("raw_gyro", "fff", types.Vector3f),)
+
     _VECTORS = {"raw_gyro": (types.Vector3f,)}
 
     raw_gyro: types.Vector3f
@@ -124,20 +107,6 @@ class RawGyro(Data):
 
     def __init__(self, raw_gyro: types.Vector3f | codec.Numbers) -> None:
         self.raw_gyro = codec.vector(raw_gyro, types.Vector3f)
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[RawGyro, int]:
-        v = _RAW_GYRO_0.read(raw, at)
-        at += 12
-        raw_gyro = types.Vector3f._make(v[0:3])
-        return cls(raw_gyro), at
-
-    def _write(self) -> bytes:
-        out = _RAW_GYRO_0.write(*codec.elements("raw_gyro", self.raw_gyro, 3))
-        return codec.finished(out)
-
-
-_RAW_MAG_0 = codec.Block("fff", *["raw_mag"] * 3)
 
 
 class RawMag(Data):
@@ -160,6 +129,7 @@ class RawMag(Data):
     NAME = "sensor.raw_mag"
     ROLE = "data"
     _LAYOUT = (("raw_mag", "fff", types.Vector3f),)
+
     _VECTORS = {"raw_mag": (types.Vector3f,)}
 
     raw_mag: types.Vector3f
@@ -171,58 +141,14 @@ class RawMag(Data):
     def __init__(self, raw_mag: types.Vector3f | codec.Numbers) -> None:
         self.raw_mag = codec.vector(raw_mag, types.Vector3f)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[RawMag, int]:
-        v = _RAW_MAG_0.read(raw, at)
-        at += 12
-        raw_mag = types.Vector3f._make(v[0:3])
-        return cls(raw_mag), at
-
-    def _write(self) -> bytes:
-        out = _RAW_MAG_0.write(*codec.elements("raw_mag", self.raw_mag, 3))
-        return codec.finished(out)
-
-
-_SCALED_ACCEL_0 = codec.Block("fff", *["scaled_accel"] * 3)
-
 
 class ScaledAccel(Data):
     """Scaled accel (0x80,0x04).
 
     Specific force, temperature compensated: about -1 g on z when level and at rest.
 
-    Changed by `mip_3dm.SensorToVehicleTransformEuler`,
-    `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm`,
-    `mip_3dm.ImuSignalConditioning`, `mip_3dm.AccelBias`, `mip_3dm.ImuLowPassFilter`,
-    `mip_3dm.LowPassFilter`, `filter.SensorToVehicleRotationEuler`, `filter.TareOrientation`,
-    `filter.SensorToVehicleRotationDcm` and `filter.SensorToVehicleRotationQuaternion`. Probably
-    changed by `mip_3dm.SensorRange`. Flagged by `types.Cv7BuiltInTest.ACCEL_FAULT` of
-    `types.Cv7BuiltInTest`, `types.Cv7ContinuousBuiltInTest.IMU_CALIBRATION_ERROR_ACCEL` of
-    `types.Cv7ContinuousBuiltInTest`, `types.Cv7ContinuousBuiltInTest.ACCEL_GENERAL_FAULT` of
-    `types.Cv7ContinuousBuiltInTest`, `types.Cv7ContinuousBuiltInTest.ACCEL_OVER_RANGE` of
-    `types.Cv7ContinuousBuiltInTest`, `types.Cv7ContinuousBuiltInTest.ACCEL_SELF_TEST_FAIL` of
-    `types.Cv7ContinuousBuiltInTest`,
-    `types.Cv7InertialContinuousBuiltInTest.IMU_CALIBRATION_ERROR_ACCEL` of
-    `types.Cv7InertialContinuousBuiltInTest`,
-    `types.Cv7InertialContinuousBuiltInTest.ACCEL_GENERAL_FAULT` of
-    `types.Cv7InertialContinuousBuiltInTest`,
-    `types.Cv7InertialContinuousBuiltInTest.ACCEL_OVER_RANGE` of
-    `types.Cv7InertialContinuousBuiltInTest`,
-    `types.Cv7InertialContinuousBuiltInTest.ACCEL_SELF_TEST_FAIL` of
-    `types.Cv7InertialContinuousBuiltInTest`,
-    `types.Gq7ContinuousBuiltInTest.IMU_CALIBRATION_ERROR_ACCEL` of
-    `types.Gq7ContinuousBuiltInTest`, `types.Gq7ContinuousBuiltInTest.ACCEL_GENERAL_FAULT` of
-    `types.Gq7ContinuousBuiltInTest`, `types.Gq7ContinuousBuiltInTest.ACCEL_OVER_RANGE` of
-    `types.Gq7ContinuousBuiltInTest`, `types.Gq7ContinuousBuiltInTest.ACCEL_SELF_TEST_FAIL` of
-    `types.Gq7ContinuousBuiltInTest`, `OverrangeFlags.ACCEL_X` of `OverrangeFlags`,
-    `OverrangeFlags.ACCEL_Y` of `OverrangeFlags`, `OverrangeFlags.ACCEL_Z` of `OverrangeFlags` and
-    `filter_data.Gx5StatusFlags.RUN_IMU_UNAVAILABLE` of `filter_data.Gx5StatusFlags`. Supported by
-    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CX5-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35
-    and 3DM-GX5-45. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10,
-    3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35,
-    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS,
-    3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10,
-    3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CX5-45, 3DM-GQ7-GNSS/INS,
+    3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
 
     Level and at rest, z reads −1 g: the opposite of the gravity vector. In the packet that both
     manuals show, z is −0.998 g (0xBF7F7FE5) once its exchanged halves are put in order.
@@ -240,6 +166,7 @@ class ScaledAccel(Data):
     NAME = "sensor.scaled_accel"
     ROLE = "data"
     _LAYOUT = (("scaled_accel", "fff", types.Vector3f),)
+
     _VECTORS = {"scaled_accel": (types.Vector3f,)}
 
     scaled_accel: types.Vector3f
@@ -250,58 +177,14 @@ class ScaledAccel(Data):
     def __init__(self, scaled_accel: types.Vector3f | codec.Numbers) -> None:
         self.scaled_accel = codec.vector(scaled_accel, types.Vector3f)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ScaledAccel, int]:
-        v = _SCALED_ACCEL_0.read(raw, at)
-        at += 12
-        scaled_accel = types.Vector3f._make(v[0:3])
-        return cls(scaled_accel), at
-
-    def _write(self) -> bytes:
-        out = _SCALED_ACCEL_0.write(*codec.elements("scaled_accel", self.scaled_accel, 3))
-        return codec.finished(out)
-
-
-_SCALED_GYRO_0 = codec.Block("fff", *["scaled_gyro"] * 3)
-
 
 class ScaledGyro(Data):
     """Scaled gyro (0x80,0x05).
 
     Measured angular rate, temperature compensated.
 
-    Changed by `mip_3dm.SensorToVehicleTransformEuler`,
-    `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm`,
-    `mip_3dm.ImuSignalConditioning`, `mip_3dm.GyroBias`, `mip_3dm.CaptureGyroBias`,
-    `mip_3dm.ImuLowPassFilter`, `mip_3dm.LowPassFilter`, `filter.SensorToVehicleRotationEuler`,
-    `filter.TareOrientation`, `filter.SensorToVehicleRotationDcm` and
-    `filter.SensorToVehicleRotationQuaternion`. Probably changed by `mip_3dm.SensorRange`. Flagged
-    by `types.Cv7BuiltInTest.GYRO_FAULT` of `types.Cv7BuiltInTest`,
-    `types.Cv7ContinuousBuiltInTest.IMU_CALIBRATION_ERROR_GYRO` of `types.Cv7ContinuousBuiltInTest`,
-    `types.Cv7ContinuousBuiltInTest.GYRO_GENERAL_FAULT` of `types.Cv7ContinuousBuiltInTest`,
-    `types.Cv7ContinuousBuiltInTest.GYRO_OVER_RANGE` of `types.Cv7ContinuousBuiltInTest`,
-    `types.Cv7ContinuousBuiltInTest.GYRO_SELF_TEST_FAIL` of `types.Cv7ContinuousBuiltInTest`,
-    `types.Cv7InertialContinuousBuiltInTest.IMU_CALIBRATION_ERROR_GYRO` of
-    `types.Cv7InertialContinuousBuiltInTest`,
-    `types.Cv7InertialContinuousBuiltInTest.GYRO_GENERAL_FAULT` of
-    `types.Cv7InertialContinuousBuiltInTest`,
-    `types.Cv7InertialContinuousBuiltInTest.GYRO_OVER_RANGE` of
-    `types.Cv7InertialContinuousBuiltInTest`,
-    `types.Cv7InertialContinuousBuiltInTest.GYRO_SELF_TEST_FAIL` of
-    `types.Cv7InertialContinuousBuiltInTest`,
-    `types.Gq7ContinuousBuiltInTest.IMU_CALIBRATION_ERROR_GYRO` of `types.Gq7ContinuousBuiltInTest`,
-    `types.Gq7ContinuousBuiltInTest.GYRO_GENERAL_FAULT` of `types.Gq7ContinuousBuiltInTest`,
-    `types.Gq7ContinuousBuiltInTest.GYRO_OVER_RANGE` of `types.Gq7ContinuousBuiltInTest`,
-    `types.Gq7ContinuousBuiltInTest.GYRO_SELF_TEST_FAIL` of `types.Gq7ContinuousBuiltInTest`,
-    `OverrangeFlags.GYRO_X` of `OverrangeFlags`, `OverrangeFlags.GYRO_Y` of `OverrangeFlags`,
-    `OverrangeFlags.GYRO_Z` of `OverrangeFlags` and `filter_data.Gx5StatusFlags.RUN_IMU_UNAVAILABLE`
-    of `filter_data.Gx5StatusFlags`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
-    3DM-CX5-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45. Probably supported by
-    3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS,
-    3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
-    3DM-GQ4-45, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35,
-    3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-RQ1-45-LT and
-    3DM-RQ1-45-ST.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CX5-45, 3DM-GQ7-GNSS/INS,
+    3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
 
     - 3dm-gx5-15: 5.1.2 Scaled Gyro Vector (0x80, 0x05)
     - 3dm-cv7-gnss-ins: Scaled Gyro (0x80,0x05)
@@ -316,6 +199,7 @@ class ScaledGyro(Data):
     NAME = "sensor.scaled_gyro"
     ROLE = "data"
     _LAYOUT = (("scaled_gyro", "fff", types.Vector3f),)
+
     _VECTORS = {"scaled_gyro": (types.Vector3f,)}
 
     scaled_gyro: types.Vector3f
@@ -326,57 +210,14 @@ class ScaledGyro(Data):
     def __init__(self, scaled_gyro: types.Vector3f | codec.Numbers) -> None:
         self.scaled_gyro = codec.vector(scaled_gyro, types.Vector3f)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ScaledGyro, int]:
-        v = _SCALED_GYRO_0.read(raw, at)
-        at += 12
-        scaled_gyro = types.Vector3f._make(v[0:3])
-        return cls(scaled_gyro), at
-
-    def _write(self) -> bytes:
-        out = _SCALED_GYRO_0.write(*codec.elements("scaled_gyro", self.scaled_gyro, 3))
-        return codec.finished(out)
-
-
-_SCALED_MAG_0 = codec.Block("fff", *["scaled_mag"] * 3)
-
 
 class ScaledMag(Data):
     """Scaled mag (0x80,0x06).
 
     Measured magnetic field, temperature compensated.
 
-    Changed by `mip_3dm.SensorToVehicleTransformEuler`,
-    `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm`,
-    `mip_3dm.MagHardIronOffset`, `mip_3dm.MagSoftIronMatrix`, `mip_3dm.ImuLowPassFilter`,
-    `mip_3dm.LowPassFilter`, `filter.SensorToVehicleRotationEuler`, `filter.TareOrientation`,
-    `filter.MagCaptureAutoCalibration`, `filter.SensorToVehicleRotationDcm` and
-    `filter.SensorToVehicleRotationQuaternion`. Probably changed by `mip_3dm.ImuSignalConditioning`.
-    Flagged by `types.Gx5BuiltInTest.MAG_FAULT` of `types.Gx5BuiltInTest`,
-    `types.Cv7BuiltInTest.MAG_FAULT` of `types.Cv7BuiltInTest`,
-    `types.Cv7ContinuousBuiltInTest.IMU_CALIBRATION_ERROR_MAG` of `types.Cv7ContinuousBuiltInTest`,
-    `types.Cv7ContinuousBuiltInTest.MAG_GENERAL_FAULT` of `types.Cv7ContinuousBuiltInTest`,
-    `types.Cv7ContinuousBuiltInTest.MAG_OVER_RANGE` of `types.Cv7ContinuousBuiltInTest`,
-    `types.Cv7ContinuousBuiltInTest.MAG_SELF_TEST_FAIL` of `types.Cv7ContinuousBuiltInTest`,
-    `types.Cv7InertialContinuousBuiltInTest.IMU_CALIBRATION_ERROR_MAG` of
-    `types.Cv7InertialContinuousBuiltInTest`,
-    `types.Cv7InertialContinuousBuiltInTest.MAG_GENERAL_FAULT` of
-    `types.Cv7InertialContinuousBuiltInTest`,
-    `types.Cv7InertialContinuousBuiltInTest.MAG_OVER_RANGE` of
-    `types.Cv7InertialContinuousBuiltInTest`,
-    `types.Cv7InertialContinuousBuiltInTest.MAG_SELF_TEST_FAIL` of
-    `types.Cv7InertialContinuousBuiltInTest`,
-    `types.Gq7ContinuousBuiltInTest.IMU_CALIBRATION_ERROR_MAG` of `types.Gq7ContinuousBuiltInTest`,
-    `types.Gq7ContinuousBuiltInTest.MAG_GENERAL_FAULT` of `types.Gq7ContinuousBuiltInTest`,
-    `types.Gq7ContinuousBuiltInTest.MAG_OVER_RANGE` of `types.Gq7ContinuousBuiltInTest`,
-    `types.Gq7ContinuousBuiltInTest.MAG_SELF_TEST_FAIL` of `types.Gq7ContinuousBuiltInTest`,
-    `OverrangeFlags.MAG_X` of `OverrangeFlags`, `OverrangeFlags.MAG_Y` of `OverrangeFlags` and
-    `OverrangeFlags.MAG_Z` of `OverrangeFlags`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
-    3DM-CV7-GNSS/INS, 3DM-CX5-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-35 and 3DM-GX5-45. Probably supported by
-    3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX7-AHRS,
-    3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-15,
-    3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25,
-    3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CX5-45, 3DM-GQ7-GNSS/INS,
+    3DM-GX5-35 and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Scaled Mag (0x80,0x06)
     """
@@ -390,6 +231,7 @@ class ScaledMag(Data):
     NAME = "sensor.scaled_mag"
     ROLE = "data"
     _LAYOUT = (("scaled_mag", "fff", types.Vector3f),)
+
     _VECTORS = {"scaled_mag": (types.Vector3f,)}
 
     scaled_mag: types.Vector3f
@@ -398,37 +240,13 @@ class ScaledMag(Data):
     def __init__(self, scaled_mag: types.Vector3f | codec.Numbers) -> None:
         self.scaled_mag = codec.vector(scaled_mag, types.Vector3f)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ScaledMag, int]:
-        v = _SCALED_MAG_0.read(raw, at)
-        at += 12
-        scaled_mag = types.Vector3f._make(v[0:3])
-        return cls(scaled_mag), at
-
-    def _write(self) -> bytes:
-        out = _SCALED_MAG_0.write(*codec.elements("scaled_mag", self.scaled_mag, 3))
-        return codec.finished(out)
-
-
-_DELTA_THETA_0 = codec.Block("fff", *["delta_theta"] * 3)
-
 
 class DeltaTheta(Data):
     """Delta theta (0x80,0x07).
 
     Time integral of the angular rate over the period that the message format sets.
 
-    Changed by `mip_3dm.SensorToVehicleTransformEuler`,
-    `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm`,
-    `mip_3dm.ImuSignalConditioning`, `filter.SensorToVehicleRotationEuler`,
-    `filter.TareOrientation`, `filter.SensorToVehicleRotationDcm` and
-    `filter.SensorToVehicleRotationQuaternion`. Probably changed by `mip_3dm.GyroBias`,
-    `mip_3dm.CaptureGyroBias` and `mip_3dm.ConingScullingEnable`. Supported by 3DM-CV7-GNSS/INS,
-    3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35. Probably supported by 3DM-CL5-10, 3DM-CL5-15,
-    3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR,
-    3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS,
-    3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25,
-    3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25 and 3DM-GX5-45.
+    Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35.
 
     - 3dm-gx5-15: 5.1.4 Delta Theta Vector (0x80, 0x07)
     - 3dm-cv7-gnss-ins: Delta Theta (0x80,0x07)
@@ -443,6 +261,7 @@ class DeltaTheta(Data):
     NAME = "sensor.delta_theta"
     ROLE = "data"
     _LAYOUT = (("delta_theta", "fff", types.Vector3f),)
+
     _VECTORS = {"delta_theta": (types.Vector3f,)}
 
     delta_theta: types.Vector3f
@@ -453,37 +272,13 @@ class DeltaTheta(Data):
     def __init__(self, delta_theta: types.Vector3f | codec.Numbers) -> None:
         self.delta_theta = codec.vector(delta_theta, types.Vector3f)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[DeltaTheta, int]:
-        v = _DELTA_THETA_0.read(raw, at)
-        at += 12
-        delta_theta = types.Vector3f._make(v[0:3])
-        return cls(delta_theta), at
-
-    def _write(self) -> bytes:
-        out = _DELTA_THETA_0.write(*codec.elements("delta_theta", self.delta_theta, 3))
-        return codec.finished(out)
-
-
-_DELTA_VELOCITY_0 = codec.Block("fff", *["delta_velocity"] * 3)
-
 
 class DeltaVelocity(Data):
     """Delta velocity (0x80,0x08).
 
     Time integral of the acceleration over the period that the message format sets.
 
-    Changed by `mip_3dm.SensorToVehicleTransformEuler`,
-    `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm`,
-    `mip_3dm.ImuSignalConditioning`, `filter.SensorToVehicleRotationEuler`,
-    `filter.TareOrientation`, `filter.SensorToVehicleRotationDcm` and
-    `filter.SensorToVehicleRotationQuaternion`. Probably changed by `mip_3dm.AccelBias` and
-    `mip_3dm.ConingScullingEnable`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
-    Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25,
-    3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
-    3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR,
-    3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35 and
-    3DM-GX5-45.
+    Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
 
     Multiply by 9.80665 m/s^2 for a change of velocity in metres per second. It includes gravity.
     Divided by the period, z is -1 g on a device that is level and at rest.
@@ -501,6 +296,7 @@ class DeltaVelocity(Data):
     NAME = "sensor.delta_velocity"
     ROLE = "data"
     _LAYOUT = (("delta_velocity", "fff", types.Vector3f),)
+
     _VECTORS = {"delta_velocity": (types.Vector3f,)}
 
     delta_velocity: types.Vector3f
@@ -511,33 +307,13 @@ class DeltaVelocity(Data):
     def __init__(self, delta_velocity: types.Vector3f | codec.Numbers) -> None:
         self.delta_velocity = codec.vector(delta_velocity, types.Vector3f)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[DeltaVelocity, int]:
-        v = _DELTA_VELOCITY_0.read(raw, at)
-        at += 12
-        delta_velocity = types.Vector3f._make(v[0:3])
-        return cls(delta_velocity), at
-
-    def _write(self) -> bytes:
-        out = _DELTA_VELOCITY_0.write(*codec.elements("delta_velocity", self.delta_velocity, 3))
-        return codec.finished(out)
-
-
-_COMP_ORIENTATION_MATRIX_0 = codec.Block("fffffffff", *["m"] * 9)
-
 
 class CompOrientationMatrix(Data):
     """Complementary filter orientation matrix (0x80,0x09).
 
     Attitude from the complementary filter as a direction cosine matrix, relative to the NED frame.
 
-    Changed by `mip_3dm.SensorToVehicleTransformEuler`,
-    `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm`,
-    `mip_3dm.ImuSignalConditioning` and `mip_3dm.ComplementaryFilter`. Supported by 3DM-CV7-GNSS/INS
-    and 3DM-GX5-15. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25,
-    3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35,
-    3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR,
-    3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-GX5-35 and 3DM-GX5-45.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     `v_vehicle = m * v_ned`; the 3DM-GX5-15 uses the sensor frame in place of the vehicle frame.
 
@@ -554,6 +330,7 @@ class CompOrientationMatrix(Data):
     NAME = "sensor.comp_orientation_matrix"
     ROLE = "data"
     _LAYOUT = (("m", "fffffffff", types.Matrix3f),)
+
     _VECTORS = {"m": (types.Matrix3f,)}
 
     m: types.Matrix3f
@@ -566,33 +343,13 @@ class CompOrientationMatrix(Data):
     def __init__(self, m: types.Matrix3f | codec.Rows) -> None:
         self.m = codec.vector(m, types.Matrix3f)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[CompOrientationMatrix, int]:
-        v = _COMP_ORIENTATION_MATRIX_0.read(raw, at)
-        at += 36
-        m = types.Matrix3f._make(v[0:9])
-        return cls(m), at
-
-    def _write(self) -> bytes:
-        out = _COMP_ORIENTATION_MATRIX_0.write(*codec.elements("m", self.m, 9))
-        return codec.finished(out)
-
-
-_COMP_QUATERNION_0 = codec.Block("ffff", *["q"] * 4)
-
 
 class CompQuaternion(Data):
     """Complementary filter quaternion (0x80,0x0A).
 
     Attitude from the complementary filter as a quaternion, relative to the NED frame.
 
-    Changed by `mip_3dm.SensorToVehicleTransformEuler`,
-    `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm`,
-    `mip_3dm.ImuSignalConditioning` and `mip_3dm.ComplementaryFilter`. Supported by 3DM-CV7-AHRS,
-    3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15. Probably supported by 3DM-CL5-15,
-    3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35,
-    3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS,
-    3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-GX5-35 and 3DM-GX5-45.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
 
     `v_vehicle = q^-1 * v_ned * q`; the 3DM-GX5-15 uses the sensor frame in place of the vehicle
     frame.
@@ -610,6 +367,7 @@ class CompQuaternion(Data):
     NAME = "sensor.comp_quaternion"
     ROLE = "data"
     _LAYOUT = (("q", "ffff", types.Quatf),)
+
     _VECTORS = {"q": (types.Quatf,)}
 
     q: types.Quatf
@@ -622,31 +380,15 @@ class CompQuaternion(Data):
     def __init__(self, q: types.Quatf | codec.Numbers) -> None:
         self.q = codec.vector(q, types.Quatf)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[CompQuaternion, int]:
-        v = _COMP_QUATERNION_0.read(raw, at)
-        at += 16
-        q = types.Quatf._make(v[0:4])
-        return cls(q), at
-
-    def _write(self) -> bytes:
-        out = _COMP_QUATERNION_0.write(*codec.elements("q", self.q, 4))
-        return codec.finished(out)
-
-
-_COMP_ORIENTATION_UPDATE_MATRIX_0 = codec.Block("fffffffff", *["m"] * 9)
-
 
 class CompOrientationUpdateMatrix(Data):
     """Complementary filter orientation update matrix (0x80,0x0B).
 
     Change of the attitude from the complementary filter as a matrix.
 
-    Deprecated: the SDK marks it as deprecated and names no replacement. Probably changed by
-    `mip_3dm.SensorToVehicleTransformEuler`, `mip_3dm.SensorToVehicleTransformQuaternion` and
-    `mip_3dm.SensorToVehicleTransformDcm`. Not listed in any device profile. Known only from the MIP
-    SDK of 2014 and MicroStrain MIP SDK. Uncertain: The interval of the change and the frames. The
-    SDK and the SDK of 2014 state the name and the layout only.
+    Deprecated: the SDK marks it as deprecated and names no replacement. Not listed in any device
+    profile. Known only from the MIP SDK of 2014 and MicroStrain MIP SDK. Uncertain: The interval of
+    the change and the frames. The SDK and the SDK of 2014 state the name and the layout only.
 
     - mip-sdk-4: Comp Orientation Update Matrix (0x80,0x0B)
     - mip-sdk-2014: Orientation Update Matrix (0x80,0x0B)
@@ -661,6 +403,7 @@ class CompOrientationUpdateMatrix(Data):
     NAME = "sensor.comp_orientation_update_matrix"
     ROLE = "data"
     _LAYOUT = (("m", "fffffffff", types.Matrix3f),)
+
     _VECTORS = {"m": (types.Matrix3f,)}
 
     m: types.Matrix3f
@@ -669,34 +412,14 @@ class CompOrientationUpdateMatrix(Data):
     def __init__(self, m: types.Matrix3f | codec.Rows) -> None:
         self.m = codec.vector(m, types.Matrix3f)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[CompOrientationUpdateMatrix, int]:
-        v = _COMP_ORIENTATION_UPDATE_MATRIX_0.read(raw, at)
-        at += 36
-        m = types.Matrix3f._make(v[0:9])
-        return cls(m), at
-
-    def _write(self) -> bytes:
-        out = _COMP_ORIENTATION_UPDATE_MATRIX_0.write(*codec.elements("m", self.m, 9))
-        return codec.finished(out)
-
-
-_COMP_EULER_ANGLES_0 = codec.Block("fff", "roll", "pitch", "yaw")
-
 
 class CompEulerAngles(Data):
     """Complementary filter Euler angles (0x80,0x0C).
 
     Attitude from the complementary filter as Euler angles, relative to the NED frame.
 
-    Changed by `mip_3dm.SensorToVehicleTransformEuler`,
-    `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm`,
-    `mip_3dm.ImuSignalConditioning` and `mip_3dm.ComplementaryFilter`. Supported by 3DM-CV7-GNSS/INS
-    and 3DM-GX5-15. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25,
-    3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35,
-    3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR,
-    3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-GX5-35 and 3DM-GX5-45.
-    Uncertain: The ranges of the angles. Uncertain: which no source states.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. Uncertain: The ranges of the angles. Uncertain:
+    which no source states.
 
     The rotations are in the order yaw, pitch, roll (3-2-1).
 
@@ -732,22 +455,6 @@ class CompEulerAngles(Data):
         self.pitch = pitch
         self.yaw = yaw
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[CompEulerAngles, int]:
-        v = _COMP_EULER_ANGLES_0.read(raw, at)
-        at += 12
-        roll = v[0]
-        pitch = v[1]
-        yaw = v[2]
-        return cls(roll, pitch, yaw), at
-
-    def _write(self) -> bytes:
-        out = _COMP_EULER_ANGLES_0.write(self.roll, self.pitch, self.yaw)
-        return codec.finished(out)
-
-
-_ORIENTATION_RAW_TEMPERATURE_0 = codec.Block("HHHH", *["raw_temperature"] * 4)
-
 
 class OrientationRawTemperature(Data):
     """Orientation raw temperatures (0x80,0x0D).
@@ -782,22 +489,6 @@ class OrientationRawTemperature(Data):
     def __init__(self, raw_temperature: Sequence[int]) -> None:
         self.raw_temperature = codec.several(raw_temperature)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[OrientationRawTemperature, int]:
-        v = _ORIENTATION_RAW_TEMPERATURE_0.read(raw, at)
-        at += 8
-        raw_temperature = v[0:4]
-        return cls(raw_temperature), at
-
-    def _write(self) -> bytes:
-        out = _ORIENTATION_RAW_TEMPERATURE_0.write(
-            *codec.exactly("raw_temperature", self.raw_temperature, 4)
-        )
-        return codec.finished(out)
-
-
-_INTERNAL_TIMESTAMP_0 = codec.Block("I", "counts")
-
 
 class InternalTimestamp(Data):
     """Internal timestamp (0x80,0x0E).
@@ -827,20 +518,6 @@ class InternalTimestamp(Data):
 
     def __init__(self, counts: int) -> None:
         self.counts = counts
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[InternalTimestamp, int]:
-        v = _INTERNAL_TIMESTAMP_0.read(raw, at)
-        at += 4
-        counts = v[0]
-        return cls(counts), at
-
-    def _write(self) -> bytes:
-        out = _INTERNAL_TIMESTAMP_0.write(self.counts)
-        return codec.finished(out)
-
-
-_PPS_TIMESTAMP_0 = codec.Block("II", "seconds", "useconds")
 
 
 class PpsTimestamp(Data):
@@ -880,21 +557,6 @@ class PpsTimestamp(Data):
     @classmethod
     def matches(cls, data: bytes) -> bool:
         return len(data) < 9
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[PpsTimestamp, int]:
-        v = _PPS_TIMESTAMP_0.read(raw, at)
-        at += 8
-        seconds = v[0]
-        useconds = v[1]
-        return cls(seconds, useconds), at
-
-    def _write(self) -> bytes:
-        out = _PPS_TIMESTAMP_0.write(self.seconds, self.useconds)
-        return codec.finished(out)
-
-
-_PPS_TIMESTAMP_WITH_FLAGS_0 = codec.Block("BII", "flags", "seconds", "nanoseconds")
 
 
 class PpsTimestampWithFlags(Data):
@@ -939,32 +601,13 @@ class PpsTimestampWithFlags(Data):
     def matches(cls, data: bytes) -> bool:
         return 9 <= len(data)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[PpsTimestampWithFlags, int]:
-        v = _PPS_TIMESTAMP_WITH_FLAGS_0.read(raw, at)
-        at += 9
-        flags = v[0]
-        seconds = v[1]
-        nanoseconds = v[2]
-        return cls(flags, seconds, nanoseconds), at
-
-    def _write(self) -> bytes:
-        out = _PPS_TIMESTAMP_WITH_FLAGS_0.write(self.flags, self.seconds, self.nanoseconds)
-        return codec.finished(out)
-
-
-_NORTH_VECTOR_0 = codec.Block("fff", *["stabilized_mag"] * 3)
-
 
 class NorthVector(Data):
     """Complementary filter stabilized north vector (0x80,0x10).
 
     Estimate of the geomagnetic field by the complementary filter, free of short disturbances.
 
-    Probably changed by `mip_3dm.ComplementaryFilter`. Supported by 3DM-GX5-15. Probably supported
-    by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25,
-    3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-GX5-35 and
-    3DM-GX5-45.
+    Supported by 3DM-GX5-15.
 
     Without magnetic disturbance it equals the measured magnetic field, as long as that is in the
     sensor frame, too, which a sensor-to-vehicle transformation changes. A lasting disturbance is
@@ -982,6 +625,7 @@ class NorthVector(Data):
     NAME = "sensor.north_vector"
     ROLE = "data"
     _LAYOUT = (("stabilized_mag", "fff", types.Vector3f),)
+
     _VECTORS = {"stabilized_mag": (types.Vector3f,)}
 
     stabilized_mag: types.Vector3f
@@ -993,30 +637,13 @@ class NorthVector(Data):
     def __init__(self, stabilized_mag: types.Vector3f | codec.Numbers) -> None:
         self.stabilized_mag = codec.vector(stabilized_mag, types.Vector3f)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[NorthVector, int]:
-        v = _NORTH_VECTOR_0.read(raw, at)
-        at += 12
-        stabilized_mag = types.Vector3f._make(v[0:3])
-        return cls(stabilized_mag), at
-
-    def _write(self) -> bytes:
-        out = _NORTH_VECTOR_0.write(*codec.elements("stabilized_mag", self.stabilized_mag, 3))
-        return codec.finished(out)
-
-
-_UP_VECTOR_0 = codec.Block("fff", *["stabilized_accel"] * 3)
-
 
 class UpVector(Data):
     """Complementary filter stabilized up vector (0x80,0x11).
 
     Estimate of the vertical (up) by the complementary filter, free of linear acceleration.
 
-    Probably changed by `mip_3dm.ComplementaryFilter`. Supported by 3DM-GX5-15 and 3DM-GX5-35.
-    Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15,
-    3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and
-    3DM-GX5-45.
+    Supported by 3DM-GX5-15 and 3DM-GX5-35.
 
     At rest it equals the measured acceleration, as long as that is in the sensor frame, too, which
     a sensor-to-vehicle transformation changes.
@@ -1034,6 +661,7 @@ class UpVector(Data):
     NAME = "sensor.up_vector"
     ROLE = "data"
     _LAYOUT = (("stabilized_accel", "fff", types.Vector3f),)
+
     _VECTORS = {"stabilized_accel": (types.Vector3f,)}
 
     stabilized_accel: types.Vector3f
@@ -1046,31 +674,13 @@ class UpVector(Data):
     def __init__(self, stabilized_accel: types.Vector3f | codec.Numbers) -> None:
         self.stabilized_accel = codec.vector(stabilized_accel, types.Vector3f)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[UpVector, int]:
-        v = _UP_VECTOR_0.read(raw, at)
-        at += 12
-        stabilized_accel = types.Vector3f._make(v[0:3])
-        return cls(stabilized_accel), at
-
-    def _write(self) -> bytes:
-        out = _UP_VECTOR_0.write(*codec.elements("stabilized_accel", self.stabilized_accel, 3))
-        return codec.finished(out)
-
-
-_GPS_TIMESTAMP_0 = codec.Block("dHH", "tow", "week_number", "valid_flags")
-
 
 class GpsTimestamp(Data):
     """GPS timestamp (0x80,0x12).
 
     GPS time of the sensor data.
 
-    Changed by `base.GpsTimeUpdate`. Probably changed by `mip_3dm.PpsSourceControl`. Supported by
-    3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35. Probably supported by 3DM-CL5-10,
-    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-10, 3DM-CX5-15,
-    3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25
-    and 3DM-GX5-45.
+    Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35.
 
     Without a PPS the time runs on the internal clock and jumps when the PPS returns. The fraction
     of the time of week is the time since the last pulse. Without external synchronization it is the
@@ -1122,33 +732,13 @@ class GpsTimestamp(Data):
         self.week_number = week_number
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GpsTimestamp, int]:
-        v = _GPS_TIMESTAMP_0.read(raw, at)
-        at += 12
-        tow = v[0]
-        week_number = v[1]
-        valid_flags = types.SensorGpsTimestampFlags(v[2])
-        return cls(tow, week_number, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _GPS_TIMESTAMP_0.write(self.tow, self.week_number, self.valid_flags)
-        return codec.finished(out)
-
-
-_TEMPERATURE_STATISTICS_0 = codec.Block(
-    "fff", "min_temperature", "max_temperature", "mean_temperature"
-)
-
 
 class TemperatureStatistics(Data):
     """Temperature statistics (0x80,0x14).
 
     Temperatures since the last power-on or reset.
 
-    Also called `temperature_abs`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably
-    supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
-    3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+    Also called `temperature_abs`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     The values come from the inertial sensors, alone or together with sensors on the board.
 
@@ -1183,24 +773,6 @@ class TemperatureStatistics(Data):
         self.max_temperature = max_temperature
         self.mean_temperature = mean_temperature
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[TemperatureStatistics, int]:
-        v = _TEMPERATURE_STATISTICS_0.read(raw, at)
-        at += 12
-        min_temperature = v[0]
-        max_temperature = v[1]
-        mean_temperature = v[2]
-        return cls(min_temperature, max_temperature, mean_temperature), at
-
-    def _write(self) -> bytes:
-        out = _TEMPERATURE_STATISTICS_0.write(
-            self.min_temperature, self.max_temperature, self.mean_temperature
-        )
-        return codec.finished(out)
-
-
-_RAW_PRESSURE_0 = codec.Block("f", "raw_pressure")
-
 
 class RawPressure(Data):
     """Raw pressure (0x80,0x16).
@@ -1228,50 +800,14 @@ class RawPressure(Data):
     def __init__(self, raw_pressure: float) -> None:
         self.raw_pressure = raw_pressure
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[RawPressure, int]:
-        v = _RAW_PRESSURE_0.read(raw, at)
-        at += 4
-        raw_pressure = v[0]
-        return cls(raw_pressure), at
-
-    def _write(self) -> bytes:
-        out = _RAW_PRESSURE_0.write(self.raw_pressure)
-        return codec.finished(out)
-
-
-_SCALED_PRESSURE_0 = codec.Block("f", "scaled_pressure")
-
 
 class ScaledPressure(Data):
     """Scaled pressure (0x80,0x17).
 
     Measured ambient pressure, temperature compensated.
 
-    Changed by `mip_3dm.ImuLowPassFilter` and `mip_3dm.LowPassFilter`. Flagged by
-    `types.Gx5BuiltInTest.PRESSURE_SENSOR_FAULT` of `types.Gx5BuiltInTest`,
-    `types.Cv7BuiltInTest.PRESSURE_SENSOR_FAULT` of `types.Cv7BuiltInTest`,
-    `types.Cv7ContinuousBuiltInTest.PRESSURE_SENSOR_GENERAL_FAULT` of
-    `types.Cv7ContinuousBuiltInTest`, `types.Cv7ContinuousBuiltInTest.PRESSURE_SENSOR_OVER_RANGE` of
-    `types.Cv7ContinuousBuiltInTest`,
-    `types.Cv7ContinuousBuiltInTest.PRESSURE_SENSOR_SELF_TEST_FAIL` of
-    `types.Cv7ContinuousBuiltInTest`,
-    `types.Cv7InertialContinuousBuiltInTest.PRESSURE_SENSOR_GENERAL_FAULT` of
-    `types.Cv7InertialContinuousBuiltInTest`,
-    `types.Cv7InertialContinuousBuiltInTest.PRESSURE_SENSOR_OVER_RANGE` of
-    `types.Cv7InertialContinuousBuiltInTest`,
-    `types.Cv7InertialContinuousBuiltInTest.PRESSURE_SENSOR_SELF_TEST_FAIL` of
-    `types.Cv7InertialContinuousBuiltInTest`,
-    `types.Gq7ContinuousBuiltInTest.PRESSURE_SENSOR_GENERAL_FAULT` of
-    `types.Gq7ContinuousBuiltInTest`, `types.Gq7ContinuousBuiltInTest.PRESSURE_SENSOR_OVER_RANGE` of
-    `types.Gq7ContinuousBuiltInTest`,
-    `types.Gq7ContinuousBuiltInTest.PRESSURE_SENSOR_SELF_TEST_FAIL` of
-    `types.Gq7ContinuousBuiltInTest` and `OverrangeFlags.PRESSURE` of `OverrangeFlags`. Supported by
-    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35.
-    Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS,
-    3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
-    3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and
-    3DM-GX5-45.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and
+    3DM-GX5-35.
 
     - 3dm-gx5-15: 5.1.3 Scaled Ambient Pressure (0x80, 0x17)
     - 3dm-cv7-gnss-ins: Scaled Pressure (0x80,0x17)
@@ -1293,29 +829,13 @@ class ScaledPressure(Data):
     def __init__(self, scaled_pressure: float) -> None:
         self.scaled_pressure = scaled_pressure
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ScaledPressure, int]:
-        v = _SCALED_PRESSURE_0.read(raw, at)
-        at += 4
-        scaled_pressure = v[0]
-        return cls(scaled_pressure), at
-
-    def _write(self) -> bytes:
-        out = _SCALED_PRESSURE_0.write(self.scaled_pressure)
-        return codec.finished(out)
-
-
-_OVERRANGE_STATUS_0 = codec.Block("H", "status")
-
 
 class OverrangeStatus(Data):
     """Overrange status (0x80,0x18).
 
     Sensor axes that are near or outside their range.
 
-    Probably changed by `mip_3dm.SensorRange`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
-    3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS,
-    3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS. Refused by 3DM-GX5-25.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Overrange Status (0x80,0x18)
     """
@@ -1336,28 +856,13 @@ class OverrangeStatus(Data):
     def __init__(self, status: OverrangeFlags) -> None:
         self.status = status
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[OverrangeStatus, int]:
-        v = _OVERRANGE_STATUS_0.read(raw, at)
-        at += 2
-        status = OverrangeFlags(v[0])
-        return cls(status), at
-
-    def _write(self) -> bytes:
-        out = _OVERRANGE_STATUS_0.write(self.status)
-        return codec.finished(out)
-
-
-_ODOMETER_0 = codec.Block("ffH", "speed", "uncertainty", "valid_flags")
-
 
 class Odometer(Data):
     """Odometer data (0x80,0x40).
 
     Speed measured by the wheel encoder.
 
-    Also called `odometer_data`. Changed by `mip_3dm.OdometerConfig`. Supported by 3DM-CV7-GNSS/INS
-    and 3DM-GQ7-GNSS/INS.
+    Also called `odometer_data`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Odometer Data (0x80,0x40)
     """
@@ -1391,19 +896,6 @@ class Odometer(Data):
         self.speed = speed
         self.uncertainty = uncertainty
         self.valid_flags = valid_flags
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[Odometer, int]:
-        v = _ODOMETER_0.read(raw, at)
-        at += 10
-        speed = v[0]
-        uncertainty = v[1]
-        valid_flags = OdometerFlags(v[2])
-        return cls(speed, uncertainty, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _ODOMETER_0.write(self.speed, self.uncertainty, self.valid_flags)
-        return codec.finished(out)
 
 
 #: The types of each descriptor; several if constants or the size of the data distinguish layouts.

@@ -43,17 +43,12 @@ class ExternalTimeDeltaFlags(IntFlag):
     """The difference is valid. Bit 0."""
 
 
-_EVENT_SOURCE_0 = codec.Block("B", "trigger_id")
-
-
 class EventSource(Shared, Data):
     """Event source (0xFF,0xD0).
 
     The event trigger that caused the packet.
 
-    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS,
-    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
-    3DM-GV7-INS.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
 
     Put it first in the format of event messages, to distinguish their packets from scheduled ones.
 
@@ -75,20 +70,6 @@ class EventSource(Shared, Data):
 
     def __init__(self, trigger_id: int) -> None:
         self.trigger_id = trigger_id
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EventSource, int]:
-        v = _EVENT_SOURCE_0.read(raw, at)
-        at += 1
-        trigger_id = v[0]
-        return cls(trigger_id), at
-
-    def _write(self) -> bytes:
-        out = _EVENT_SOURCE_0.write(self.trigger_id)
-        return codec.finished(out)
-
-
-_TICKS_0 = codec.Block("I", "ticks")
 
 
 class Ticks(Shared, Data):
@@ -121,20 +102,6 @@ class Ticks(Shared, Data):
     def __init__(self, ticks: int) -> None:
         self.ticks = ticks
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[Ticks, int]:
-        v = _TICKS_0.read(raw, at)
-        at += 4
-        ticks = v[0]
-        return cls(ticks), at
-
-    def _write(self) -> bytes:
-        out = _TICKS_0.write(self.ticks)
-        return codec.finished(out)
-
-
-_DELTA_TICKS_0 = codec.Block("I", "ticks")
-
 
 class DeltaTicks(Shared, Data):
     """Delta ticks (0xFF,0xD2).
@@ -165,29 +132,13 @@ class DeltaTicks(Shared, Data):
     def __init__(self, ticks: int) -> None:
         self.ticks = ticks
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[DeltaTicks, int]:
-        v = _DELTA_TICKS_0.read(raw, at)
-        at += 4
-        ticks = v[0]
-        return cls(ticks), at
-
-    def _write(self) -> bytes:
-        out = _DELTA_TICKS_0.write(self.ticks)
-        return codec.finished(out)
-
-
-_GPS_TIMESTAMP_0 = codec.Block("dHH", "tow", "week_number", "valid_flags")
-
 
 class GpsTimestamp(Shared, Data):
     """GPS timestamp (0xFF,0xD3).
 
     External time of the data as GPS time of week and week number.
 
-    Changed by `base.GpsTimeUpdate`. Probably changed by `mip_3dm.PpsSourceControl`. Supported by
-    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by
-    3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     In event messages it is the time of the trigger. It becomes valid after the PPS is locked and
     `base.GpsTimeUpdate` has set the time of week and the week number. With an internal GNSS
@@ -230,31 +181,13 @@ class GpsTimestamp(Shared, Data):
         self.week_number = week_number
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GpsTimestamp, int]:
-        v = _GPS_TIMESTAMP_0.read(raw, at)
-        at += 12
-        tow = v[0]
-        week_number = v[1]
-        valid_flags = GpsTimestampFlags(v[2])
-        return cls(tow, week_number, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _GPS_TIMESTAMP_0.write(self.tow, self.week_number, self.valid_flags)
-        return codec.finished(out)
-
-
-_DELTA_TIME_0 = codec.Block("d", "seconds")
-
 
 class DeltaTime(Shared, Data):
     """Delta time (0xFF,0xD4).
 
     External time since this field was last sent in the same set and event instance.
 
-    Supported by 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-INS,
-    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
-    3DM-GV7-INS.
+    Supported by 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
 
     It is the same as `ExternalTimeDelta`, in other units. Sending either restarts the counter that
     both share, so use only one of them.
@@ -278,29 +211,13 @@ class DeltaTime(Shared, Data):
     def __init__(self, seconds: float) -> None:
         self.seconds = seconds
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[DeltaTime, int]:
-        v = _DELTA_TIME_0.read(raw, at)
-        at += 8
-        seconds = v[0]
-        return cls(seconds), at
-
-    def _write(self) -> bytes:
-        out = _DELTA_TIME_0.write(self.seconds)
-        return codec.finished(out)
-
-
-_REFERENCE_TIMESTAMP_0 = codec.Block("Q", "nanoseconds")
-
 
 class ReferenceTimestamp(Shared, Data):
     """Reference timestamp (0xFF,0xD5).
 
     Time of the data by the internal reference clock.
 
-    Supported by 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-INS,
-    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
-    3DM-GV7-INS.
+    Supported by 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
 
     The clock starts at power-on, only moves forward and never jumps; the value is always valid. In
     event messages it is the time of the trigger.
@@ -324,29 +241,13 @@ class ReferenceTimestamp(Shared, Data):
     def __init__(self, nanoseconds: int) -> None:
         self.nanoseconds = nanoseconds
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ReferenceTimestamp, int]:
-        v = _REFERENCE_TIMESTAMP_0.read(raw, at)
-        at += 8
-        nanoseconds = v[0]
-        return cls(nanoseconds), at
-
-    def _write(self) -> bytes:
-        out = _REFERENCE_TIMESTAMP_0.write(self.nanoseconds)
-        return codec.finished(out)
-
-
-_REFERENCE_TIME_DELTA_0 = codec.Block("Q", "dt_nanos")
-
 
 class ReferenceTimeDelta(Shared, Data):
     """Reference time delta (0xFF,0xD6).
 
     Reference time since this field was last sent in the same set and event instance.
 
-    Supported by 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-INS,
-    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
-    3DM-GV7-INS.
+    Supported by 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
 
     The value is always valid.
 
@@ -369,29 +270,13 @@ class ReferenceTimeDelta(Shared, Data):
     def __init__(self, dt_nanos: int) -> None:
         self.dt_nanos = dt_nanos
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ReferenceTimeDelta, int]:
-        v = _REFERENCE_TIME_DELTA_0.read(raw, at)
-        at += 8
-        dt_nanos = v[0]
-        return cls(dt_nanos), at
-
-    def _write(self) -> bytes:
-        out = _REFERENCE_TIME_DELTA_0.write(self.dt_nanos)
-        return codec.finished(out)
-
-
-_EXTERNAL_TIMESTAMP_0 = codec.Block("QH", "nanoseconds", "valid_flags")
-
 
 class ExternalTimestamp(Shared, Data):
     """External timestamp (0xFF,0xD7).
 
     Time of the data in the external clock domain.
 
-    Changed by `base.GpsTimeUpdate`. Probably changed by `mip_3dm.PpsSourceControl`. Supported by
-    3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-INS, 3DM-CX7-AHRS,
-    3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+    Supported by 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
 
     It is `GpsTimestamp` in nanoseconds. In event messages it is the time of the trigger. It becomes
     valid when the external clock is synchronized through the PPS. Its epoch is that of the time
@@ -425,30 +310,13 @@ class ExternalTimestamp(Shared, Data):
         self.nanoseconds = nanoseconds
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ExternalTimestamp, int]:
-        v = _EXTERNAL_TIMESTAMP_0.read(raw, at)
-        at += 10
-        nanoseconds = v[0]
-        valid_flags = ExternalTimestampFlags(v[1])
-        return cls(nanoseconds, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _EXTERNAL_TIMESTAMP_0.write(self.nanoseconds, self.valid_flags)
-        return codec.finished(out)
-
-
-_EXTERNAL_TIME_DELTA_0 = codec.Block("QH", "dt_nanos", "valid_flags")
-
 
 class ExternalTimeDelta(Shared, Data):
     """External time delta (0xFF,0xD8).
 
     External time since this field was last sent in the same set and event instance.
 
-    Supported by 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-INS,
-    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
-    3DM-GV7-INS.
+    Supported by 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
 
     It is the same as `DeltaTime`, in other units. Sending either restarts the counter that both
     share, so use only one of them.
@@ -476,18 +344,6 @@ class ExternalTimeDelta(Shared, Data):
     def __init__(self, dt_nanos: int, valid_flags: ExternalTimeDeltaFlags) -> None:
         self.dt_nanos = dt_nanos
         self.valid_flags = valid_flags
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ExternalTimeDelta, int]:
-        v = _EXTERNAL_TIME_DELTA_0.read(raw, at)
-        at += 10
-        dt_nanos = v[0]
-        valid_flags = ExternalTimeDeltaFlags(v[1])
-        return cls(dt_nanos, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _EXTERNAL_TIME_DELTA_0.write(self.dt_nanos, self.valid_flags)
-        return codec.finished(out)
 
 
 #: The types of each descriptor; several if constants or the size of the data distinguish layouts.

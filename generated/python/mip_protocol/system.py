@@ -11,7 +11,6 @@ from enum import IntFlag
 from typing import Any
 
 from . import codec, types
-from .errors import Truncated
 from .field import ClassOf, Command, Field, R, Response, ResponseClasses
 from .protocol import FunctionSelector
 
@@ -44,11 +43,6 @@ class ProtocolMode(codec.OpenEnum):
     """The internal inertial sensor, MIP."""
     GNSS_DIRECT = 3
     """The internal GNSS receiver, NMEA and UBX; only on models that have one."""
-
-
-_INTERFACE_CONTROL_RESPONSE_0 = codec.Block(
-    "BII", "port", "protocols_incoming", "protocols_outgoing"
-)
 
 
 class InterfaceControlResponse(Response):
@@ -91,32 +85,11 @@ class InterfaceControlResponse(Response):
         self.protocols_incoming = protocols_incoming
         self.protocols_outgoing = protocols_outgoing
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[InterfaceControlResponse, int]:
-        v = _INTERFACE_CONTROL_RESPONSE_0.read(raw, at)
-        at += 9
-        port = types.CommInterface(v[0])
-        protocols_incoming = CommProtocols(v[1])
-        protocols_outgoing = CommProtocols(v[2])
-        return cls(port, protocols_incoming, protocols_outgoing), at
-
-    def _write(self) -> bytes:
-        out = _INTERFACE_CONTROL_RESPONSE_0.write(
-            self.port, self.protocols_incoming, self.protocols_outgoing
-        )
-        return codec.finished(out)
-
-
-_COMM_MODE_RESPONSE_0 = codec.Block("B", "mode")
-
 
 class CommModeResponse(Response):
     """Communication mode response (0x7F,0x90).
 
-    Answers `CommMode`. Supported by 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45. Probably supported by
-    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35,
-    3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU,
-    3DM-GX5-25, 3DM-RQ1-45-LT, 3DM-RQ1-45-ST, 3DM-RQ1-IMU and 3DM-RTK.
+    Answers `CommMode`. Supported by 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
 
     - 3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10)
     """
@@ -136,28 +109,6 @@ class CommModeResponse(Response):
 
     def __init__(self, mode: ProtocolMode) -> None:
         self.mode = mode
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[CommModeResponse, int]:
-        v = _COMM_MODE_RESPONSE_0.read(raw, at)
-        at += 1
-        mode = ProtocolMode(v[0])
-        return cls(mode), at
-
-    def _write(self) -> bytes:
-        out = _COMM_MODE_RESPONSE_0.write(self.mode)
-        return codec.finished(out)
-
-
-_INTERFACE_CONTROL_0 = codec.Block("B", "function")
-_INTERFACE_CONTROL_1 = codec.Block("B", "port")
-_INTERFACE_CONTROL_2 = codec.Block("I", "protocols_incoming")
-_INTERFACE_CONTROL_3 = codec.Block("I", "protocols_outgoing")
-_INTERFACE_CONTROL_GROUPS = (
-    (1, ("port",), False),
-    (2, ("protocols_incoming",), False),
-    (3, ("protocols_outgoing",), False),
-)
 
 
 class InterfaceControl(Command[R]):
@@ -189,6 +140,13 @@ class InterfaceControl(Command[R]):
     ROLE = "command"
     RESPONSES = (InterfaceControlResponse,)
     REQUIRED = {1: 3, 2: 1, 3: 1, 4: 1, 5: 1}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("port", "B", types.CommInterface),
+        ("protocols_incoming", "I", CommProtocols),
+        ("protocols_outgoing", "I", CommProtocols),
+    )
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -260,58 +218,6 @@ class InterfaceControl(Command[R]):
             return (InterfaceControlResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[InterfaceControl[R], int]:
-        port: types.CommInterface | None = None
-        protocols_incoming: CommProtocols | None = None
-        protocols_outgoing: CommProtocols | None = None
-        v = _INTERFACE_CONTROL_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _INTERFACE_CONTROL_1.read(raw, at)
-            at += 1
-            port = types.CommInterface(v[0])
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _INTERFACE_CONTROL_2.read(raw, at)
-            at += 4
-            protocols_incoming = CommProtocols(v[0])
-            done, end = 2, at
-            if at == len(raw) and required < 3:
-                raise Truncated(1, 0)
-            v = _INTERFACE_CONTROL_3.read(raw, at)
-            at += 4
-            protocols_outgoing = CommProtocols(v[0])
-            done, end = 3, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, port, protocols_incoming, protocols_outgoing), at
-
-    def _write(self) -> bytes:
-        out = _INTERFACE_CONTROL_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _INTERFACE_CONTROL_GROUPS)
-        if there >= 1:
-            out += _INTERFACE_CONTROL_1.write(self.port)
-        if there >= 2:
-            out += _INTERFACE_CONTROL_2.write(self.protocols_incoming)
-        if there >= 3:
-            out += _INTERFACE_CONTROL_3.write(self.protocols_outgoing)
-        return codec.finished(out)
-
-
-_COMM_MODE_0 = codec.Block("B", "function")
-_COMM_MODE_1 = codec.Block("B", "mode")
-_COMM_MODE_GROUPS = ((1, ("mode",), False),)
-
 
 class CommMode(Command[R]):
     """Communication mode (0x7F,0x10).
@@ -319,10 +225,7 @@ class CommMode(Command[R]):
     Switches the port between the device and one of its internal sensors.
 
     For advanced use. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `CommModeResponse`. Supported by 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45. Probably supported by
-    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35,
-    3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU,
-    3DM-GX5-25, 3DM-RQ1-45-LT, 3DM-RQ1-45-ST, 3DM-RQ1-IMU and 3DM-RTK.
+    `CommModeResponse`. Supported by 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
 
     The acknowledge is sent in the old mode, just before the switch. In a direct mode only this
     command and `mip_3dm.DeviceStatus` of the device itself are answered.
@@ -340,6 +243,8 @@ class CommMode(Command[R]):
     ROLE = "command"
     RESPONSES = (CommModeResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (("function", "B", FunctionSelector), ("mode", "B", ProtocolMode))
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -383,35 +288,6 @@ class CommMode(Command[R]):
         if self.function == FunctionSelector.READ:
             return (CommModeResponse,)
         return ()
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[CommMode[R], int]:
-        mode: ProtocolMode | None = None
-        v = _COMM_MODE_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _COMM_MODE_1.read(raw, at)
-            at += 1
-            mode = ProtocolMode(v[0])
-            done, end = 1, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, mode), at
-
-    def _write(self) -> bytes:
-        out = _COMM_MODE_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _COMM_MODE_GROUPS)
-        if there >= 1:
-            out += _COMM_MODE_1.write(self.mode)
-        return codec.finished(out)
 
 
 InterfaceControlResponse.COMMANDS = (InterfaceControl,)

@@ -28,17 +28,13 @@ class GpioPinStates(IntFlag):
     """GPIO pin 4 is high. Bit 3."""
 
 
-_BUILT_IN_TEST_0 = codec.Block("BBBBBBBBBBBBBBBB", *["result"] * 16)
-
-
 class BuiltInTest(Data):
     """Built-in test (0xA0,0x01).
 
     Flags of the tests that run all the time.
 
-    Supported by 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by
-    3DM-CV7-AHRS, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
-    3DM-GV7-INS. On the 3DM-GQ7-GNSS/INS: firmware > 1.0.10.
+    Supported by 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. On the 3DM-GQ7-GNSS/INS:
+    firmware > 1.0.10.
 
     The field is long; stream it at a low rate or poll it. A fault is reported even if it has passed
     by the time of the next message, because its flag remains until it is sent. Each stream and each
@@ -71,29 +67,13 @@ class BuiltInTest(Data):
     def __init__(self, result: Sequence[int]) -> None:
         self.result = codec.several(result)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[BuiltInTest, int]:
-        v = _BUILT_IN_TEST_0.read(raw, at)
-        at += 16
-        result = v[0:16]
-        return cls(result), at
-
-    def _write(self) -> bytes:
-        out = _BUILT_IN_TEST_0.write(*codec.exactly("result", self.result, 16))
-        return codec.finished(out)
-
-
-_TIME_SYNC_STATUS_0 = codec.Block("BB", "time_sync", "last_pps_received")
-
 
 class TimeSyncStatus(Data):
     """Time sync status (0xA0,0x02).
 
     Synchronization of the device time with the pulse per second.
 
-    Changed by `mip_3dm.PpsSourceControl`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and
-    3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
-    3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS. On the 3DM-GQ7-GNSS/INS: firmware >
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS. On the 3DM-GQ7-GNSS/INS: firmware >
     1.0.10.
 
     - 3dm-cv7-gnss-ins: Time Sync Status (0xA0,0x02)
@@ -118,31 +98,13 @@ class TimeSyncStatus(Data):
         self.time_sync = time_sync
         self.last_pps_received = last_pps_received
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[TimeSyncStatus, int]:
-        v = _TIME_SYNC_STATUS_0.read(raw, at)
-        at += 2
-        time_sync = codec.truth(v[0])
-        last_pps_received = v[1]
-        return cls(time_sync, last_pps_received), at
-
-    def _write(self) -> bytes:
-        out = _TIME_SYNC_STATUS_0.write(self.time_sync, self.last_pps_received)
-        return codec.finished(out)
-
-
-_GPIO_STATE_0 = codec.Block("B", "states")
-
 
 class GpioState(Data):
     """GPIO state (0xA0,0x03).
 
     Levels of all user GPIO pins.
 
-    Changed by `mip_3dm.GpioState`. Probably changed by `mip_3dm.GpioConfig`. Supported by
-    3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-INS, 3DM-CX7-AHRS,
-    3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS. On the
-    3DM-GQ7-GNSS/INS: firmware > 1.0.10.
+    Supported by 3DM-CV7-AR and 3DM-CV7-GNSS/INS. On the 3DM-GQ7-GNSS/INS: firmware > 1.0.10.
 
     A pulse that is shorter than the period at which the field is sent is missed. The pins are
     sampled within one base period of this set. Levels are guaranteed to be valid only for pins that
@@ -168,28 +130,13 @@ class GpioState(Data):
     def __init__(self, states: GpioPinStates) -> None:
         self.states = states
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GpioState, int]:
-        v = _GPIO_STATE_0.read(raw, at)
-        at += 1
-        states = GpioPinStates(v[0])
-        return cls(states), at
-
-    def _write(self) -> bytes:
-        out = _GPIO_STATE_0.write(self.states)
-        return codec.finished(out)
-
-
-_GPIO_ANALOG_VALUE_0 = codec.Block("Bf", "gpio_id", "value")
-
 
 class GpioAnalogValue(Data):
     """GPIO analog value (0xA0,0x04).
 
     Voltage at one GPIO pin.
 
-    Probably changed by `mip_3dm.GpioConfig`. Not listed in any device profile. Known only from the
-    MicroStrain MIP SDK.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     Only for pins that are configured as analog inputs.
 
@@ -214,18 +161,6 @@ class GpioAnalogValue(Data):
     def __init__(self, gpio_id: int, value: float) -> None:
         self.gpio_id = gpio_id
         self.value = value
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GpioAnalogValue, int]:
-        v = _GPIO_ANALOG_VALUE_0.read(raw, at)
-        at += 5
-        gpio_id = v[0]
-        value = v[1]
-        return cls(gpio_id, value), at
-
-    def _write(self) -> bytes:
-        out = _GPIO_ANALOG_VALUE_0.write(self.gpio_id, self.value)
-        return codec.finished(out)
 
 
 #: The types of each descriptor; several if constants or the size of the data distinguish layouts.

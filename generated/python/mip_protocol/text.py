@@ -155,6 +155,11 @@ def _one(value: Any, names: bool, json: bool) -> Any:
     return _number(value, json)
 
 
+def named(p: Parameter, value: Any) -> Any:
+    """A value of an enumeration, a bitfield or a Boolean as `to_dict` has it for JSON."""
+    return _one(meant(p, value), True, True)
+
+
 def _number(value: Any, json: bool) -> Any:
     if isinstance(value, float):
         return float(value) if isfinite(value) or not json else None

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from enum import IntFlag
 from typing import Any, NamedTuple, SupportsIndex, overload
 
-from . import codec
+from . import codec, wire
 from .field import Structure
 
 
@@ -567,9 +567,6 @@ class EventActionGpioMode(codec.OpenEnum):
     """The pin is inverted each time the trigger activates."""
 
 
-_EVENT_TRIGGER_GPIO_0 = codec.Block("BB", "pin", "mode")
-
-
 class EventTriggerGpio(Structure):
     """A trigger on a GPIO pin.
 
@@ -579,6 +576,8 @@ class EventTriggerGpio(Structure):
     __slots__ = ("pin", "mode")
     __match_args__ = ("pin", "mode")
 
+    _LAYOUT = (("pin", "B", None), ("mode", "B", EventTriggerGpioMode))
+
     pin: int
     """GPIO pin, counted from 1. Range: at least 1."""
     mode: EventTriggerGpioMode
@@ -587,21 +586,6 @@ class EventTriggerGpio(Structure):
     def __init__(self, pin: int, mode: EventTriggerGpioMode) -> None:
         self.pin = pin
         self.mode = mode
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EventTriggerGpio, int]:
-        v = _EVENT_TRIGGER_GPIO_0.read(raw, at)
-        at += 2
-        pin = v[0]
-        mode = EventTriggerGpioMode(v[1])
-        return cls(pin, mode), at
-
-    def _write(self) -> bytes:
-        out = _EVENT_TRIGGER_GPIO_0.write(self.pin, self.mode)
-        return out
-
-
-_EVENT_THRESHOLD_WINDOW_0 = codec.Block("dd", "low_threshold", "high_threshold")
 
 
 class EventThresholdWindow(Structure):
@@ -613,6 +597,8 @@ class EventThresholdWindow(Structure):
 
     __slots__ = ("low_threshold", "high_threshold")
     __match_args__ = ("low_threshold", "high_threshold")
+
+    _LAYOUT = (("low_threshold", "d", None), ("high_threshold", "d", None))
 
     low_threshold: float
     """Lower threshold, in the unit of the watched value. The SDK calls it the first threshold."""
@@ -626,21 +612,6 @@ class EventThresholdWindow(Structure):
         self.low_threshold = low_threshold
         self.high_threshold = high_threshold
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EventThresholdWindow, int]:
-        v = _EVENT_THRESHOLD_WINDOW_0.read(raw, at)
-        at += 16
-        low_threshold = v[0]
-        high_threshold = v[1]
-        return cls(low_threshold, high_threshold), at
-
-    def _write(self) -> bytes:
-        out = _EVENT_THRESHOLD_WINDOW_0.write(self.low_threshold, self.high_threshold)
-        return out
-
-
-_EVENT_THRESHOLD_INTERVAL_0 = codec.Block("dd", "interval_threshold", "interval")
-
 
 class EventThresholdInterval(Structure):
     """A threshold inside a repeating interval.
@@ -651,6 +622,8 @@ class EventThresholdInterval(Structure):
 
     __slots__ = ("interval_threshold", "interval")
     __match_args__ = ("interval_threshold", "interval")
+
+    _LAYOUT = (("interval_threshold", "d", None), ("interval", "d", None))
 
     interval_threshold: float
     """The trigger is active while the remainder is at most this, in the unit of the watched value.
@@ -666,23 +639,6 @@ class EventThresholdInterval(Structure):
         self.interval_threshold = interval_threshold
         self.interval = interval
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EventThresholdInterval, int]:
-        v = _EVENT_THRESHOLD_INTERVAL_0.read(raw, at)
-        at += 16
-        interval_threshold = v[0]
-        interval = v[1]
-        return cls(interval_threshold, interval), at
-
-    def _write(self) -> bytes:
-        out = _EVENT_THRESHOLD_INTERVAL_0.write(self.interval_threshold, self.interval)
-        return out
-
-
-_EVENT_TRIGGER_THRESHOLD_0 = codec.Block(
-    "BBBB", "descriptor_set", "field_descriptor", "parameter_id", "type"
-)
-
 
 class EventTriggerThreshold(Structure):
     """A trigger on one value of a data field. The value is converted to double before it is
@@ -693,6 +649,24 @@ class EventTriggerThreshold(Structure):
 
     __slots__ = ("descriptor_set", "field_descriptor", "parameter_id", "type", "thresholds")
     __match_args__ = ("descriptor_set", "field_descriptor", "parameter_id", "type", "thresholds")
+
+    _LAYOUT = (
+        ("descriptor_set", "B", None),
+        ("field_descriptor", "B", None),
+        ("parameter_id", "B", None),
+        ("type", "B", EventThresholdType),
+        (
+            "thresholds",
+            "",
+            wire.Union(
+                "type",
+                {
+                    1: ("window", "", EventThresholdWindow),
+                    2: ("interval", "", EventThresholdInterval),
+                },
+            ),
+        ),
+    )
 
     descriptor_set: int
     """Data descriptor set of the watched value."""
@@ -725,40 +699,6 @@ class EventTriggerThreshold(Structure):
         self.type = type
         self.thresholds = thresholds
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EventTriggerThreshold, int]:
-        thresholds: EventThresholdWindow | EventThresholdInterval | None = None
-        v = _EVENT_TRIGGER_THRESHOLD_0.read(raw, at)
-        at += 4
-        descriptor_set = v[0]
-        field_descriptor = v[1]
-        parameter_id = v[2]
-        type = EventThresholdType(v[3])
-        if type == 1:
-            thresholds, at = EventThresholdWindow._read(raw, at)
-        elif type == 2:
-            thresholds, at = EventThresholdInterval._read(raw, at)
-        return cls(descriptor_set, field_descriptor, parameter_id, type, thresholds), at
-
-    def _write(self) -> bytes:
-        out = _EVENT_TRIGGER_THRESHOLD_0.write(
-            self.descriptor_set, self.field_descriptor, self.parameter_id, self.type
-        )
-        if self.type == 1:
-            if not isinstance(self.thresholds, EventThresholdWindow):
-                raise codec.mismatch("thresholds", self.type)
-            out += codec.structure("thresholds", self.thresholds, EventThresholdWindow)
-        elif self.type == 2:
-            if not isinstance(self.thresholds, EventThresholdInterval):
-                raise codec.mismatch("thresholds", self.type)
-            out += codec.structure("thresholds", self.thresholds, EventThresholdInterval)
-        elif self.thresholds is not None:
-            raise codec.mismatch("thresholds", self.type)
-        return out
-
-
-_EVENT_TRIGGER_COMBINATION_0 = codec.Block("HBBBB", "logic_table", *["input_triggers"] * 4)
-
 
 class EventTriggerCombination(Structure):
     """A trigger that combines up to four others.
@@ -769,6 +709,8 @@ class EventTriggerCombination(Structure):
 
     __slots__ = ("logic_table", "input_triggers")
     __match_args__ = ("logic_table", "input_triggers")
+
+    _LAYOUT = (("logic_table", "H", None), ("input_triggers", "BBBB", tuple))
 
     logic_table: int
     """Bit n is the output for n = a + 2b + 4c + 8d, where a to d are the states (0 or 1) of the
@@ -783,23 +725,6 @@ class EventTriggerCombination(Structure):
         self.logic_table = logic_table
         self.input_triggers = codec.several(input_triggers)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EventTriggerCombination, int]:
-        v = _EVENT_TRIGGER_COMBINATION_0.read(raw, at)
-        at += 6
-        logic_table = v[0]
-        input_triggers = v[1:5]
-        return cls(logic_table, input_triggers), at
-
-    def _write(self) -> bytes:
-        out = _EVENT_TRIGGER_COMBINATION_0.write(
-            self.logic_table, *codec.exactly("input_triggers", self.input_triggers, 4)
-        )
-        return out
-
-
-_EVENT_ACTION_GPIO_0 = codec.Block("BB", "pin", "mode")
-
 
 class EventActionGpio(Structure):
     """An action on a GPIO pin, which needs the gpio feature and an output behavior.
@@ -810,6 +735,8 @@ class EventActionGpio(Structure):
     __slots__ = ("pin", "mode")
     __match_args__ = ("pin", "mode")
 
+    _LAYOUT = (("pin", "B", None), ("mode", "B", EventActionGpioMode))
+
     pin: int
     """GPIO pin, counted from 1. Range: at least 1."""
     mode: EventActionGpioMode
@@ -818,21 +745,6 @@ class EventActionGpio(Structure):
     def __init__(self, pin: int, mode: EventActionGpioMode) -> None:
         self.pin = pin
         self.mode = mode
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EventActionGpio, int]:
-        v = _EVENT_ACTION_GPIO_0.read(raw, at)
-        at += 2
-        pin = v[0]
-        mode = EventActionGpioMode(v[1])
-        return cls(pin, mode), at
-
-    def _write(self) -> bytes:
-        out = _EVENT_ACTION_GPIO_0.write(self.pin, self.mode)
-        return out
-
-
-_EVENT_ACTION_MESSAGE_0 = codec.Block("BHB", "descriptor_set", "decimation", "num_fields")
 
 
 class EventActionMessage(Structure):
@@ -843,6 +755,13 @@ class EventActionMessage(Structure):
 
     __slots__ = ("descriptor_set", "decimation", "descriptors")
     __match_args__ = ("descriptor_set", "decimation", "descriptors")
+
+    _LAYOUT = (
+        ("descriptor_set", "B", None),
+        ("decimation", "H", None),
+        ("num_fields", "B", wire.Counts("descriptors", 249)),
+        ("descriptors", "B", wire.Items(None, "num_fields", 249)),
+    )
 
     descriptor_set: int
     """Data descriptor set of the packet."""
@@ -860,27 +779,6 @@ class EventActionMessage(Structure):
         self.descriptor_set = descriptor_set
         self.decimation = decimation
         self.descriptors = codec.several(descriptors)
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EventActionMessage, int]:
-        v = _EVENT_ACTION_MESSAGE_0.read(raw, at)
-        at += 4
-        descriptor_set = v[0]
-        decimation = v[1]
-        num_fields = v[2]
-        n = codec.counted(raw, at, num_fields, 1, 249)
-        descriptors = codec.read_numbers("B", raw, at, n)
-        at += n
-        return cls(descriptor_set, decimation, descriptors), at
-
-    def _write(self) -> bytes:
-        out = _EVENT_ACTION_MESSAGE_0.write(
-            self.descriptor_set, self.decimation, codec.count("descriptors", self.descriptors, 249)
-        )
-        out += codec.write_numbers(
-            "descriptors", "B", codec.at_most("descriptors", self.descriptors, 249)
-        )
-        return out
 
 
 class GnssConstellation(codec.OpenEnum):
@@ -1215,11 +1113,6 @@ class NmeaTalkerId(codec.OpenEnum):
     """Talker GL: GLONASS only."""
 
 
-_NMEA_MESSAGE_0 = codec.Block(
-    "BBBH", "message_id", "talker_id", "source_descriptor_set", "decimation"
-)
-
-
 class NmeaMessage(Structure):
     """An NMEA-0183 sentence with its talker, its data source and how often it is sent.
 
@@ -1228,6 +1121,13 @@ class NmeaMessage(Structure):
 
     __slots__ = ("message_id", "talker_id", "source_descriptor_set", "decimation")
     __match_args__ = ("message_id", "talker_id", "source_descriptor_set", "decimation")
+
+    _LAYOUT = (
+        ("message_id", "B", NmeaMessageId),
+        ("talker_id", "B", NmeaTalkerId),
+        ("source_descriptor_set", "B", None),
+        ("decimation", "H", None),
+    )
 
     message_id: NmeaMessageId
     """The sentence."""
@@ -1249,22 +1149,6 @@ class NmeaMessage(Structure):
         self.talker_id = talker_id
         self.source_descriptor_set = source_descriptor_set
         self.decimation = decimation
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[NmeaMessage, int]:
-        v = _NMEA_MESSAGE_0.read(raw, at)
-        at += 5
-        message_id = NmeaMessageId(v[0])
-        talker_id = NmeaTalkerId(v[1])
-        source_descriptor_set = v[2]
-        decimation = v[3]
-        return cls(message_id, talker_id, source_descriptor_set, decimation), at
-
-    def _write(self) -> bytes:
-        out = _NMEA_MESSAGE_0.write(
-            self.message_id, self.talker_id, self.source_descriptor_set, self.decimation
-        )
-        return out
 
 
 class CommInterface(codec.OpenEnum):
@@ -1611,14 +1495,13 @@ class AckCode(codec.OpenEnum):
     """The device does not know the descriptor set."""
 
 
-_DESCRIPTOR_RATE_0 = codec.Block("BH", "descriptor", "decimation")
-
-
 class DescriptorRate(Structure):
     """A field of a message format and how often it is sent."""
 
     __slots__ = ("descriptor", "decimation")
     __match_args__ = ("descriptor", "decimation")
+
+    _LAYOUT = (("descriptor", "B", None), ("decimation", "H", None))
 
     descriptor: int
     """Field descriptor."""
@@ -1628,18 +1511,6 @@ class DescriptorRate(Structure):
     def __init__(self, descriptor: int, decimation: int) -> None:
         self.descriptor = descriptor
         self.decimation = decimation
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[DescriptorRate, int]:
-        v = _DESCRIPTOR_RATE_0.read(raw, at)
-        at += 3
-        descriptor = v[0]
-        decimation = v[1]
-        return cls(descriptor, decimation), at
-
-    def _write(self) -> bytes:
-        out = _DESCRIPTOR_RATE_0.write(self.descriptor, self.decimation)
-        return out
 
 
 @codec.open_flag(16)

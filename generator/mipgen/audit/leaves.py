@@ -97,13 +97,13 @@ def _of_element(p: m.Parameter, record: Sequence[m.Parameter], base: Leaf) -> li
                 for i, name in enumerate(p.element.elements)
             ]
         case m.Struct():
-            found = list[Leaf]()
+            leaves = list[Leaf]()
             for member in p.element.parameters:
                 own = tuple(replace(v, member="") for v in p.variants if v.member == member.name)
                 full = replace(member, variants=(*member.variants, *own))
-                found += _of_parameter(full, p.element.parameters, f"{base.path}.", False)
+                leaves += _of_parameter(full, p.element.parameters, f"{base.path}.", False)
             outer = _valid(p, record, 0)
-            return [replace(x, needed=base.needed, optional=base.optional, valid=x.valid or outer) for x in found]
+            return [replace(x, needed=base.needed, optional=base.optional, valid=x.valid or outer) for x in leaves]
     raise AssertionError(p.name)
 
 

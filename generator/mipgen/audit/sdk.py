@@ -109,15 +109,15 @@ _PUBLIC_STRUCTS = {"DescriptorRate": [{"name": "descriptor", "type": "u8"}, {"na
 
 def _codes(folder: Path) -> dict[str, Any]:
     """The function selectors and the codes of the acknowledge, which are defined in C."""
-    found = {}
+    enums = {}
     for name, file, prefix in (
         ("CmdResult", "mip_result.h", r"MIP_(?=N?ACK)"),
         ("FunctionSelector", "mip_descriptors.h", r"MIP_FUNCTION_"),
     ):
         path = next((folder / "src").rglob(file))
         entries = re.findall(rf"^\s*{prefix}(\w+) *= *(0x\w+|\d+)", path.read_text("utf-8"), re.MULTILINE)
-        found[name] = {"type": "u8", "values": {key: int(number, 0) for key, number in entries}}
-    return found
+        enums[name] = {"type": "u8", "values": {key: int(number, 0) for key, number in entries}}
+    return enums
 
 
 # --------------------------------------------------------------------------- lines
@@ -203,14 +203,14 @@ def _member(scope: _Scope, line: str) -> None:
 
 def _steps(lines: list[str]) -> dict[str, list[_Step]]:
     """For each structure what `extract` reads, in order."""
-    found: dict[str, list[_Step]] = {}
+    steps_of: dict[str, list[_Step]] = {}
     steps: list[_Step] | None = None
     conditions: list[str] = []
     repeat: int | str | None = None
     for raw in lines:
         line = raw.strip()
         if match := _EXTRACT.match(raw):
-            steps = found[match[1]] = []
+            steps = steps_of[match[1]] = []
         elif raw == "}":
             steps = None
         elif steps is None or line == "{":
@@ -229,7 +229,7 @@ def _steps(lines: list[str]) -> dict[str, list[_Step]]:
             case = (chosen[1], chosen[2]) if chosen else None
             steps.append(_Step(match[1], bool(words), letters, repeat, case))
             repeat = None
-    return found
+    return steps_of
 
 
 # --------------------------------------------------------------------------- facts
@@ -280,25 +280,25 @@ class _Definitions:
         return {self.full(s.name): self.record(s, "") for s in plain}
 
     def types(self) -> dict[str, Any]:
-        found: dict[str, Any] = {}
+        shown: dict[str, Any] = {}
         for s in self.scopes.values():
             if s.kind == "enum":
-                found[self.full(s.name)] = {"type": s.scalar, "values": s.numbers}
+                shown[self.full(s.name)] = {"type": s.scalar, "values": s.numbers}
             elif s.kind == "bitfield":
                 masks = {name: mask for name, mask in s.numbers.items() if mask and name != "ALL"}
                 bits = {name: [(m & -m).bit_length() - 1, m.bit_count()] for name, m in masks.items()}
-                found[self.full(s.name)] = {"type": s.scalar, "bits": bits}
-        return found
+                shown[self.full(s.name)] = {"type": s.scalar, "bits": bits}
+        return shown
 
     def constants(self) -> dict[str, dict[str, int]]:
         """Numbers with names that are neither values nor descriptors, by the scope that they are in."""
-        found = {}
+        spaces = {}
         for s in self.scopes.values():
             prefixes = ("DESCRIPTOR_SET", *(f"{role}_" for role in _ROLES)) if s.kind == "namespace" else ()
             numbers = {k: n for k, n in s.numbers.items() if not k.startswith(prefixes)} if prefixes else s.numbers
             if s.kind in ("namespace", "struct") and numbers:
-                found[self.full(s.name) if s.name else self.space] = numbers
-        return found
+                spaces[self.full(s.name) if s.name else self.space] = numbers
+        return spaces
 
     def named(self) -> dict[str, str]:
         """Descriptors without a layout."""
@@ -310,16 +310,16 @@ class _Definitions:
 
     def record(self, scope: _Scope, functions: str) -> list[dict[str, Any]]:
         """The parameters in the order in which they are read; those of a union are its cases."""
-        found: dict[str, dict[str, Any]] = {}
+        parameters: dict[str, dict[str, Any]] = {}
         for step in self.steps[scope.name]:
             name, _, inner = step.member.partition(".")
             first = name if name == "function" else scope.members[name].get("first", name)
-            if name == "function" or (first in found and first != name):
+            if name == "function" or (first in parameters and first != name):
                 continue  # another name of a number that was read
-            p = found.get(name) or self.parameter(scope, name, step)
-            if functions and name not in found:
+            p = parameters.get(name) or self.parameter(scope, name, step)
+            if functions and name not in parameters:
                 p["for"] = "".join(x for x in functions if x in step.letters or not step.written)
-            found[name] = p
+            parameters[name] = p
             if inner and step.case:
                 by, value = step.case
                 enum, _, entry = value.rpartition("::")
@@ -328,7 +328,7 @@ class _Definitions:
                 p["by"] = by
                 case = self.parameter(union, inner, step) | {"when": [entry, number]}
                 p.setdefault("cases", []).append(case)
-        return list(found.values())
+        return list(parameters.values())
 
     def find(self, name: str, scope: _Scope) -> str:
         """A type by its name, as C++ looks for it: in the scope, and in each around it."""
@@ -347,10 +347,10 @@ class _Definitions:
         elif kind == "DescriptorRate":
             p |= {"type": "struct", "struct": kind}
         else:
-            found = self.scopes[self.find(kind, scope)]
-            p["type"] = found.kind if found.kind in ("struct", "union") else found.scalar
-            if found.kind != "union":
-                p[found.kind] = self.full(found.name)
+            record = self.scopes[self.find(kind, scope)]
+            p["type"] = record.kind if record.kind in ("struct", "union") else record.scalar
+            if record.kind != "union":
+                p[record.kind] = self.full(record.name)
         if isinstance(step.repeat, int):
             p["count"] = step.repeat * p.get("count", 1)
         elif step.repeat == "rest":
@@ -364,16 +364,16 @@ class _Definitions:
         if {"enum", "bitfield", "struct"} & {*p} or p["type"] == "union":
             return {}
         plain = re.sub(r"<br */?>|</?[bui]>|//$", " ", text)
-        found = tables.described(plain, p["type"], about if "noise" in p["name"] else "")
+        facts = tables.described(plain, p["type"], about if "noise" in p["name"] else "")
         listed = _listed(plain) if p["type"].startswith("u") else []
         numbers = {re.sub(r"\W+", "_", words).upper(): number for words, number, _ in listed}
         if "itfield" in text and numbers:
-            return found | {"bits": {name: [number, 1] for name, number in numbers.items()}}
+            return facts | {"bits": {name: [number, 1] for name, number in numbers.items()}}
         if len(numbers) > 1 and len(set(numbers.values())) == len(numbers):
-            found |= {"values": numbers}
-            found.pop("range", None)
+            facts |= {"values": numbers}
+            facts.pop("range", None)
         chosen = [number for _, number, default in listed if default]
-        return found | ({"default": chosen[0]} if len(chosen) == 1 else {})
+        return facts | ({"default": chosen[0]} if len(chosen) == 1 else {})
 
 
 def _listed(text: str) -> list[tuple[str, int, str]]:

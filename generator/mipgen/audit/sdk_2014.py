@@ -137,8 +137,8 @@ def _parts(about: str, arguments: str, structs: dict[str, Any]) -> tuple[list[An
 
 
 def _directions(about: str, word: str) -> str:
-    found = re.search(rf"@param \[([a-z,]+)\][^\n]*\b{word}\b", about)
-    return found[1] if found else "in"
+    match = re.search(rf"@param \[([a-z,]+)\][^\n]*\b{word}\b", about)
+    return match[1] if match else "in"
 
 
 def _functions(about: str) -> str:
@@ -169,11 +169,11 @@ def _data(numbers: dict[str, int], structs: dict[str, Any]) -> Iterator[dict[str
 def _groups(headers: str) -> Iterator[tuple[str, dict[str, int]]]:
     """Numbers that follow each other, by what their names have in common: the values of one enumeration."""
     for block in re.split(r"\n(?:\s*\n)+|\n//[^\n]*", headers):
-        found = {name: int(value, 0) for name, value in _DEFINE.findall(block)}
+        numbers = {name: int(value, 0) for name, value in _DEFINE.findall(block)}
         # What is before the last underscore of the longest common beginning; letters decide, as names are no paths.
-        common = commonprefix(list(found)).rpartition("_")[0]  # noqa: RUF071
-        if len(found) > 1 and re.fullmatch(r"MIP_(3DM|FILTER)_(?!CMD|REPLY|DATA).+", common):
-            yield common, {name.removeprefix(common)[1:]: value for name, value in found.items()}
+        common = commonprefix(list(numbers)).rpartition("_")[0]  # noqa: RUF071
+        if len(numbers) > 1 and re.fullmatch(r"MIP_(3DM|FILTER)_(?!CMD|REPLY|DATA).+", common):
+            yield common, {name.removeprefix(common)[1:]: value for name, value in numbers.items()}
 
 
 def _words(name: str) -> tuple[str, ...]:

@@ -89,19 +89,19 @@ _NUMBER = r"-?\d+(?:\.\d+)?"
 def extract(manual: str, path: Path) -> dict[str, Any]:
     """The facts of a manual, in the form of a file of `spec/witness`."""
     lines = path.read_text("utf-8", errors="replace").splitlines()
-    found = [layout for section in _sections(lines) for layout in _layouts(*section)]
+    layouts = [layout for section in _sections(lines) for layout in _layouts(*section)]
     return {
         "source": {"manual": manual},
         "partial": True,
-        "units": symbols({p.get("unit") for layout in found for p in layout["parameters"]}),
-        "layouts": list({repr(layout): layout for layout in found}.values()),
+        "units": symbols({p.get("unit") for layout in layouts for p in layout["parameters"]}),
+        "layouts": list({repr(layout): layout for layout in layouts}.values()),
     }
 
 
 def symbols(units: set[str | None]) -> dict[str, list[str]]:
     """The symbols of units as a source prints them."""
-    found = {symbol: [token for token in tokens if token in units] for symbol, tokens in UNITS.items()}
-    return {symbol: tokens for symbol, tokens in found.items() if tokens}
+    used = {symbol: [token for token in tokens if token in units] for symbol, tokens in UNITS.items()}
+    return {symbol: tokens for symbol, tokens in used.items() if tokens}
 
 
 def dump(facts: dict[str, Any], command: str) -> str:
@@ -300,8 +300,8 @@ def _parameter(name: str, kind: str, text: str, about: str) -> dict[str, Any] | 
     words = words.replace("Bit(s)", " ")
     if meaning is None and re.search(r"0 ?- ?invalid,? ?1 ?-? ?valid", words, re.IGNORECASE):
         p["values"] = {"invalid": 0, "valid": 1}
-    found = described(words, element, about if "noise" in label else "")
-    return p | {key: fact for key, fact in found.items() if key != "unit" or meaning is None}
+    facts = described(words, element, about if "noise" in label else "")
+    return p | {key: fact for key, fact in facts.items() if key != "unit" or meaning is None}
 
 
 def _label(text: str) -> str:
@@ -310,29 +310,29 @@ def _label(text: str) -> str:
 
 def described(text: str, element: str, about: str) -> dict[str, Any]:
     """Unit, frames, range and default, as far as a text states them."""
-    found: dict[str, Any] = {}
+    facts: dict[str, Any] = {}
     unit = next((u for u in map(_unit, _units(text)) if u), None)
     if unit:
-        found["unit"] = unit
+        facts["unit"] = unit
     named = frames(text)
     if named:
-        found["frames"] = named
+        facts["frames"] = named
     limits = re.search(rf"[(:]\s*({_NUMBER})\s*(?:-|–|to)\s*({_NUMBER})\s*\)?", text)
     limits = limits or re.search(rf"({_NUMBER}) to ({_NUMBER})\.", text)
     if limits and float(limits[1]) < float(limits[2]):
-        found["range"] = [float(limits[1]), float(limits[2])]
+        facts["range"] = [float(limits[1]), float(limits[2])]
     elif re.search(r"0 ?[-=] ?disabled?,? 1 ?[-=] ?enabled?", text, re.IGNORECASE) and element == "u8":
-        found["range"] = [0.0, 1.0]
+        facts["range"] = [0.0, 1.0]
     elif re.search(r"\+ ?/? ?- ?pi\b|\[-pi, pi\]", text, re.IGNORECASE):
-        found["range"] = [-pi, pi]
+        facts["range"] = [-pi, pi]
     elif re.search(r"\bLimit(ed to)? \d+\.", text):
-        found["range"] = [None, float(re.findall(r"\bLimit(?:ed to)? (\d+)\.", text)[0])]
+        facts["range"] = [None, float(re.findall(r"\bLimit(?:ed to)? (\d+)\.", text)[0])]
     elif re.search(r"count(ed|ing) from 1|start(ing|s) (with|at|from) 1|\(1, ?2,|must be > 0", text, re.IGNORECASE):
-        found["range"] = [1.0, None]
+        facts["range"] = [1.0, None]
     floats = element not in ("bool", "u8", "u16")
     if "annot be 0 unless" in text or (floats and re.search(r"oise.{0,40} must be greater than 0", about)):
-        found["above"] = 0
-    return found
+        facts["above"] = 0
+    return facts
 
 
 def _units(text: str) -> Iterator[str]:
@@ -416,7 +416,7 @@ def _item(kind: str, words: str, about: str) -> dict[str, Any]:
 def _offsets(title: str, number: int, descriptor: int, rows: Rows, about: str) -> Iterator[Layout]:
     """Layouts whose rows have the offset of each number; the first has offset 0."""
     layout: Layout | None = None
-    size, found = 0, list[Layout]()
+    size, layouts = 0, list[Layout]()
     for row in rows:
         cells = [c for c in row if c]
         codes = [int(c, 16) for c in cells[:4] if re.fullmatch(f"0x{_HEX}", c)]
@@ -431,11 +431,11 @@ def _offsets(title: str, number: int, descriptor: int, rows: Rows, about: str) -
                     if named:
                         layout["frames"] = named
                     layout["parameters"] = []
-                    found.append(layout)
+                    layouts.append(layout)
                     size = 0
                 if layout is None or int(offset) != size:
-                    if layout in found:
-                        found.remove(layout)  # a row is missing
+                    if layout in layouts:
+                        layouts.remove(layout)  # a row is missing
                     layout = None
                     continue
                 label = _label(re.sub(r"\(.*", "", name)).strip("_").lower()
@@ -445,4 +445,4 @@ def _offsets(title: str, number: int, descriptor: int, rows: Rows, about: str) -
                     p["unit"] = printed
                 layout["parameters"].append(p)
                 size += _SIZES[kind.lower()]
-    yield from found
+    yield from layouts

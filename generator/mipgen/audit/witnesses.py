@@ -86,7 +86,7 @@ def audit(model: m.Model, folder: Path, revision: dict[str, Any] | None = None, 
     compared.run()
     if revision is None:
         compared.rules([rule for d in documents if d.kind == "rules" for rule in d.root.plain()["rules"]])
-    found = {(d.witness, d.at, d.text): d for d in compared.found}
+    differing = {(d.witness, d.at, d.text): d for d in compared.differences}
     allowed = {(e["witness"], e["at"], t): node.position for node, e in judged for t in e["texts"]}
     stale = (
         []
@@ -94,12 +94,12 @@ def audit(model: m.Model, folder: Path, revision: dict[str, Any] | None = None, 
         else [
             f"{place.file}:{place.line}: {at}: there is no difference '{text}' ({witness}); remove it"
             for (witness, at, text), place in allowed.items()
-            if (witness, at, text) not in found
+            if (witness, at, text) not in differing
         ]
     )
-    fresh = [d for key, d in found.items() if key not in allowed]
+    fresh = [d for key, d in differing.items() if key not in allowed]
     alone = [f.full_name for f in model.fields if f.full_name not in compared.seen]
-    return Report(fresh, stale, len(found) - len(fresh), compared.counts, alone)
+    return Report(fresh, stale, len(differing) - len(fresh), compared.counts, alone)
 
 
 def normal(name: str) -> str:
@@ -107,13 +107,13 @@ def normal(name: str) -> str:
 
 
 class _Compared:
-    """One comparison; `found` is what differs."""
+    """One comparison; `differences` is what differs."""
 
     def __init__(self, model: m.Model, witnesses: dict[str, Any], accepted: list[dict[str, Any]]) -> None:
         self.model, self.witnesses, self.accepted = model, witnesses, accepted
         self.reader = Reader(witnesses.values())
         self.pairs = {(a, b) for x in accepted for a, b in x.get("names", ())}
-        self.found: list[Difference] = []
+        self.differences: list[Difference] = []
         self.seen: set[str] = set()
         self.leaves: dict[str, list[Leaf]] = {}
         self.counts: Counter[str] = Counter()
@@ -125,7 +125,7 @@ class _Compared:
             for key in facts.get("named", {}):
                 if not self.known(*_numbers(key)):
                     text = f"not listed; the witness names it {facts['named'][key]}"
-                    self.found.append(Difference(name, key, text))
+                    self.differences.append(Difference(name, key, text))
             for x in self.accepted:
                 self.standalone(name, facts, x)
 
@@ -137,7 +137,7 @@ class _Compared:
         for kind, finding in rules.compare(self.model, given):
             self.counts[f"{kind} by rule".replace("if_", "").replace("_of", "")] += 1
             if finding:
-                self.found.append(Difference("rules", finding.at, finding.text, finding.position))
+                self.differences.append(Difference("rules", finding.at, finding.text, finding.position))
 
     # ------------------------------------------------------------------ layouts
 
@@ -148,18 +148,18 @@ class _Compared:
         fields = [f for f in self.model.candidates(number, descriptor) if f.role == layout["role"]]
         if not fields:
             text = f"no such {layout['role']}; the witness has {layout['name']}: {_listed(layout['parameters'])}"
-            self.found.append(Difference(name, layout["key"], text))
+            self.differences.append(Difference(name, layout["key"], text))
             return
         symbols = {token: symbol for symbol, tokens in facts.get("units", {}).items() for token in tokens}
         theirs = self.reader.layout(layout, symbols)
         tries = [self.attempt(name, facts, layout, f, theirs) for f in fields]
-        best = min(tries, key=lambda one: len(one.found))
-        self.found += best.found
+        best = min(tries, key=lambda one: len(one.differences))
+        self.differences += best.differences
         self.counts += best.counts
         self.seen.add(best.field.full_name)
         for other in sets:
             if other != m.SHARED_SET and other not in best.field.sets:
-                self.found.append(Difference(name, best.field.full_name, f"does not occur in 0x{other:02X}"))
+                self.differences.append(Difference(name, best.field.full_name, f"does not occur in 0x{other:02X}"))
 
     def attempt(
         self, name: str, facts: dict[str, Any], layout: dict[str, Any], field: m.Field, theirs: list[Leaf]
@@ -200,14 +200,14 @@ class _Compared:
             numbers = _grouped((f.value, f.name) for f in self.model.protocol.functions)
             one = _Layout(name, self.model, None, self.pairs, False)
             one.compare(Leaf(type, ""), "value", numbers, _grouped((v, k) for k, v in theirs["values"].items()), theirs)
-            self.found += one.found
+            self.differences += one.differences
             return
         if ours is None:
-            self.found.append(Difference(name, type, f"no such type; the witness has {theirs['name']}"))
+            self.differences.append(Difference(name, type, f"no such type; the witness has {theirs['name']}"))
             return
         one = _Layout(name, self.model, None, self.pairs, False)
         one.type(Leaf(type, "", position=ours.position), (ours,), theirs)
-        self.found += one.found
+        self.differences += one.differences
         self.counts += one.counts
 
 
@@ -219,7 +219,7 @@ class _Layout:
     ) -> None:
         self.witness, self.model, self.pairs, self.partial = witness, model, pairs, partial
         self._field = field
-        self.found: list[Difference] = []
+        self.differences: list[Difference] = []
         self.counts: Counter[str] = Counter()
 
     @property
@@ -231,7 +231,7 @@ class _Layout:
         at = self._field.full_name if self._field else ""
         if self._field is None:
             at, _, text = text.partition(": ")
-        self.found.append(
+        self.differences.append(
             Difference(self.witness, at, text, position or (self._field.position if self._field else None))
         )
 
@@ -468,10 +468,10 @@ def _numbers(key: str) -> tuple[int, int]:
 
 
 def _grouped(pairs: Iterable[tuple[Any, str]]) -> dict[Any, list[str]]:
-    found: dict[Any, list[str]] = {}
+    grouped: dict[Any, list[str]] = {}
     for key, name in pairs:
-        found.setdefault(key, []).append(name)
-    return {key: list(dict.fromkeys(names)) for key, names in found.items()}
+        grouped.setdefault(key, []).append(name)
+    return {key: list(dict.fromkeys(names)) for key, names in grouped.items()}
 
 
 def _composed(span: tuple[int, int], spans: Iterable[tuple[int, int]]) -> bool:

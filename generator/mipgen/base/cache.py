@@ -83,11 +83,11 @@ def _prune(kind: str) -> None:
     if base is None:
         return
     try:
-        found = [(x.stat(), x.path) for x in os.scandir(base / kind)]
+        entries = [(x.stat(), x.path) for x in os.scandir(base / kind)]
     except OSError:
         return
     size = 0
-    for status, path in sorted(found, key=lambda x: x[0].st_mtime, reverse=True):
+    for status, path in sorted(entries, key=lambda x: x[0].st_mtime, reverse=True):
         size += status.st_size + _OVERHEAD
         if size > LIMIT:
             try:

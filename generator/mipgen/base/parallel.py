@@ -57,12 +57,12 @@ def _forked(function: Callable[[Item], Result], items: Sequence[Item], count: in
         gc.unfreeze()
         os.close(queue)
     parts = [_finish(*child) for child in children]
-    found: dict[int, Answer] = {}
+    answers: dict[int, Answer] = {}
     for status, data in parts:
         if status != 0 or not data:
             raise RuntimeError(f"in another process:\nit ended with status {status}")
-        found |= pickle.loads(data)
-    return found
+        answers |= pickle.loads(data)
+    return answers
 
 
 def _start(function: Callable[[Item], Result], items: Sequence[Item], queue: int) -> tuple[int, int]:

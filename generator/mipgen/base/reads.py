@@ -12,8 +12,18 @@ from typing import Any, Generic, TypeVar, overload
 Key = TypeVar("Key", bound=Hashable)
 Value = TypeVar("Value")
 
+
+class Earlier:
+    """What was read for a result of an earlier run, as numbers that only those know who use such results."""
+
+    __slots__ = ("read",)
+
+    def __init__(self, read: frozenset[int]) -> None:
+        self.read = read
+
+
 #: An attribute of an object: the identity of the object, which must live as long as what was read, and its name.
-Read = tuple[int, str]
+Read = tuple[int, str] | Earlier
 
 _log: set[Read] = set()
 
@@ -28,6 +38,11 @@ def during(make: Callable[..., Value], *arguments: Any) -> tuple[Value, frozense
         inner, _log = _log, outer
         outer |= inner
     return value, frozenset(inner)
+
+
+def note(read: frozenset[int]) -> None:
+    """A result of an earlier run is used, for which this was read."""
+    _log.add(Earlier(read))
 
 
 def watch(cls: type, names: Iterable[str]) -> None:

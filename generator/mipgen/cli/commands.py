@@ -76,19 +76,19 @@ def check(options: Namespace) -> int:
     model, summary = _load(options)
     outputs = build.make(model, sources)
     print(summary)
-    found = [(options.out / o.name, d) for o in outputs for d in output.compare(o.files, options.out / o.name)]
-    for folder, difference in found:
+    differences = [(options.out / o.name, d) for o in outputs for d in output.compare(o.files, options.out / o.name)]
+    for folder, difference in differences:
         print(f"{folder / difference.path}: error: {difference.what}", file=sys.stderr)
-    others = sum(d.what in output.OTHERS for _, d in found)
+    others = sum(d.what in output.OTHERS for _, d in differences)
     if others:
         it = "it" if others == 1 else "them"
         print(f"mipgen: {_count(others, 'file')} that mipgen did not write; move or delete {it}", file=sys.stderr)
-    if len(found) > others:
-        wrong = _count(len(found) - others, "file")
+    if len(differences) > others:
+        wrong = _count(len(differences) - others, "file")
         print(f"mipgen: {wrong} to put right; run: mipgen generate{_given(options)}", file=sys.stderr)
-    if not found:
+    if not differences:
         print(f"{options.out} is up to date")
-    return 1 if found else 0
+    return 1 if differences else 0
 
 
 def _given(options: Namespace) -> str:
@@ -141,10 +141,10 @@ def _write(options: Namespace, outputs: list[Output]) -> list[int]:
     """Writes all files; the number of changed ones for each target. Files of a user are kept."""
     folders = {options.out / o.name: o.files for o in outputs}
     try:
-        found = {folder: output.compare(files, folder) for folder, files in folders.items()}
-        foreign = [folder / d.path for folder, several in found.items() for d in several if d.what == "foreign"]
+        differences = {folder: output.compare(files, folder) for folder, files in folders.items()}
+        foreign = [folder / d.path for folder, several in differences.items() for d in several if d.what == "foreign"]
         if not foreign:
-            return [len(output.write(files, folder, found[folder])) for folder, files in folders.items()]
+            return [len(output.write(files, folder, differences[folder])) for folder, files in folders.items()]
     except OSError as error:
         raise Failure(f"cannot be written: {_reason(error)}; choose another --out", str(options.out)) from None
     listed = "".join(f"\n  {path}" for path in foreign)
@@ -288,10 +288,10 @@ def _of_another_time(name: str, spec: Path) -> tuple[Model, str]:
         try:
             return load_model(folder), there
         except SpecError as error:
-            found = [str(p) for p in error.problems]
+            problems = [str(p) for p in error.problems]
             if there:
-                found = [line.replace(there, f"{name}:{spec}/", 1) for line in found]
-            raise Unreadable(name, found) from None
+                problems = [line.replace(there, f"{name}:{spec}/", 1) for line in problems]
+            raise Unreadable(name, problems) from None
 
 
 class Unreadable(Failure):

@@ -114,7 +114,7 @@ def _annotation(c: Change) -> str:
 
 
 def compare(old: m.Model, new: m.Model) -> Report:
-    found = sorted(
+    unplaced = sorted(
         {
             *_fields(old, new),
             *_types(old, new),
@@ -126,7 +126,7 @@ def compare(old: m.Model, new: m.Model) -> Report:
         key=lambda c: (-VERDICTS.index(c.verdict), c.subject, c.what),
     )
     places = _places(new)
-    changes = tuple(replace(c, position=_nearest(c.subject, places)) for c in found)
+    changes = tuple(replace(c, position=_nearest(c.subject, places)) for c in unplaced)
     return Report(old.protocol.version, new.protocol.version, worst(changes), changes)
 
 

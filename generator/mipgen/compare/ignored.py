@@ -44,9 +44,9 @@ def entries(path: Path) -> list[Entry]:
         problems.add(root.position, "a list of changes to ignore is a mapping with the one key 'ignore', a list")
         problems.raise_if_any()
     assert listed is not None
-    found = [entry for node in listed if (entry := _entry(node, problems)) is not None]
+    valid = [entry for node in listed if (entry := _entry(node, problems)) is not None]
     problems.raise_if_any()
-    return found
+    return valid
 
 
 def _entry(node: Node, problems: Problems) -> Entry | None:

@@ -26,8 +26,8 @@ class Output:
 
 def check_names(model: Model, sources: Sequence[Source]) -> None:
     """Raises SpecError if two things of the model get the same name in one of the languages, or one too long a name."""
-    found = parallel.each(lambda source: _unfit(model, source), sources)
-    _raise([problem for problems in found for problem in problems])
+    unfit = parallel.each(lambda source: _unfit(model, source), sources)
+    _raise([problem for problems in unfit for problem in problems])
 
 
 def make(model: Model, sources: Sequence[Source], slices: Slices | None = None) -> list[Output]:
@@ -52,7 +52,7 @@ def make(model: Model, sources: Sequence[Source], slices: Slices | None = None) 
     for source in sorted(ours, key=lambda source: not source.load().slow):
         groups.setdefault(source.load().beside or source.name, []).append(source)
     made = {output.name: output for outputs in parallel.each(several, list(groups.values())) for output in outputs}
-    _raise([found for output in made.values() for found in output.problems])
+    _raise([problem for output in made.values() for problem in output.problems])
     if len(ours) < len(sources):
         from . import plugins
 

@@ -65,10 +65,10 @@ class Source:
         except WrongTarget as error:
             ours = (f for f in traceback.extract_tb(error.__traceback__) if f.filename == str(self.module))
             raise Failure(str(error), f"{self.module}:{[f.lineno for f in ours][-1]}") from None
-        found = getattr(module, "TARGET", None)
-        if not isinstance(found, Target):
+        target = getattr(module, "TARGET", None)
+        if not isinstance(target, Target):
             raise Failure("TARGET is missing; write TARGET = Target(title=..., files=...)", str(self.module))
-        return found
+        return target
 
 
 def names() -> list[str]:
@@ -78,15 +78,15 @@ def names() -> list[str]:
 
 def sources(paths: Sequence[Path] = (), plugins: Sequence[str] = ()) -> dict[str, Source]:
     """All targets by name, in order; earlier folders take precedence."""
-    found = {name: built_in(name) for name in names()}
+    known = {name: built_in(name) for name in names()}
     for path in reversed(paths):
         for folder in _folders(path):
             name, module = folder.name, folder / MODULE
-            before = found.get(name)
+            before = known.get(name)
             if before is None and not module.is_file():
-                near = _nearest(name, found)
+                near = _nearest(name, known)
                 raise Failure(f"{MODULE} is missing, and there is no target '{name}'{near}", str(folder))
-            found[name] = Source(
+            known[name] = Source(
                 name,
                 (folder, *(before.folders if before else ())),
                 (folder / RUNTIME, *(before.runtimes if before else ())),
@@ -96,10 +96,10 @@ def sources(paths: Sequence[Path] = (), plugins: Sequence[str] = ()) -> dict[str
         from .plugins import parse
 
         name, program = parse(plugin)
-        if name in found:
+        if name in known:
             raise Failure(f"there is a target '{name}' already; write --plugin NAME=PROGRAM", f"plugin {plugin}")
-        found[name] = Source(name, (), (), program=program)
-    return dict(sorted(found.items()))
+        known[name] = Source(name, (), (), program=program)
+    return dict(sorted(known.items()))
 
 
 def built_in(name: str) -> Source:
@@ -119,10 +119,10 @@ def chosen(wanted: Sequence[str] | None, paths: Sequence[Path] = (), plugins: Se
 def _folders(path: Path) -> Iterator[Path]:
     if not path.is_dir():
         raise Failure("there is no such folder; --target-path names the one above those of the targets", str(path))
-    found = sorted(p for p in path.iterdir() if p.is_dir() and p.name[0] not in "._")
-    if not found:
+    folders = sorted(p for p in path.iterdir() if p.is_dir() and p.name[0] not in "._")
+    if not folders:
         raise Failure(f"there is no target in it; write one: {path}/<name>/{MODULE}", str(path))
-    yield from found
+    yield from folders
 
 
 def _nearest(name: str, known: Iterable[str]) -> str:

@@ -88,12 +88,13 @@ def formatted(
 
 
 def _run(formatter: Formatter, made: Mapping[str, bytes], wanted: list[str]) -> dict[str, bytes]:
-    """Formats in a temporary folder with all files of the language, because import sorting looks for modules."""
+    """Formats in a temporary folder with the names of all files, because import sorting looks for modules."""
+    needed = {formatter.style, *wanted}
     with tempfile.TemporaryDirectory(prefix="mipgen-") as name:
         folder = Path(name)
         for path, data in made.items():
             (folder / path).parent.mkdir(parents=True, exist_ok=True)
-            (folder / path).write_bytes(data)
+            (folder / path).write_bytes(data if path in needed else b"")
         for step in formatter.steps:
             if _ran(formatter, step, wanted, folder).returncode != 0:
                 failed = {path: _ran(formatter, step, [path], folder) for path in wanted}

@@ -86,10 +86,10 @@ class Identifier:
 
 def judge(target: str, identifiers: Iterable[Identifier], grammar: Grammar | None, problems: Problems) -> None:
     """Reports the names that a language cannot have."""
-    found = list(identifiers)
-    collisions(target, found, problems)
+    names = list(identifiers)
+    collisions(target, names, problems)
     if grammar is not None:
-        words = [i for i in found if i.word]
+        words = [i for i in names if i.word]
         invalid(target, words, grammar, problems)
         if grammar.longest is not None:
             lengths(target, words, grammar.longest, problems)

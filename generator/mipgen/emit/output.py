@@ -64,38 +64,38 @@ def compare(made: Mapping[str, bytes], folder: Path) -> list[Difference]:
     ours = _ours(folder)
     known = ours | made.keys()
     parents = ((p, folder / p) for p in sorted(_parents(made)))
-    found = [Difference(p, "foreign") for p, path in parents if os.path.lexists(path) and not path.is_dir()]
+    differences = [Difference(p, "foreign") for p, path in parents if os.path.lexists(path) and not path.is_dir()]
     for p in sorted(made):
         path = folder / p
         if not os.path.lexists(path):
-            found.append(Difference(p, "missing"))
+            differences.append(Difference(p, "missing"))
         elif not path.is_file() or path.read_bytes() != made[p]:
-            found.append(Difference(p, "changed" if p in ours and _plain(path) else "foreign"))
+            differences.append(Difference(p, "changed" if p in ours and _plain(path) else "foreign"))
     for p in sorted(_present(folder, known) - made.keys()):
         stale = _PART.sub("", p) in known and _plain(folder / p)
-        found.append(Difference(p, "stale" if stale else "untracked"))
-    return found
+        differences.append(Difference(p, "stale" if stale else "untracked"))
+    return differences
 
 
-def write(made: Mapping[str, bytes], folder: Path, found: Sequence[Difference] | None = None) -> list[Difference]:
+def write(made: Mapping[str, bytes], folder: Path, differences: Sequence[Difference] | None = None) -> list[Difference]:
     """Makes the folder hold these files, also in place of foreign ones; untracked ones are kept.
 
-    `found`: how it differs, if that is known.
+    `differences`: how it differs, if that is known.
     """
-    found = [d for d in (compare(made, folder) if found is None else found) if d.what != "untracked"]
+    differences = [d for d in (compare(made, folder) if differences is None else differences) if d.what != "untracked"]
     ours = _ours(folder)
     if not made.keys() <= ours:  # before these files, so that it is known who wrote them
         _put(folder / MANIFEST, manifest((ours | made.keys()) - {MANIFEST}))
-    for d in found:
+    for d in differences:
         if d.what == "stale":
             (folder / d.path).unlink(missing_ok=True)  # gone is the part of an earlier process with our number
     for parent in sorted(_parents(ours) - _parents(made), reverse=True):
         with contextlib.suppress(OSError):  # it is not empty, or gone
             (folder / parent).rmdir()
-    for d in found:
+    for d in differences:
         if d.path in made:
             _put(folder / d.path, made[d.path])
-    return found
+    return differences
 
 
 def unfinished(made: Collection[str], folder: Path) -> bool:
@@ -123,19 +123,19 @@ def _ours(folder: Path) -> set[str]:
 
 def _parents(paths: Iterable[str]) -> set[str]:
     """The folders above these paths; "" is the outermost one."""
-    found: set[str] = set()
+    folders: set[str] = set()
     for p in paths:
-        while (p := os.path.dirname(p)) not in found:
-            found.add(p)
-    return found
+        while (p := os.path.dirname(p)) not in folders:
+            folders.add(p)
+    return folders
 
 
 def _present(folder: Path, known: Iterable[str]) -> set[str]:
     """The files of a folder, without those in folders of build tools where none is known."""
-    found: set[str] = set()
+    paths: set[str] = set()
     wanted = _parents(known)
     for place, folders, files in os.walk(folder):
         under = "".join(f"{part}/" for part in Path(place).relative_to(folder).parts)
         folders[:] = [f for f in folders if under + f in wanted or not (f in _BUILT or f.endswith(".egg-info"))]
-        found.update(under + f for f in files)
-    return found
+        paths.update(under + f for f in files)
+    return paths

@@ -35,13 +35,13 @@ def parse(text: str) -> tuple[str, str]:
         name, program = Path(text).stem, text
     if not _NAME.fullmatch(name):
         raise Failure("give its target a name: --plugin NAME=PROGRAM", f"plugin {text}")
-    found = shutil.which(program)
-    if found is None and not Path(program).is_file():
+    place = shutil.which(program)
+    if place is None and not Path(program).is_file():
         raise Failure(f"there is no program {program}", f"plugin {name}")
-    if found is None:
+    if place is None:
         remedy = f"chmod +x {program}" if os.sep in program else f"write ./{program}"
         raise Failure(f"{program} is a file that cannot be run as a program; {remedy}", f"plugin {name}")
-    return name, found
+    return name, place
 
 
 def run(name: str, program: str, document: bytes) -> tuple[str, dict[str, bytes]]:

@@ -36,8 +36,8 @@ def target(name: str) -> Target:
 def language(name: str) -> dict[str, Any]:
     """The data of a language: templates/<name>/language.yaml."""
     text = (resources.root() / "templates" / name / "language.yaml").read_text("utf-8")
-    found: dict[str, Any] = yaml.load(text, Loader=getattr(yaml, "CSafeLoader", yaml.SafeLoader))
-    return found
+    data: dict[str, Any] = yaml.load(text, Loader=getattr(yaml, "CSafeLoader", yaml.SafeLoader))
+    return data
 
 
 def render(source: Source | str, model: Model, past: Anew | None = None) -> dict[str, bytes]:
@@ -47,6 +47,7 @@ def render(source: Source | str, model: Model, past: Anew | None = None) -> dict
     past = past or Anew()
     right = past.all_right()
     if right is not None:
+        past.keep(right)
         return right
     target, place = source.load(), f"target {source.name}"
     files, templates, rename = past.make(PLAN, _plan, source, model)

@@ -3,7 +3,7 @@
 While something is made, `base.reads` notes which parts of the model, and which details of its objects, are read. The
 next run finds the same objects by their place in a walk over the model, as long as that part of the model has the same
 shape: all that it holds but details. Nothing is declared by hand, and a file is right only with the bytes that it was
-left with.
+left with. Inside a file that is made again, a `piece` of its text is kept in the same way.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from __future__ import annotations
 import hashlib
 import io
 import pickle
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import fields
 from itertools import repeat
 from operator import attrgetter
@@ -50,6 +50,7 @@ class _Addresses(dict[Read, Address | None]):
         self.parts = slices.parts
 
     def __missing__(self, read: Read) -> Address | None:
+        assert not isinstance(read, reads.Earlier)
         owner, name = read
         if owner == self.model:
             address: Address | None = self.parts[name].number << _PART | _WHOLE
@@ -72,8 +73,8 @@ class Part:
 
 def _details(thing: Any) -> tuple[Any, ...]:
     """The details of an object, so that equal ones are of the same kind."""
-    found = _GETTERS[type(thing)](thing)
-    several = found if len(_NAMES[type(thing)]) > 1 else (found,)
+    values = _GETTERS[type(thing)](thing)
+    several = values if len(_NAMES[type(thing)]) > 1 else (values,)
     return tuple([x if x is None or x.__class__ is str else _plain(x) for x in several])
 
 
@@ -107,6 +108,7 @@ class Slices:
         self.before = _digest(before) if before is not None else b""
         #: The addresses that have changed; of a part with another shape, only that of the part.
         self.changed = self._changed(pickle.loads(before)) if before is not None else set()
+        self.reshaped = {a >> _PART for a in self.changed if a & _WHOLE == _WHOLE}
 
     def _reducer(self, cls: type) -> Callable[[Any], tuple[Any, ...]]:
         """How an object becomes a piece of the shape. One that an earlier part holds is there by its name."""
@@ -146,6 +148,17 @@ class Slices:
     def of(self, target: str) -> Anew:
         return Slice(self, target)
 
+    def noted(self, read: Iterable[Read]) -> set[Address]:
+        """The addresses of what was read of the model."""
+        earlier = [r.read for r in read if isinstance(r, reads.Earlier)]
+        now = set(map(self.addresses.__getitem__, (r for r in read if r.__class__ is tuple)))
+        return {a for a in now if a is not None}.union(*earlier)
+
+    def differ(self, read: frozenset[Address]) -> bool:
+        """Has any of this changed since the last run?"""
+        shapes = self.reshaped
+        return not self.changed.isdisjoint(read) or (bool(shapes) and any(a >> _PART in shapes for a in read))
+
     def keep(self) -> None:
         """For the next run, once all targets have kept what they made."""
         cache.put("slices", {self.key: self._state})
@@ -174,6 +187,48 @@ class Anew:
         """For the next run."""
 
 
+#: A text that was made of an object of the model, and the addresses of all that was read.
+Piece = tuple[str, frozenset[Address]]
+
+
+class Pieces:
+    """The pieces of a file: those of last time, and those of now."""
+
+    def __init__(self, slices: Slices, data: bytes | None) -> None:
+        self.slices = slices
+        self.before: dict[str, Piece] = pickle.loads(data) if data is not None else {}
+        self.now: dict[str, Piece] = {}
+
+    def text(self, name: str, place: Address, make: Callable[..., str], *arguments: object) -> str:
+        known = self.before.get(name)
+        if known is not None and not self.slices.differ(known[1] | {place}):
+            reads.note(known[1])
+        else:
+            text, read = reads.during(make, *arguments)
+            known = text, frozenset(self.slices.noted(read))
+        self.now[name] = known
+        return known[0]
+
+
+#: Those of the file that is being made; none inside a piece.
+_pieces: Pieces | None = None
+
+
+def piece(name: str, make: Callable[..., str], thing: object, *constants: str) -> str:
+    """A text that depends on nothing but an object of the model, and on what is read of the model to make it. If it is
+    part of a file that is made again, it is that of last time unless some of this has changed. `name` tells it from
+    other texts of the same object in a file."""
+    global _pieces
+    pieces, _pieces = _pieces, None
+    try:
+        place = pieces.slices.places.get(id(thing)) if pieces else None
+        if pieces is None or place is None:
+            return make(thing, *constants)
+        return pieces.text(f"{name} {place}", place, make, thing, *constants)
+    finally:
+        _pieces = pieces
+
+
 class Slice(Anew):
     """What one target made last time, and makes now."""
 
@@ -184,15 +239,16 @@ class Slice(Anew):
         self._readers = cache.key(slices.key, target, "readers")
         self.digests: dict[str, bytes] = {}  # of what was made last time; of files
         self.readers: dict[Address, frozenset[str]] = {}  # what was made of it
+        self.pieces: dict[str, bytes] = {}  # the digests of those of a file
         self.stored = b""  # the digest of the readers, which change rarely and have an entry of their own
         self.read: dict[str, set[Address]] = {}  # what is made now
         data = cache.get("slices", self.key)
         readers = cache.get("slices", self._readers)
         if data is not None and readers is not None:
-            of, digests, self.stored = pickle.loads(data)
+            of, digests, self.stored, pieces = pickle.loads(data)
             if of == slices.before and self.stored == _digest(readers):
-                self.digests, self.readers = digests, pickle.loads(readers)
-        parts = {a >> _PART for a in slices.changed if a & _WHOLE == _WHOLE}
+                self.digests, self.readers, self.pieces = digests, pickle.loads(readers), pieces
+        parts = slices.reshaped
         affected = [what for a, what in self.readers.items() if a >> _PART in parts] if parts else []
         affected += [self.readers[a] for a in slices.changed if a in self.readers]
         self.stale = frozenset[str]().union(*affected)
@@ -219,9 +275,29 @@ class Slice(Anew):
         return files or None
 
     def make(self, what: str, how: Callable[..., Value], *arguments: Any) -> Value:
-        made, read = reads.during(how, *arguments)
-        self.read[what] = {a for a in set(map(self.slices.addresses.__getitem__, read)) if a is not None}
+        global _pieces
+        _pieces = pieces = Pieces(self.slices, self._stored(what))
+        try:
+            made, read = reads.during(how, *arguments)
+        finally:
+            _pieces = None
+        self.read[what] = self.slices.noted(read)
+        self.pieces.pop(what, None)
+        if pieces.now:
+            data = pickle.dumps(pieces.now, 5)
+            self.pieces[what] = _digest(data)
+            cache.put("slices", {self._place(what): data})
         return made
+
+    def _place(self, what: str) -> str:
+        return cache.key(self.slices.key, self.folder.name, "pieces", what)
+
+    def _stored(self, what: str) -> bytes | None:
+        """The pieces of a file, if they are those that it had when it was made."""
+        if what not in self.pieces or not self.unchanged(PLAN):
+            return None
+        data = cache.get("slices", self._place(what))
+        return data if data is not None and _digest(data) == self.pieces[what] else None
 
     def keep(self, files: Mapping[str, bytes]) -> None:
         digests = {NAMES: b"", PLAN: b"", **{path: _digest(data) for path, data in files.items()}}
@@ -243,7 +319,8 @@ class Slice(Anew):
             data = pickle.dumps(readers, 5)
             cache.put("slices", {self._readers: data})
             self.stored = _digest(data)
-        cache.put("slices", {self.key: pickle.dumps((self.slices.now, digests, self.stored), 5)})
+        pieces = {path: digest for path, digest in self.pieces.items() if path in digests}
+        cache.put("slices", {self.key: pickle.dumps((self.slices.now, digests, self.stored, pieces), 5)})
 
 
 def _digest(data: bytes) -> bytes:

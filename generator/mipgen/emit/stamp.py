@@ -49,8 +49,8 @@ def remembered(name: str | None, out: Path | None) -> dict[str, Any] | None:
     data = None if name is None else cache.get("made", name)
     if data is None:
         return None
-    found: dict[str, Any] = json.loads(data)
-    for target, made in found["targets"].items():
+    known: dict[str, Any] = json.loads(data)
+    for target, made in known["targets"].items():
         folder = (out or Path()) / target
         try:
             for path, digest in made["files"].items():
@@ -62,7 +62,7 @@ def remembered(name: str | None, out: Path | None) -> dict[str, Any] | None:
             return None
         if output.unfinished(made["files"], folder):
             return None
-    return found
+    return known
 
 
 def _digest(data: bytes) -> str:

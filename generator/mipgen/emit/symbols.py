@@ -35,8 +35,8 @@ def records(model: m.Model) -> list[Record]:
 
 def parameters(model: m.Model) -> list[str]:
     """The names of all parameters, those of unions too."""
-    found = (q for r in records(model) for p in r.parameters for q in (p, *(c.parameter for c in p.cases)) if q)
-    return sorted({q.name for q in found})
+    every = (q for r in records(model) for p in r.parameters for q in (p, *(c.parameter for c in p.cases)) if q)
+    return sorted({q.name for q in every})
 
 
 def constants(model: m.Model) -> list[str]:

@@ -12,6 +12,7 @@ import jinja2
 from mipgen.base import cache
 from mipgen.base.errors import Failure
 
+from . import slices
 from .discovery import Source
 
 SETTINGS: dict[str, Any] = {
@@ -36,7 +37,7 @@ class Templates:
             **SETTINGS,
         )
         self.environment.filters.update(late)
-        self.environment.globals.update(known)
+        self.environment.globals.update(known, piece=_piece)
 
     def render(self, template: str, context: Mapping[str, Any], path: str) -> str:
         """The text of the file `path`."""
@@ -78,6 +79,12 @@ class _Compiled(jinja2.BytecodeCache):
 
     def dump_bytecode(self, bucket: Any) -> None:
         cache.put("templates", {cache.key(self.how, bucket.key, bucket.checksum): bucket.bytecode_to_string()})
+
+
+def _piece(macro: Any, thing: object, *texts: str) -> str:
+    """What a macro makes of an object of the model, and of texts, which is kept for the next run. Templates call other
+    macros themselves: `slices.piece` says what may be kept."""
+    return slices.piece(" ".join([macro.name, *texts]), macro, thing, *texts)
 
 
 def _at_run_time(function: Callable[..., Any]) -> Callable[..., Any]:

@@ -44,6 +44,7 @@ class Brackets:
     tail: str  # from the closing bracket on
     comma: str = ","  # behind the last item, if each has a line
     alone: str = ""  # behind the only item, in one line
+    pad: str = ""  # inside the brackets, in one line
 
     def after(self, text: str) -> Brackets:
         return replace(self, head=text + self.head)
@@ -63,11 +64,14 @@ def flat(expression: Expression) -> str:
 
     >>> flat(Brackets("f(", ["a", Brackets("[", ["b"], "]")], ")")), flat(Brackets("(", ["a"], ")", alone=","))
     ('f(a, [b])', '(a,)')
+    >>> flat(Brackets("{", ["a"], "}", pad=" ")), flat(Brackets("{", [], "}", pad=" "))
+    ('{ a }', '{}')
     """
     if isinstance(expression, str):
         return expression
     alone = expression.alone if len(expression.items) == 1 else ""
-    return f"{expression.head}{', '.join(map(flat, expression.items))}{alone}{expression.tail}"
+    pad = expression.pad if expression.items else ""
+    return f"{expression.head}{pad}{', '.join(map(flat, expression.items))}{alone}{pad}{expression.tail}"
 
 
 def laid_out(expression: Expression, width: int) -> str:

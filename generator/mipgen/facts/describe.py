@@ -16,7 +16,7 @@ from .measures import default, limits
 from .parameters import case
 from .parts import bits, bits_place, type, value
 from .remarks import sources, uncertain
-from .texts import Fact, Ref, Text, Thing, joined, measured, number, prose, quotation, say, topics
+from .texts import Fact, Ref, Text, Thing, fact, joined, measured, number, prose, quotation, say, topics
 from .variants import difference, usual, variants
 
 __all__ = [
@@ -35,6 +35,7 @@ __all__ = [
     "difference",
     "evidence",
     "field",
+    "in_code",
     "joined",
     "known",
     "lengths",
@@ -83,6 +84,17 @@ class _Composed:
 def field(f: m.Field, model: m.Model) -> list[Fact]:
     """The facts about a field besides its description."""
     return model.derived(_Composed).field(f)
+
+
+#: What would take more lines than all else. It is in the reference, and for programs in the metadata of a binding.
+_LONG = ("perhaps", "refused", "affected", "flags")
+
+
+def in_code(f: m.Field, model: m.Model) -> list[Fact]:
+    """What a comment in code says of a field besides its description."""
+    unsure = model.devices_of(f, certain=False) and not model.devices_of(f)
+    said = [fact("unsure", (), "No device is certain to support it.")] if unsure else []
+    return said + [x for x in field(f, model) if x.topic not in _LONG]
 
 
 def parameter(p: m.Parameter, record: m.Record, model: m.Model) -> list[Fact]:

@@ -19,8 +19,8 @@ def set_of(p: m.Parameter, values: Mapping[str, Any], model: m.Model) -> int | N
 def meant(p: m.Parameter, value: int, set_number: int | None, model: m.Model) -> m.Set | m.Field | None:
     """The data set, or the field, that a value of a parameter is the number of, if that is known."""
     if p.shown == "set":
-        found = model.set(value)
-        return found if found is not None and found.kind == "data" else None
+        data_set = model.set(value)
+        return data_set if data_set is not None and data_set.kind == "data" else None
     if p.shown == "field" and set_number is not None:
         return next(iter(model.candidates(set_number, value)), None)
     return None

@@ -45,8 +45,8 @@ def device(d: m.Device, model: m.Model) -> list[Fact]:
 def evidence(e: m.Evidence, model: m.Model) -> Text:
     """Why a device is believed to have a field, or not to have it: its kind, who says so, and where."""
     known = {x.id: x.title for x in model.protocol.manuals}
-    found = [(device_ref(d),) for id in e.of if (d := model.device(id)) is not None]
-    of: Text = (", ", *joined(found)) if found else ()
+    devices = [(device_ref(d),) for id in e.of if (d := model.device(id)) is not None]
+    of: Text = (", ", *joined(devices)) if devices else ()
     asked = [f"firmware {e.firmware}"] if e.firmware else []
     asked += [e.date] if e.date else []
     cited = [f"{known.get(s.manual, s.manual)}: {s.section}" for s in e.sources]

@@ -42,8 +42,8 @@ def _owner(p: m.Parameter, beside: dict[str, m.Parameter], record: m.Record, mod
     """The set whose field descriptors a parameter holds, which a part of a specification may lack."""
     if p.fields_of in beside:
         return Ref(beside[p.fields_of], p.fields_of, record)
-    found = next((s for s in model.sets if s.name == p.fields_of), None)
-    return Ref(found, found.title) if found else p.fields_of
+    data_set = next((s for s in model.sets if s.name == p.fields_of), None)
+    return Ref(data_set, data_set.title) if data_set else p.fields_of
 
 
 def _presence(p: m.Parameter, record: m.Record) -> Iterator[Fact]:

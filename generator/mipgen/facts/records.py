@@ -22,16 +22,16 @@ class Filled:
     given: Mapping[str, Any]
     made_up: list[str]  # the paths of the rest are added
     path: str = ""
-    found: codec.Values = field(default_factory=dict)
+    known: codec.Values = field(default_factory=dict)
 
     def values(self) -> codec.Values:
         for p in self.parameters:
             if p.constant is None:
-                self.found[p.name] = self.one(p)
+                self.known[p.name] = self.one(p)
                 counter = next((q.name for q in self.parameters if q.counts == p.name), None)
                 if counter is not None:
-                    self.found[counter] = len(self.found[p.name])
-        return self.found
+                    self.known[counter] = len(self.known[p.name])
+        return self.known
 
     def one(self, p: m.Parameter) -> Any:
         if p.counts is not None:
@@ -49,7 +49,7 @@ class Filled:
         return self.value(p, given, f"{self.path}{p.name}")
 
     def alternative(self, p: m.Parameter, union: m.Union) -> Any:
-        case = next((c for c in union.cases if c.tag.value == self.found[union.tag]), None)
+        case = next((c for c in union.cases if c.tag.value == self.known[union.tag]), None)
         q = case.parameter if case else None
         if q is None:
             return {}

@@ -18,7 +18,7 @@ from mipgen.model.simulation import Value
 
 from .examples import plain
 from .records import Filled, lists
-from .simulated import named, parameter_at, place, shown, valid_flags
+from .simulated_values import named, parameter_at, place, shown, valid_flags
 
 
 @dataclass(frozen=True)

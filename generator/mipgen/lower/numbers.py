@@ -8,8 +8,8 @@ from mipgen import model as m
 def in_numbers(value: object, element: m.Scalar | m.Enum | m.Bitfield | m.Vector | m.Struct | None) -> object:
     """A checked default with the numbers of named values and bits; lists as tuples."""
     if isinstance(element, m.Enum) and isinstance(value, str):
-        found = element.by_name(value)
-        return found.value if found else 0
+        member = element.by_name(value)
+        return member.value if member else 0
     if isinstance(element, m.Bitfield) and isinstance(value, list) and all(isinstance(x, str) for x in value):
         return sum({b.name: b.mask for b in element.bits}.get(str(x), 0) for x in value)
     return tuple(in_numbers(x, element) for x in value) if isinstance(value, list) else value

@@ -49,10 +49,10 @@ class Session:
 def session(model: m.Model) -> Session | None:
     """None if the specification, or the part of it, does not have all of these commands."""
     given = model.protocol.session
-    found = [f for name in given.commands if (f := model.field(name))] if given else []
-    if given is None or len(found) < len(given.commands):
+    fields = [f for name in given.commands if (f := model.field(name))] if given else []
+    if given is None or len(fields) < len(given.commands):
         return None
-    ping, idle, resume, identify, base_rate, message_format, stream = found
+    ping, idle, resume, identify, base_rate, message_format, stream = fields
     entries = next(p for p in message_format.calls[0].required if p.kind == "array")
     older = tuple(x for each in given.older if (x := _older(each, model)))
     rate = _rate(base_rate, model)

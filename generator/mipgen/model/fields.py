@@ -175,8 +175,8 @@ class Field:
 
     def name_in(self, number: int) -> str:
         """Its full name in a set: "gnss_2.dop". What occurs everywhere has one name."""
-        found = next((o for o in self.occurrences if o.set == number), None)
-        return f"{found.set_name}.{self.name}" if found else self.full_name
+        occurrence = next((o for o in self.occurrences if o.set == number), None)
+        return f"{occurrence.set_name}.{self.name}" if occurrence else self.full_name
 
     @property
     def selector(self) -> bool:

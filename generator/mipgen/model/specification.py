@@ -90,13 +90,13 @@ class Model:
 
     def candidates(self, set_number: int, descriptor: int) -> tuple[Field, ...]:
         """The layouts that a descriptor may have inside a packet of that set."""
-        found = self._descriptors.get((set_number, descriptor), ())
-        return found or tuple(f for f in self._everywhere.get(descriptor, ()) if set_number in f.sets)
+        own = self._descriptors.get((set_number, descriptor), ())
+        return own or tuple(f for f in self._everywhere.get(descriptor, ()) if set_number in f.sets)
 
     def layouts(self, f: Field) -> tuple[Field, ...]:
         """The layouts of the descriptor of a field: itself, and those that it must be distinguished from."""
-        found = (g for o in f.occurrences for g in self._descriptors.get((o.set, f.descriptor), ()))
-        return tuple({g.full_name: g for g in found}.values()) or (f,)
+        alike = (g for o in f.occurrences for g in self._descriptors.get((o.set, f.descriptor), ()))
+        return tuple({g.full_name: g for g in alike}.values()) or (f,)
 
     def sizes(self, f: Field) -> range:
         """The sizes of data with which the descriptor has this layout, given its constants.
@@ -117,15 +117,15 @@ class Model:
         response; another command that has the same response is answered with it always."""
         functions = tuple(f for f in command.functions if f.responds)
         layouts = _grouped((r.when if r.command == command.name else (), r) for r in self.responses(command))
-        return tuple(Reply(found, functions, when) for when, found in layouts.items())
+        return tuple(Reply(fields, functions, when) for when, fields in layouts.items())
 
     def answers(self, command: Field, device: str) -> tuple[Field, ...]:
         """The same for one device: of the layouts of a response its own, else those that name no devices."""
-        found: list[Field] = []
+        fields: list[Field] = []
         for reply in self.replies(command):
             own = [f for f in reply.layouts if device in f.devices]
-            found += own or [f for f in reply.layouts if not f.devices] or reply.layouts
-        return tuple(found)
+            fields += own or [f for f in reply.layouts if not f.devices] or reply.layouts
+        return tuple(fields)
 
     def commands(self, response: Field) -> tuple[Field, ...]:
         """The commands that a response answers."""
@@ -133,8 +133,8 @@ class Model:
 
     def supports(self, f: Field, number: int | None = None) -> tuple[tuple[Device, Support], ...]:
         """The devices that support a command or data field, in one set or in any; those that may are included."""
-        found = self._supports.get(f.full_name, ())
-        return found if number is None else tuple((d, s) for d, s in found if s.set == number)
+        supporting = self._supports.get(f.full_name, ())
+        return supporting if number is None else tuple((d, s) for d, s in supporting if s.set == number)
 
     def refusing(self, f: Field) -> tuple[Device, ...]:
         """The devices that are known not to have a command or data field, in some set."""
@@ -146,22 +146,22 @@ class Model:
         command with it."""
         if f.role == RESPONSE:
             asked = [(c, d, s) for c in self.commands(f) for d, s in self.supports(c) if s.responds]
-            found = [(d, s) for c, d, s in asked if f.full_name in {r.full_name for r in self.answers(c, d.id)}]
+            supporting = [(d, s) for c, d, s in asked if f.full_name in {r.full_name for r in self.answers(c, d.id)}]
         else:
-            found = list(self.supports(f, number))
-        known = {d.id for d, s in found if s.certain}
-        names = known if certain else {d.id for d, _ in found} - known
+            supporting = list(self.supports(f, number))
+        known = {d.id for d, s in supporting if s.certain}
+        names = known if certain else {d.id for d, _ in supporting} - known
         return tuple(d for d in self.devices if d.id in names)
 
     def affected(self, command: Field, certain: bool = True) -> tuple[Field | Set, ...]:
         """What a command changes: data fields, and sets all of whose fields may change. A part of a specification
         has not all of them."""
         named = command.affects if certain else command.may_affect
-        found: list[Field | Set] = []
+        things: list[Field | Set] = []
         for name in named:
             f = self._fields.get(name)
-            found += [f] if f else [s for s in self.sets if name in (s.name, s.family)]
-        return tuple(found)
+            things += [f] if f else [s for s in self.sets if name in (s.name, s.family)]
+        return tuple(things)
 
     def changed_by(self, thing: Field | Set, certain: bool = True) -> tuple[Field, ...]:
         """The commands that change a data field, or all fields of a set."""
@@ -173,8 +173,8 @@ class Model:
 
     def taken(self, command: Field) -> tuple[Function, ...]:
         """The functions that at least one device takes; all of them where no device is known."""
-        found = [x for _, s in self.supports(command) for x in s.functions]
-        return tuple(x for x in command.functions if x in found) or command.functions
+        functions = [x for _, s in self.supports(command) for x in s.functions]
+        return tuple(x for x in command.functions if x in functions) or command.functions
 
     def device(self, id: str) -> Device | None:
         return next((d for d in self.devices if d.id == id), None)
@@ -246,7 +246,7 @@ def _name(thing: Field | Set) -> str:
 
 
 def _grouped(pairs: Iterable[tuple[Key, Item]]) -> dict[Key, tuple[Item, ...]]:
-    found: dict[Key, tuple[Item, ...]] = {}
+    grouped: dict[Key, tuple[Item, ...]] = {}
     for key, item in pairs:
-        found[key] = (*found.get(key, ()), item)
-    return found
+        grouped[key] = (*grouped.get(key, ()), item)
+    return grouped

@@ -100,10 +100,10 @@ def _documents(folder: Path, layout: dict[str, str], over: bool, problems: Probl
 
 def load_witnesses(folder: Path, problems: Problems) -> list[Document]:
     """Reads the witnesses of a specification, and which differences from them were judged."""
-    found = _documents(folder, {kind: Path(pattern).name for kind, pattern in WITNESSES.items()}, False, problems)
-    if not found and not problems:
+    documents = _documents(folder, {kind: Path(pattern).name for kind, pattern in WITNESSES.items()}, False, problems)
+    if not documents and not problems:
         problems.add(Position(shown(folder), 1, 1), "there are no witnesses here: no .yaml file")
-    return found
+    return documents
 
 
 def load_witness(path: Path, problems: Problems) -> Document | None:

@@ -180,14 +180,14 @@ class _Reader:
             raise _TooDeep
         if isinstance(event, yaml.ScalarEvent):
             self.check(event.value)
-            found = Node(event.value if event.style else self.scalar(event.value), position)
+            node = Node(event.value if event.style else self.scalar(event.value), position)
         elif isinstance(event, yaml.SequenceStartEvent):
-            found = Node(list(self.sequence(depth)), position)
+            node = Node(list(self.sequence(depth)), position)
         else:
-            found = self.mapping(position, depth, item)
+            node = self.mapping(position, depth, item)
         if event.anchor is not None:
-            self.anchors[event.anchor] = found
-        return found
+            self.anchors[event.anchor] = node
+        return node
 
     def check(self, text: str) -> None:
         """What no text may hold, because languages refuse it even in comments: a line break is the only control."""
@@ -262,13 +262,13 @@ def _rewritten(text: str) -> str | None:
     plain = _SEPARATOR.sub("", text).removeprefix("+")
     if _FLOAT.fullmatch(plain) or _HEXADECIMAL.fullmatch(plain):
         return plain if plain != text else None
-    if found := re.fullmatch(r"0+([0-9]+)", plain):
-        return f"{found[1]} or 0x{found[1]}"
+    if octal := re.fullmatch(r"0+([0-9]+)", plain):
+        return f"{octal[1]} or 0x{octal[1]}"
     if re.fullmatch(r"0X[0-9A-Fa-f]+", plain):
         return f"0x{plain[2:]}"
     if re.fullmatch(r"0[oO][0-7]+|0[bB][01]+", plain):
         return str(int(plain, 0))
-    if found := _BARE.fullmatch(plain):
-        sign, whole, fraction, exponent = found.groups(default="")
+    if number := _BARE.fullmatch(plain):
+        sign, whole, fraction, exponent = number.groups(default="")
         return sign + (whole or "0") + fraction.rstrip(".") + exponent
     return None

@@ -30,16 +30,16 @@ WITHIN = ("device_extension",)
 
 def lay(documents: list[Document], over: list[Document], problems: Problems) -> list[Document]:
     """The documents of a specification with those of one overlay."""
-    found = list(documents)
+    laid = list(documents)
     for document in over:
         if document.kind == "overlay":
-            found = [_with_words(d, document.root, problems) if d.kind == "protocol" else d for d in found]
+            laid = [_with_words(d, document.root, problems) if d.kind == "protocol" else d for d in laid]
         elif document.kind not in EXTENSIONS:
-            found.append(document)
+            laid.append(document)
     for document in over:  # after everything new: an overlay may extend its own sets
         if document.kind in EXTENSIONS:
-            found = _extended(found, document, problems)
-    return found
+            laid = _extended(laid, document, problems)
+    return laid
 
 
 def _with_words(protocol: Document, overlay: Node, problems: Problems) -> Document:

@@ -85,8 +85,8 @@ def close(word: str, choices: Iterable[str], guess: bool = True) -> str:
     if usual := spelling.usual(word, known):
         return f", did you mean '{usual}'?"
     straight = spelling.straight(word)
-    found = [straight] if straight in known else difflib.get_close_matches(straight, known, n=1) if guess else []
-    return f"{spelling.strange(word, ''.join(known))}, did you mean '{found[0]}'?" if found else ""
+    similar = [straight] if straight in known else difflib.get_close_matches(straight, known, n=1) if guess else []
+    return f"{spelling.strange(word, ''.join(known))}, did you mean '{similar[0]}'?" if similar else ""
 
 
 def _ordered(choices: Iterable[str]) -> list[str]:

@@ -88,8 +88,8 @@ def usual(word: str, known: Collection[str]) -> str | None:
     (None, None)
     """
     folded = word.casefold().strip()
-    found = _USUAL.get(folded)
-    return found if found in known else next((k for k in known if k.casefold() == folded), None)
+    canonical = _USUAL.get(folded)
+    return canonical if canonical in known else next((k for k in known if k.casefold() == folded), None)
 
 
 def straight(text: str) -> str:
@@ -108,7 +108,7 @@ def strange(text: str, usual: str = "") -> str:
     >>> strange("\\u00a0level"), strange("mоde")
     ("; U+00A0 is a no-break space, write ' '", "; 'о' is a cyrillic small letter o (U+043E), write plain letters")
     """
-    found = []
+    remarks = []
     for c in dict.fromkeys(text):
         if c.isascii() or c in usual:
             continue
@@ -117,5 +117,5 @@ def strange(text: str, usual: str = "") -> str:
         straight = c.translate(_STRAIGHT)
         remedy = "remove it" if not straight else f"write '{straight}'" if straight != c else "write plain letters"
         shown = f"'{c}' is {article} {what} (U+{ord(c):04X})"
-        found.append(f"; {shown if straight.strip() else f'U+{ord(c):04X} is {article} {what}'}, {remedy}")
-    return "".join(found)
+        remarks.append(f"; {shown if straight.strip() else f'U+{ord(c):04X} is {article} {what}'}, {remedy}")
+    return "".join(remarks)

@@ -55,9 +55,9 @@ _MISLEADING = re.compile("[\u00a0\u2002-\u200b\u202f\u3000]|(?<=[ \\[{,])[\u201c
 
 def explain(text: str, error: yaml.MarkedYAMLError) -> Fault:
     text = text.removeprefix("\ufeff")
-    found = _explain(text, error)
-    misleading = "".join(_MISLEADING.findall(_line(text, found.line)))
-    return found._replace(message=found.message + spelling.strange(misleading))
+    explained = _explain(text, error)
+    misleading = "".join(_MISLEADING.findall(_line(text, explained.line)))
+    return explained._replace(message=explained.message + spelling.strange(misleading))
 
 
 def _explain(text: str, error: yaml.MarkedYAMLError) -> Fault:
@@ -69,8 +69,8 @@ def _explain(text: str, error: yaml.MarkedYAMLError) -> Fault:
         return _fault(mark, "a tab; indent with spaces")
     if "unexpected end of stream" in problem:
         return _fault(began, _UNCLOSED_QUOTE)
-    if found := _unbalanced(text, mark.index, began.index):
-        return found
+    if unbalanced := _unbalanced(text, mark.index, began.index):
+        return unbalanced
     if "could not find expected ':'" in problem:
         return _fault(began, "a key without its colon; write 'key: value', with a space after the colon")
     if "mapping values are not allowed" in problem or "expected <document start>" in problem:

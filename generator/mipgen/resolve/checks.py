@@ -230,18 +230,18 @@ def clocks(model: m.Model, problems: Problems) -> None:
 
 def session(model: m.Model, problems: Problems) -> None:
     """The commands that start a device are those that programs know how to fill."""
-    found = model.protocol.session
-    if found is None:
+    session = model.protocol.session
+    if session is None:
         return
     for role, (types, words) in SESSION.items():
-        if problem := _unfit(role, getattr(found, role), types, words, model, found):
-            problems.add(found.position, problem)
+        if problem := _unfit(role, getattr(session, role), types, words, model, session):
+            problems.add(session.position, problem)
     sets = {s.name for s in model.sets if s.kind == "data"}
-    for older in found.older:
+    for older in session.older:
         if older.set not in sets:
             problems.add(older.position, f"`older`: no data set '{older.set}'{nearest(older.set, sets)}")
         for role, (types, words) in OLDER.items():
-            if problem := _unfit(role, getattr(older, role), types, words, model, found):
+            if problem := _unfit(role, getattr(older, role), types, words, model, session):
                 problems.add(older.position, problem)
 
 
@@ -278,11 +278,11 @@ def _type(p: m.Parameter) -> str:
 
 def _inside(f: m.Field, path: str) -> m.Parameter | None:
     """The parameter at a path: "device_info.model_number"."""
-    parameters, found = f.parameters, None
+    parameters, parameter = f.parameters, None
     for name in path.split("."):
-        found = next((p for p in parameters if p.name == name), None)
-        parameters = found.struct.parameters if found and found.struct else ()
-    return found
+        parameter = next((p for p in parameters if p.name == name), None)
+        parameters = parameter.struct.parameters if parameter and parameter.struct else ()
+    return parameter
 
 
 def _all_names(model: m.Model) -> Iterator[tuple[str, m.Position | None]]:

@@ -126,13 +126,13 @@ def _with_variants(model: m.Model, variants: list[tuple[str, m.Variant]]) -> m.M
 
 def _by_device(model: m.Model) -> dict[str, list[m.DeviceVariant]]:
     """What parameters are on each device."""
-    found: dict[str, list[m.DeviceVariant]] = {}
+    by_device: dict[str, list[m.DeviceVariant]] = {}
     for f in (model.protocol.acknowledge, *model.fields):
         for p in f.parameters:
             for v in p.variants:
                 if v.by_device:
-                    found.setdefault(v.key, []).append(m.DeviceVariant(f, p, v))
-    return found
+                    by_device.setdefault(v.key, []).append(m.DeviceVariant(f, p, v))
+    return by_device
 
 
 def _asked(model: m.Model) -> dict[int, dict[str, m.Field]]:

@@ -82,11 +82,11 @@ class _Guide:
         return Sequence(node["title"].value, devices, steps, sentences(node, "notes"))
 
     def device(self, node: Node) -> m.Device | None:
-        found = self.model.device(node.value)
-        if found is None:
+        device = self.model.device(node.value)
+        if device is None:
             near = nearest(node.value, [d.id for d in self.model.devices])
             self.problems.add(node.position, f"unknown device '{node.value}'{near}")
-        return found
+        return device
 
     # ----------------------------------------------------------------------- steps
 
@@ -146,11 +146,11 @@ class _Guide:
         """The devices have the field; in the set with that number, if one is given."""
         for d in devices:
             of = (s for s in d.supports if s.field.full_name == f.full_name and number in (None, s.set))
-            found = next(of, None)
-            if found is None:
+            field = next(of, None)
+            if field is None:
                 name = f.full_name if number is None else f.name_in(number)
                 self.problems.add(place, f"the {d.title} does not have '{name}'")
-            elif function is not None and function not in found.functions:
+            elif function is not None and function not in field.functions:
                 self.problems.add(place, f"the {d.title} takes no {function.name} of '{f.full_name}'")
 
     def packet(self, number: int, fields: list[tuple[m.Field, codec.Values]], place: m.Position) -> bytes:
@@ -203,16 +203,16 @@ class _Guide:
     # ----------------------------------------------------------------------- data
 
     def stream(self, node: Node, devices: tuple[m.Device, ...]) -> Stream:
-        found = next((s for s in self.model.sets if s.name == node["set"].value), None)
-        if found is None or found.kind != "data":
+        data_set = next((s for s in self.model.sets if s.name == node["set"].value), None)
+        if data_set is None or data_set.kind != "data":
             known = [s.name for s in self.model.sets if s.kind == "data"]
             raise evidence.Wrong(node["set"].position, f"no data set '{node['set'].value}'{nearest('', known)}")
-        fields = tuple(self.data_field(n, found, devices) for n in node["fields"])
-        packet = self.packet(found.number, [(x.field, x.values) for x in fields], node["fields"].position)
+        fields = tuple(self.data_field(n, data_set, devices) for n in node["fields"])
+        packet = self.packet(data_set.number, [(x.field, x.values) for x in fields], node["fields"].position)
         rate = node.get("rate")
         if rate is not None:
-            self.rate(rate, found, devices)
-        return Stream(found, fields, packet, rate.value if rate else None, node.scalar("on_event", ""))
+            self.rate(rate, data_set, devices)
+        return Stream(data_set, fields, packet, rate.value if rate else None, node.scalar("on_event", ""))
 
     def data_field(self, node: Node, s: m.Set, devices: tuple[m.Device, ...]) -> Shown:
         if isinstance(node.value, dict) and len(node.value) != 1:

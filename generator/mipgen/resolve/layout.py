@@ -130,8 +130,8 @@ class Layout:
         named = Node({**node.value, "name": node.get("name") or Node(label, place)}, place, node.keys)
         alone = Layout(self.types, self.owner, plain=True, before=self.least)
         alone.add(named)
-        found = next(iter(alone.finish().parameters), None)
-        return replace(found, description=node.scalar("description", "")) if found else None
+        parameter = next(iter(alone.finish().parameters), None)
+        return replace(parameter, description=node.scalar("description", "")) if parameter else None
 
     def value(self, node: Node) -> m.Parameter | None:
         name = node["name"].value

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from mipgen import model as m
-from mipgen.facts import simulated
+from mipgen.facts import simulated_values
 from mipgen.lower import codec
 from mipgen.lower.numbers import in_numbers
 from mipgen.model.simulation import AFFECTED, PORTS, SETS, Behavior, Effect, Quantity, Simulation, Source, Value
@@ -117,10 +117,10 @@ class _Values:
         return Source(f, own, each.value if each else "", tuple(values), valid.value if valid else "")
 
     def quantity(self, node: Node) -> Quantity | None:
-        found = self.quantities.get(node.value)
-        if found is None:
+        quantity = self.quantities.get(node.value)
+        if quantity is None:
             self.problems.add(node.position, f"unknown quantity '{node.value}'{nearest(node.value, self.quantities)}")
-        return found
+        return quantity
 
     def parameter(self, f: m.Field, path: str, at: m.Position) -> m.Parameter | None:
         parameters, p = f.parameters, None
@@ -178,7 +178,7 @@ class _Values:
         if q is None or q.typical is None:
             return
         try:
-            value = simulated.shown(p, q.typical, factor)
+            value = simulated_values.shown(p, q.typical, factor)
             codec.put(p, value)
         except (ValueError, codec.CodecError) as error:
             self.problems.add(node.position, f"'{p.name}' cannot show the typical value of '{q.name}': {error}")
@@ -281,13 +281,13 @@ class _Commands:
         """A member of a structure, or of any case of a union, must exist."""
         known, path = f.parameters, list[str]()
         for name in node.value.split("."):
-            found = [p for p in known if p.name == name]
-            if not found:
+            same = [p for p in known if p.name == name]
+            if not same:
                 near = nearest(name, [p.name for p in known])
                 self.problems.add(node.position, f"'{'.'.join([f.full_name, *path])}' has no parameter '{name}'{near}")
                 return
             path.append(name)
-            known = tuple(inner for p in found for inner in _members(p))
+            known = tuple(inner for p in same for inner in _members(p))
 
     def number(self, node: Node, others: Sequence[str] = ()) -> int:
         """A number, or that of a set by its name."""

@@ -208,11 +208,11 @@ class Types:
         entry = bits.get("enum")
         if entry is None:
             return None
-        found = self.find(entry.value, entry.position, owner)
-        if isinstance(found, m.Enum):
-            return found
-        if found is not None:
-            self.problems.add(entry.position, f"'{found.name}' is not an enumeration")
+        named = self.find(entry.value, entry.position, owner)
+        if isinstance(named, m.Enum):
+            return named
+        if named is not None:
+            self.problems.add(entry.position, f"'{named.name}' is not an enumeration")
         return None
 
     # ----------------------------------------------------------------------- records

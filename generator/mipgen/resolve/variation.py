@@ -153,19 +153,19 @@ def _reading(node: Node, p: m.Parameter, scope: Scope) -> m.Enum | m.Bitfield | 
     entry = node.get("type")
     if entry is None:
         return None
-    found = scope.find(entry.value, entry.position)
-    if found is None:
+    named = scope.find(entry.value, entry.position)
+    if named is None:
         return None
-    if not isinstance(found, (m.Enum, m.Bitfield)):
-        scope.problem(entry.position, f"'{found.name}' is neither an enumeration nor a bitfield")
+    if not isinstance(named, (m.Enum, m.Bitfield)):
+        scope.problem(entry.position, f"'{named.name}' is neither an enumeration nor a bitfield")
         return None
     if isinstance(p.element, (m.Struct, m.Vector)) or (
         isinstance(p.element, m.Scalar) and p.element.kind != "unsigned"
     ):
-        scope.problem(entry.position, f"'{p.name}' is not an unsigned number, so '{found.name}' cannot name its values")
+        scope.problem(entry.position, f"'{p.name}' is not an unsigned number, so '{named.name}' cannot name its values")
         return None
-    own, width = size(p)[1], found.scalar.size if isinstance(found, m.Enum) else found.size
+    own, width = size(p)[1], named.scalar.size if isinstance(named, m.Enum) else named.size
     if own != width:
-        scope.problem(entry.position, f"'{found.name}' has {8 * width} bits, but '{p.name}' has {8 * own}")
+        scope.problem(entry.position, f"'{named.name}' has {8 * width} bits, but '{p.name}' has {8 * own}")
         return None
-    return found
+    return named

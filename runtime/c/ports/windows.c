@@ -82,6 +82,13 @@ static uint32_t milliseconds(void *user) {
     return (uint32_t)GetTickCount64();
 }
 
+uint32_t mip_line_pause(uint32_t wait) {
+    if (wait > 0) {
+        Sleep(wait);
+    }
+    return milliseconds(NULL);
+}
+
 /* ------------------------------------------------------------------------------- serial ports */
 
 /** 8N1 without flow control, at this rate. */
@@ -133,9 +140,8 @@ void mip_line_open_serial(struct mip_line *line, const char *name, uint32_t baud
     line->port.now = milliseconds;
 }
 
-bool mip_line_set_baud(void *user, uint32_t baud) {
-    const struct mip_line *line = (const struct mip_line *)user;
-    return !line->is_tcp && set_mode((HANDLE)line->handle, baud);
+bool mip_line_set_mode(const struct mip_line *line, uint32_t baud) {
+    return set_mode((HANDLE)line->handle, baud);
 }
 
 /* --------------------------------------------------------------------------- TCP connections */

@@ -56,6 +56,8 @@ export declare class Protocol {
 export declare function placesOf(field: Item): { set: number; name: string }[];
 /** The full name of a field in a set: "gnss_2.dop". */
 export declare function nameIn(field: Item, set: number): string;
+/** "scaled_accel" -> "scaledAccel": a parameter as a member of objects, or a function as a constructor. */
+export declare function memberName(words: string): string;
 
 export declare function decodeData(protocol: Protocol, field: Item, data: Bytes, options?: Options): { values: Plain; trailing: number };
 export declare function encodeData(protocol: Protocol, field: Item, values: Plain): Uint8Array;

@@ -78,6 +78,7 @@ class Device:
     """
 
     _closed = True  # until there is a port
+    _url = ""  # of a port that `open_port` has opened
 
     def __init__(
         self,
@@ -115,6 +116,9 @@ class Device:
             warn_unclosed(self)
             self._link.abandon()
 
+    def __repr__(self) -> str:
+        return f"<Device at {self._url or 'a port'}{', closed' * self._closed}>"
+
     async def __aenter__(self) -> Device:
         return self
 
@@ -134,23 +138,23 @@ class Device:
         self._wake(News(True, True))
         await self._link.stop()
 
-    async def reopen(self, timeout: float = 10.0) -> None:
+    async def reopen(self, within: float = 30.0) -> None:
         """Like `device.Device.reopen`."""
-        check_seconds(timeout)
+        check_seconds(within, "within")
         if self._again is None:
             raise ValueError("only a port that `open_port` has opened can be opened again")
         link, closes = self._link, self._closes
         async with self._opening:
             if self._link is link:  # else another task has done it meanwhile
-                await self._open_again(self._again, timeout, closes)
+                await self._open_again(self._again, within, closes)
 
     async def _open_again(
-        self, again: Callable[[int], Coroutine[Any, Any, Any]], timeout: float, closes: int
+        self, again: Callable[[int], Coroutine[Any, Any, Any]], within: float, closes: int
     ) -> None:
         rate = self.baud or USUAL
         try:
             await self._link.stop()
-            port = await self._opened(partial(again, rate), time.monotonic() + timeout, closes)
+            port = await self._opened(partial(again, rate), time.monotonic() + within, closes)
         except BaseException as error:
             self._give_up(error)
             raise
@@ -619,7 +623,7 @@ class open_port:  # noqa: N801  # it is called like the function of the other mo
             on_bytes=self._on_bytes,
             on_skipped=self._on_skipped,
         )
-        device._again = partial(_connect, self._url)
+        device._again, device._url = partial(_connect, self._url), os.fspath(self._url)
         return device
 
 

@@ -52,6 +52,7 @@ class Device:
     """
 
     _closed = True  # until there is a port
+    _url = ""  # of a port that `open_port` has opened
 
     def __init__(
         self,
@@ -98,6 +99,9 @@ class Device:
             warn_unclosed(self)
             self._reader.stop()
 
+    def __repr__(self) -> str:
+        return f"<Device at {self._url or 'a port'}{', closed' * self._closed}>"
+
     def __enter__(self) -> Device:
         return self
 
@@ -119,26 +123,26 @@ class Device:
             self._arrived.notify_all()
         self._reader.stop()
 
-    def reopen(self, timeout: float = 10.0) -> None:
-        """Opens the port again after it was lost or closed, trying for `timeout` seconds.
+    def reopen(self, within: float = 30.0) -> None:
+        """Opens the port again after it was lost or closed, trying for `within` seconds.
 
         Waiting commands end without an answer; data already received is kept, and iterations of
         other threads that have not ended go on. Raises OSError if it is not available in time,
         PortClosed if the device is closed meanwhile, ValueError if `open_port` has not opened it.
         """
-        check_seconds(timeout)
+        check_seconds(within, "within")
         if self._again is None:
             raise ValueError("only a port that `open_port` has opened can be opened again")
         reader, closes = self._reader, self._closes
         with self._opening:
             if self._reader is reader:  # else another thread has done it meanwhile
-                self._open_again(self._again, timeout, closes)
+                self._open_again(self._again, within, closes)
 
-    def _open_again(self, again: Callable[[int], Any], timeout: float, closes: int) -> None:
+    def _open_again(self, again: Callable[[int], Any], within: float, closes: int) -> None:
         rate = self.baud or USUAL
         self._reader.stop()
         try:
-            port = self._opened(partial(again, rate), time.monotonic() + timeout, closes)
+            port = self._opened(partial(again, rate), time.monotonic() + within, closes)
         except BaseException as error:
             self._give_up(error)
             raise
@@ -503,7 +507,7 @@ def open_port(
     device = Device(
         port, timeout=timeout, capacity=capacity, on_bytes=on_bytes, on_skipped=on_skipped
     )
-    device._again = partial(open_url, url)
+    device._again, device._url = partial(open_url, url), os.fspath(url)
     return device
 
 

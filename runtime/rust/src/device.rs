@@ -260,6 +260,16 @@ impl<const N: usize, const Q: usize> Core<N, Q> {
         found
     }
 
+    /// Begins again, with a barrier before the next command. Data that was kept stays.
+    #[cfg(feature = "open")]
+    fn restart(&mut self) {
+        while let Some(packet) = self.parser.flush() {
+            sort(&mut self.client, &mut self.data, &packet);
+        }
+        self.client.give_up();
+        self.client.clear();
+    }
+
     /// The outcome of a command that is no longer waiting.
     fn result<C: Command, E>(&mut self, ticket: &Ticket<C>) -> Result<C::Response, DeviceError<E>> {
         Ok(self.client.take(ticket).unwrap_or(Answer::TimedOut).into_result()?)

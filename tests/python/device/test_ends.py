@@ -198,7 +198,7 @@ def test_a_healthy_port_that_is_opened_again(kind: Kind, server: socket.socket) 
             until(lambda: len(taken) == 2)
             server.close()
             with pytest.raises(OSError):
-                device.reopen(timeout=0.1)
+                device.reopen(within=0.1)
             threads[1].join(20)  # what waits for data does not wait for ever
             assert device.closed and [e.kind for e in ends] == ["no_answer", "closed"]
 

@@ -91,6 +91,7 @@ def test_nothing_intact_is_lost(kind: Kind, place: str, tmp_path: Path) -> None:
     endpoint = tcp_at("localhost:0") if place == "tcp" else pty_at(str(tmp_path / "port"))
     options: dict[str, Any] = {"timeout": 0.2, "on_bytes": came.extend, "on_skipped": between.extend}
     with serving(virtual, endpoint) as (url,), kind.open(url, **options) as device:
+        assert repr(getattr(device, "device", device)) == f"<Device at {url}>"
         stream(device)
         for _ in range(8):
             assert insist(device, base.GetDeviceInfo()).device_info.model_name.strip()
@@ -99,6 +100,7 @@ def test_nothing_intact_is_lost(kind: Kind, place: str, tmp_path: Path) -> None:
         insist(device, base.SetIdle())
         arrivals = drain(device)
         assert device.dropped == 0
+    assert repr(getattr(device, "device", device)).endswith(", closed>")
     found = expected_parse(bytes(came))
     data = [p for p in found["packets"] if int(p[4:6], 16) >= 0x80]
     assert [bytes(a.packet).hex() for a in arrivals if a.packet.set >= 0x80] == data and len(data) > 40
@@ -184,7 +186,7 @@ def test_a_terminal_that_goes_away_and_comes_back(kind: Kind, tmp_path: Path) ->
         with pytest.raises(mip.PortClosed):
             list(device)
         with pytest.raises(OSError):
-            device.reopen(timeout=0.2)
+            device.reopen(within=0.2)
         with serving(VirtualDevice(DEVICE), endpoint):
             device.reopen()
             device.request(PING)

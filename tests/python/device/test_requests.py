@@ -551,7 +551,7 @@ def test_a_device_that_is_closed_while_its_port_is_away(kind: Kind) -> None:
 
         def again() -> None:
             try:
-                device.reopen(timeout=60)
+                device.reopen(within=60)
             except mip.PortClosed as error:
                 ends.append(error)
 
@@ -658,7 +658,7 @@ def test_a_port_that_does_not_come_back(kind: Kind) -> None:
         until(lambda: device.closed)
         server.close()
         with pytest.raises(OSError):
-            device.reopen(timeout=0.2)
+            device.reopen(within=0.2)
 
 
 @pytest.mark.parametrize(
@@ -793,11 +793,12 @@ def test_times_that_are_none(kind: Kind, how: str) -> None:
         kind.open(f"socket://localhost:{server.getsockname()[1]}") as device,
     ):
         commands = [PING] if how in ("request", "request_all", "exchange") else []
+        name = "within" if how == "reopen" else "timeout"
         for wrong in (math.nan, -1):
-            with pytest.raises(ValueError, match=f"timeout {wrong}: needs a number of seconds, 0 or more"):
-                getattr(device, how)(*commands, timeout=wrong)
-        with pytest.raises(TypeError, match="timeout '1': needs a number of seconds"):
-            getattr(device, how)(*commands, timeout="1")
+            with pytest.raises(ValueError, match=f"{name} {wrong}: needs a number of seconds, 0 or more"):
+                getattr(device, how)(*commands, **{name: wrong})
+        with pytest.raises(TypeError, match=f"{name} '1': needs a number of seconds"):
+            getattr(device, how)(*commands, **{name: "1"})
         assert not device.closed
 
 

@@ -35,6 +35,8 @@ fn optional_parameters_can_be_set_in_order() {
     let command = tools::Settings::write(3, Mode::SLOW, 1).with_limit(0x0102);
     assert_eq!(bytes(&command), [1, 3, 2, 0, 0, 0, 1, 1, 2]);
     assert_eq!(bytes(&command.with_reserved(1))[9..], [1]);
+    let hello = tools::Hello::new().with_later([1.0, -2.0]);
+    assert_eq!(bytes(&hello)[4..], [0x3F, 0xF0, 0, 0, 0, 0, 0, 0, 0xC0, 0, 0, 0, 0, 0, 0, 0]);
     let gap = tools::Settings::write(3, Mode::SLOW, 1).with_reserved(1);
     assert_eq!(gap.to_vec().map_err(|e| e.kind), Err(EncodeErrorKind::Missing));
     let mut short = tools::Settings::write(3, Mode::SLOW, 1).into_command();

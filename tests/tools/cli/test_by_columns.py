@@ -128,7 +128,17 @@ def test_info(stream: bytes, piece: int, monkeypatch: pytest.MonkeyPatch) -> Non
         assert {n: held(i) for n, i in fast.clocks[clock].items()} == {n: held(i) for n, i in sets.items()}
 
 
-@pytest.mark.parametrize("words", [(), ("--device", "3dm-gx5-15"), ("--only", "sensor,shared"), ("--without", "0x82")])
+@pytest.mark.parametrize(
+    "words",
+    [
+        (),
+        ("--device", "3dm-gx5-15"),
+        ("--only", "sensor,shared"),
+        ("--without", "0x82"),
+        ("--json",),
+        ("--json", "--device", "3dm-gx5-15"),
+    ],
+)
 def test_dump(
     stream: bytes, words: tuple[str, ...], tmp_path: Path, capsys: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import random
 import shutil
@@ -18,7 +19,7 @@ from mip_tools import fleet, read_log
 from mip_tools.errors import Failure, Misuse
 from mip_tools.fleet import dataset, pack, run, sources
 from program import ENVIRONMENT, command, log, mip
-from support import NIGHTLY, SEED, heavy, later
+from support import NIGHTLY, SEED, SPECS, heavy, later
 
 arrow = later("pyarrow")
 parquet = later("pyarrow.parquet")
@@ -218,6 +219,32 @@ def wait_for(out: Path, pattern: str) -> None:
     while not any(out.glob(pattern)):
         assert time.monotonic() < end
         time.sleep(0.02)
+
+
+@heavy("Dask")
+def test_a_scheduler_elsewhere_by_its_address(tmp_path: Path) -> None:
+    """A scheduler and a worker that others have started; the worker makes the package of own definitions, too."""
+    folder, out, known = logs(tmp_path / "logs", 2), tmp_path / "out", tmp_path / "scheduler.json"
+    words = ["--scheduler-file", str(known), "--no-dashboard"]
+    started = []
+    for name, more in (("scheduler", ["--host", "127.0.0.1", "--port", "0"]), ("worker", ["--nthreads", "1"])):
+        where = [sys.executable, "-m", f"distributed.cli.dask_{name}", *words, *more]
+        started.append(subprocess.Popen(where, env=ENVIRONMENT, cwd=tmp_path, stderr=subprocess.DEVNULL))
+    try:
+        wait_for(tmp_path, "scheduler.json")
+        address = json.loads(known.read_text("utf-8"))["address"]
+        definitions = SPECS["real"][1] / "json/mip.json"
+        done = subprocess.run(
+            command("fleet", folder, "-o", out, "--scheduler", address, "--definitions", definitions),
+            env=ENVIRONMENT, capture_output=True, text=True,
+        )  # fmt: skip
+        assert done.returncode == 1 and "2 logs added, 0 known, 2 failed" in done.stdout, done.stderr
+        assert started[0].poll() is None  # it is not ours to end
+    finally:
+        for process in started:
+            process.kill()
+            process.wait()
+    assert_complete(out, folder)
 
 
 @heavy("Dask")

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
-from math import atan2, cos, degrees, dist, hypot, isclose, radians, sin, sqrt
+from collections.abc import Sequence
+from math import atan2, cos, degrees, dist, hypot, isclose, pi, radians, sin, sqrt
 from pathlib import Path
 from random import Random
+from tempfile import NamedTemporaryFile
+from typing import Any
 
 import pytest
 from mip_tools.simulator import VirtualDevice
@@ -15,6 +18,7 @@ from mip_tools.simulator.motion import (
     Standing,
     State,
     Track,
+    Trajectory,
     Waypoint,
     parse_motion,
 )  # fmt: skip
@@ -27,12 +31,49 @@ TOWN = (
     Waypoint(47.0005, 8.0045, 405.0, 4.0), Waypoint(47.0, 8.002, 402.0),
 )  # fmt: skip
 LIMIT = 2.0
+
+
+def trajectory(head: str, *rows: Sequence[float], **options: Any) -> Trajectory:
+    """A motion of a file with these rows."""
+    with NamedTemporaryFile("w+", suffix=".csv") as file:
+        file.write("\n".join((head, *(",".join(map(str, row)) for row in rows))))
+        file.flush()
+        return Trajectory(file.name, **options)
+
+
+#: A flight with bends, climbs and rolls; the heading passes south.
+FLIGHT = [
+    (
+        t / 2,
+        4e-3 * sin(t / 30),
+        179.999 + 2e-4 * t,
+        900 + 40 * cos(t / 20),
+        40 * sin(t / 7),
+        80 * sin(t / 11),
+        150 + 3 * t,
+    )
+    for t in range(0, 1400, 3)
+]
+ANGLES = "roll [deg],pitch [deg],yaw [deg]"
 MOTIONS: dict[str, Motion] = {
     "standing": Standing(-33.0, 151.0, 20.0, heading=200, pitch=12, roll=-7),
     "circle": Circle(20, 5),
     "fast circle": Circle(300, 60, -78.0, 170.0),
     "track": Track(TOWN, acceleration=LIMIT),
     "loop": Track(TOWN, acceleration=LIMIT, loop=True),
+    "trajectory": trajectory(
+        f"time [s],latitude [deg],longitude [deg],height [m],{ANGLES}",
+        *((*row[:2], (row[2] + 180) % 360 - 180, *row[3:6], (row[6] + 180) % 360 - 180) for row in FLIGHT),
+    ),
+    "local trajectory": trajectory(
+        f"time [ms],east [km],north [ft],down [m],{ANGLES}",
+        *((500 * t, sin(t / 5), 900 * cos(t / 5), t, 0, 3, 20 * t) for t in range(0, 1200)),
+        latitude=-60.0,
+    ),
+    "speeds": trajectory(
+        "time [s],speed [km/h],pitch [rad],yaw [rad]",
+        *((t, 40 + 30 * sin(t / 9), 0.2 * sin(t / 9), t / 12) for t in range(700)),
+    ),
     "across the date line": Track([Waypoint(10, 179.999, 0), Waypoint(10.001, -179.998, 30)], 25.0),
 }
 each = pytest.mark.parametrize("motion", MOTIONS.values(), ids=MOTIONS)
@@ -203,7 +244,7 @@ def test_a_device_takes_a_motion_by_name() -> None:
 @pytest.mark.parametrize(
     "text, message",
     {
-        "fly": "'fly' is not a motion; use one of standing, circle, track, replay",
+        "fly": "'fly' is not a motion; use one of standing, circle, track, trajectory, replay",
         "circle:size=3": "circle: unknown option 'size'; it has radius, speed, latitude, longitude, height",
         "circle:radius": "circle: option 'radius' has no value; write radius=...",
         "circle:radius=1,radius=2": "circle: option 'radius' is given twice",
@@ -257,6 +298,64 @@ def test_tracks_that_are_wrong(tmp_path: Path, rows: str, options: str, message:
 def test_a_track_that_cannot_be_read(tmp_path: Path) -> None:
     with pytest.raises(MotionError, match=r"track: cannot read .*none\.csv"):
         parse_motion(f"track:file={tmp_path}/none.csv")
+
+
+def test_a_trajectory_passes_its_rows() -> None:
+    motion = MOTIONS["trajectory"]
+    for t, latitude, longitude, height, roll, pitch, yaw in FLIGHT:
+        state = motion.at(t)
+        assert isclose(degrees(state.latitude), latitude, abs_tol=1e-12) and isclose(state.height, height)
+        assert isclose((degrees(state.longitude) - longitude + 180) % 360, 180, abs_tol=1e-9)
+        for angle, wanted in zip(euler(state.dcm), (roll, pitch, yaw), strict=True):
+            assert isclose((degrees(angle) - wanted + 180) % 360, 180, abs_tol=1e-6)
+    assert motion.at(FLIGHT[-1][0] + 1).velocity == (0, 0, 0)
+
+
+def test_a_trajectory_stays_between_its_rows() -> None:
+    """A device that rests in the file is at rest, and does not swing before it starts."""
+    motion = trajectory(
+        "time [s],north [m],east [m],down [m]", (5, 0, 0, 0), (15, 0, 0, 0), (16, 5, 0, 0), (17, 20, 0, 0)
+    )
+    assert all(motion.at(t / 10).velocity == (0, 0, 0) for t in range(100))
+    assert all(motion.at(10 + t / 10).velocity[0] >= 0 for t in range(20)) and motion.at(11.5).velocity[0] > 10
+
+
+def test_speeds_lead_along_the_first_axis() -> None:
+    """A quarter of a turn, as far as the Earth is flat."""
+    rows = [(t, 10, 0, t / 40 * 90) for t in range(41)]
+    motion = trajectory("time [s],speed [m/s],pitch [deg],yaw [deg]", *rows, latitude=0.0, longitude=0.0, height=0.0)
+    end, radius = motion.at(39.999999), 400 / (pi / 2)
+    north, east = radii(0, 0)
+    assert isclose(end.latitude * north, radius, rel_tol=1e-5) and isclose(end.longitude * east, radius, rel_tol=1e-5)
+    for t in range(40):
+        s = motion.at(t + 0.3)
+        assert atan2(s.velocity[1], s.velocity[0]) == pytest.approx(euler(s.dcm)[2], abs=1e-4)
+
+
+@pytest.mark.parametrize(
+    "rows, message",
+    [
+        ("", ":1:1: a trajectory has a line with names and units, and lines of numbers"),
+        ("time [s],speed\n0,1", ":1:10: 'speed' has no unit; write speed [m/s] or speed [km/h]"),
+        ("time [s],speed [kn]\n0,1", ":1:10: 'speed' cannot have the unit 'kn'; write speed [m/s] or speed [km/h]"),
+        ("time [s], sped [m/s]\n0,1", ":1:11: 'sped' is no column of a trajectory; do you mean 'speed'?"),
+        ("time [s],time [s]\n0,1", ":1:10: 'time' is there twice; remove one"),
+        ("speed [m/s]\n1", ":1:1: the column time is missing"),
+        ("time [s],north [m]\n0,1", ":1:1: the column east is missing"),
+        ("time [s]\n0", ":1:1: the file has no place and no speed; it needs one of: latitude, longitude, height; "),
+        ("time [s],speed [m/s],north [m]\n0,1,1", ":1:1: the file has more than one kind of place or speed; it needs"),
+        ("# a\ntime [s],speed [m/s]\n0,1\n\n1, x", ":5:4: 'x' is not a number; speed needs one"),
+        ("time [s],speed [m/s]\n0,nan", ":2:3: 'nan' is not a number; speed needs one"),
+        ("time [s],speed [m/s]\n0,1,2", ":2:1: 3 values for 2 columns"),
+        ("time [s],speed [m/s]\n1,1\n1,2", ":3:1: time 1 is not after that of line 2"),
+        ("time [s],latitude [deg],longitude [deg],height [m]\n0,1,1,1\n1,95,0,0", ":3:1: the device is at 95°, 0 m"),
+    ],
+)  # fmt: skip
+def test_trajectories_that_are_wrong(tmp_path: Path, rows: str, message: str) -> None:
+    (tmp_path / "t.csv").write_text(rows)
+    with pytest.raises(MotionError) as error:
+        parse_motion(f"trajectory:file={tmp_path}/t.csv")
+    assert f"t.csv{message}" in str(error.value) and "\n" not in str(error.value)
 
 
 @pytest.mark.parametrize("seed", range(40))

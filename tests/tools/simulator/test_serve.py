@@ -170,6 +170,7 @@ class Echo:
         self.now = 0
         self.next: int | None = None
         self.busy = False
+        self.plugged = True
         self.baud = baud
         self.links: list[Any] = []
 
@@ -485,6 +486,8 @@ def test_time_that_cannot_be_caught_up_is_given_up() -> None:
             assert device.now < 60e9  # it goes on from where it was, at its own pace
     # Said once; the client does not read meanwhile, which may be said, too.
     assert server.complaints.count("the machine cannot keep up; simulated time is late from here on") == 1
+    (ended,) = (x for x in server.complaints if "ends" in x)
+    assert re.fullmatch(r"simulated time ends 86\d{3}\.\d s late", ended)
 
 
 # --------------------------------------------------------------------------- disconnection
@@ -680,7 +683,7 @@ def busy() -> tuple[socket.socket, str]:
         ([DEVICE, "--pty", "A_FILE/x"], "A_FILE/x cannot be made: Not a directory; choose another path"),
         ([DEVICE, "--pty", "x", "--port", "USB 1=pty:x"], "x is given for two terminals; choose different paths"),
         ([DEVICE, "--port", "USB 9=tcp:0"], "3DM-CV7-GNSS/INS has no port 'USB 9'; its ports: Main, UART 1, "),
-        ([DEVICE, "--port", "USB 1"], "--port 'USB 1' cannot be read; write NAME=pty:PATH or NAME=tcp:[HOST:]PORT"),
+        ([DEVICE, "--port", "USB 1"], "'USB 1' cannot be read; write NAME=pty:PATH, NAME=tcp:[HOST:]PORT or NAME=udp"),
         ([DEVICE, "--fault", "loose=1"], "fault 'loose' is unknown; do you mean 'lose'? known are: "),
         ([DEVICE, "--log-packets"], "--log-packets needs a file; add --fault-log FILE"),
         ([DEVICE, "--fault-log", "A_FILE"], "A_FILE is no log of faults; name another file"),
@@ -718,7 +721,7 @@ def test_errors_are_one_line_with_a_remedy(
     before = sorted(tmp_path.iterdir())
     with taken:
         code, out, text = run(capsys, "simulate", *arguments, "--duration", "0.01")
-    wrong = r"(which|device|fault|--port|--log|--signal)|.* (is not a (TCP port|motion)|two terminals|has no port)"
+    wrong = r"(which|device|fault|'USB|--log|--signal)|.* (is not a (TCP port|motion)|two terminals|has no port)"
     status = 2 if re.match(wrong, error) else 1
     assert (code, out) == (status, "") and text.startswith(f"mip simulate: {error}") and text.count("\n") == 1
     assert sorted(tmp_path.iterdir()) == before and (tmp_path / "file").read_text() == "mine"

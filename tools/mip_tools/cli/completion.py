@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 
 from ..binding import use
-from ..commands import COMMANDS, PACKAGE, loaded, without_package
+from ..commands import COMMANDS, DEFINITIONS, PACKAGE, loaded, without_package
 
 EPILOG = """\
   bash:  mip completion bash > ~/.local/share/bash-completion/completions/mip
@@ -73,7 +73,7 @@ def words(typed: list[str]) -> list[str]:
         use(package)
     *before, last = typed or [""]
     if not before:
-        return [name for name in (*COMMANDS, "--help", PACKAGE, "--version") if name.startswith(last)]
+        return [name for name in (*COMMANDS, DEFINITIONS, "--help", PACKAGE, "--version") if name.startswith(last)]
     if before[0] not in COMMANDS:
         return []
     parser = argparse.ArgumentParser()

@@ -8,12 +8,10 @@ import re
 import sys
 from collections.abc import Iterator
 from importlib.util import find_spec
-from typing import Any
 
 from ..errors import Failure, Misuse
-from . import inputs, ports, show, silence, values
+from . import inputs, objects, ports, show, silence
 from .arguments import add_device, add_selection, device_id, positive
-from .decoding import Found, malformed, name_of
 from .scan import Piece, Scanner
 from .selection import Selection
 
@@ -59,7 +57,7 @@ def run(options: argparse.Namespace) -> int:
     between = options.skipped or explain
     if not explain:
         _check(options.input)
-    if _by_columns(options, explain) and (done := _fast(options.input, selection, device)) is not None:
+    if _by_columns(options, explain) and (done := _fast(options, selection, device)) is not None:
         return done
     shown = packets = bytes_skipped = 0
     damage = ""
@@ -81,7 +79,7 @@ def run(options: argparse.Namespace) -> int:
             if not fields and not selection.everything:
                 continue
             if options.json:
-                print(json.dumps(_as_json(piece, fields, device, options.raw), allow_nan=False))
+                print(objects.packet(piece.offset, piece.packet, fields, device, options.raw))
             else:
                 where = "" if explain else f"{piece.offset:08x} "
                 text = show.line(piece.packet, fields, device)
@@ -105,22 +103,22 @@ def _none_shown(packets: int) -> None:
 
 
 def _by_columns(options: argparse.Namespace, explain: bool) -> bool:
-    """Are these files of which only lines are wanted, and is NumPy there?"""
-    if explain or options.tree or options.json or options.raw or options.skipped or options.count is not None:
+    """Are these files of which only lines or objects are wanted, and is NumPy there?"""
+    if explain or options.tree or options.raw or options.skipped or options.count is not None:
         return False
     if not all(not inputs.is_port(name) and inputs.is_log(name) for name in options.input):
         return False
     return find_spec("numpy") is not None
 
 
-def _fast(names: list[str], selection: Selection, device: str | None) -> int | None:
+def _fast(options: argparse.Namespace, selection: Selection, device: str | None) -> int | None:
     """Shows whole files; None if they have no packet, which needs a look at each byte."""
-    from .lines import lines
+    from .lines import Lines, Objects, lines
 
-    packets = shown = 0
-    for name in names:
+    packets, shown, form = 0, 0, Objects(device) if options.json else Lines(device)
+    for name in options.input:
         with inputs.columns(name) as log:
-            for count, texts in lines(log, selection, device):
+            for count, texts in lines(log, selection, form):
                 packets += count
                 shown += len(texts)
                 if texts:
@@ -134,28 +132,6 @@ def _source(name: str, options: argparse.Namespace) -> Iterator[Piece | None]:
     if inputs.is_port(name):
         return ports.pieces(name, options)
     return inputs.arriving(name, progress=not sys.stdout.isatty())
-
-
-def _as_json(piece: Piece, fields: list[Found], device: str | None, raw: bool) -> dict[str, Any]:
-    assert piece.packet is not None
-    wrong = malformed(piece.packet)
-    return {
-        "offset": piece.offset,
-        "set": show.set_name(piece.packet.set),
-        "fields": [_field(found, device) for found in fields],
-        **({"malformed": wrong} if wrong else {}),
-        **({"raw": piece.data.hex()} if raw else {}),
-    }
-
-
-def _field(found: Found, device: str | None) -> dict[str, Any]:
-    """A field with its values; with its bytes, if they cannot be decoded or there are more of them."""
-    said: dict[str, Any] = {"field": name_of(found)}
-    if found.value is not None:
-        said["values"] = values.plain(found.value, True, device)
-    if found.value is None or found.trailing:
-        said["data"] = found.raw.data.hex()
-    return said | ({"error": found.error} if found.error else {})
 
 
 def _check(given: list[str]) -> None:

@@ -45,8 +45,8 @@ def fields(name: str) -> list[Occurrence]:
             return [one for near in error.near for one in named(near)]
         from .fields import has_words
 
-        more = f"`mip fields --search {name}` finds more"
-        raise Misuse(f"{error}; {more if has_words(name) else '`mip fields` lists the sets'}") from None
+        more = f"`mip fields --search {name}` finds more" if has_words(name) else "`mip fields` lists the sets"
+        raise Misuse(f"{error}{'' if str(error).endswith('?') else ';'} {more}") from None
 
 
 def near(name: str) -> str:

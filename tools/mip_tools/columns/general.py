@@ -8,8 +8,13 @@ from typing import Any, NamedTuple, TypeAlias
 import numpy as np
 
 from ..binding import Parameter, info, single_to_bits
-from .layout import SCALARS
 from .scan import Array
+
+#: The scalars of the specification as NumPy calls them. A bool is a byte: it need not be 0 or 1.
+SCALARS = {
+    "u8": "u1", "u16": "u2", "u32": "u4", "u64": "u8", "s8": "i1", "s16": "i2", "s32": "i4", "s64": "i8",
+    "float": "f4", "double": "f8", "bool": "u1", "char": "u1",
+}  # fmt: skip
 
 
 class Ragged(NamedTuple):

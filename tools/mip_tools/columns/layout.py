@@ -2,21 +2,14 @@
 
 from __future__ import annotations
 
-import inspect
 import sys
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..binding import Field, Parameter, Structure, info
+from ..binding import Field, Structure, wire
 from .scan import Array
-
-#: The scalars of the specification as NumPy calls them. A bool is a byte: it need not be 0 or 1.
-SCALARS = {
-    "u8": "u1", "u16": "u2", "u32": "u4", "u64": "u8", "s8": "i1", "s16": "i2", "s32": "i4", "s64": "i8",
-    "float": "f4", "double": "f8", "bool": "u1", "char": "u1",
-}  # fmt: skip
 
 
 class Layout(NamedTuple):
@@ -38,45 +31,40 @@ def layout(kind: type[Field]) -> Layout | None:
 
 
 def _layout(kind: type[Field]) -> Layout | None:
-    signature = inspect.signature(kind).parameters.values()
-    if any(p.default is None for p in signature):  # parameters that may be absent
-        return None
-    dtype = _record(info(kind).parameters)
+    dtype = None if kind._ALWAYS is not None else _record(kind)
     if dtype is None:
         return None
     bases = {d.base for d in _scalars(dtype)}
     base = bases.pop() if len(bases) == 1 else None
-    return Layout(dtype, base, not _constant(info(kind).parameters))
+    return Layout(dtype, base, not _constant(kind))
 
 
-def _constant(parameters: tuple[Parameter, ...]) -> bool:
-    """Has any of them one value only?"""
-    inner = [p.type for p in parameters if p.type is not None and issubclass(p.type, Structure)]
-    return any(p.constant is not None for p in parameters) or any(_constant(info(t).parameters) for t in inner)
+def _constant(kind: type[Structure]) -> bool:
+    """Has any value one value only?"""
+    return any(isinstance(what, int) or (_inner(what) and _constant(_inner(what))) for _, _, what in kind._LAYOUT)
 
 
-def _record(parameters: tuple[Parameter, ...]) -> np.dtype[Any] | None:
+def _inner(what: Any) -> Any:
+    """The structure that a row of a layout has, or an array of which it has."""
+    what = what.kind if isinstance(what, wire.Items) else what
+    return what if wire.is_structure(what) else None
+
+
+def _record(kind: type[Structure]) -> np.dtype[Any] | None:
     parts: list[tuple[str, Any, tuple[int, ...]]] = []
-    for p in parameters:
-        element: Any = _record(info(p.type).parameters) if p.kind == "struct" else _element(p)
-        if p.kind == "array" and not p.scalar:
-            element = _record(info(p.type).parameters)
-        if element is None or p.kind in ("switch", "counter") or isinstance(p.length, str):
+    for name, letters, what in kind._LAYOUT:
+        inner, shape = _inner(what), tuple[int, ...]()
+        element: Any = _record(inner) if inner else f">{letters[:1] or 'B'}"
+        if isinstance(what, (wire.Text, wire.Items)):
+            if not isinstance(what.length, int):
+                return None
+            shape = (what.length, *([len(letters)] if len(letters) > 1 else []))
+        elif what is tuple or isinstance(what, (wire.Each, wire.Bits)) or wire.is_vector(what):
+            shape = (len(letters),)
+        if element is None or isinstance(what, (wire.Union, wire.Counts)):
             return None
-        parts.append((p.attribute, element, _shape(p)))
+        parts.append((name, element, shape))
     return np.dtype(parts)
-
-
-def _element(p: Parameter) -> str | None:
-    if p.kind == "text":
-        return "u1"
-    return "u1" if p.scalar == "bits" else ">" + SCALARS[p.scalar] if p.scalar else None
-
-
-def _shape(p: Parameter) -> tuple[int, ...]:
-    length = (p.length,) if isinstance(p.length, int) else ()
-    elements = (len(p.elements),) if p.elements else ()
-    return (p.size,) if p.scalar == "bits" else length + elements
 
 
 def _scalars(dtype: np.dtype[Any]) -> Iterator[np.dtype[Any]]:
@@ -102,9 +90,9 @@ def values(kind: type[Field], rows: Array, shape: Layout, turned: bool) -> tuple
         record = rows.reshape(-1).view(shape.dtype.newbyteorder("="))
     right: Array | None = None
     columns: dict[str, Array] = {}
-    for name, p, column in _leaves(info(kind).parameters, record, ""):
-        if p.constant is not None:
-            same = column == p.constant
+    for name, what, column in _leaves(kind, record, ""):
+        if isinstance(what, int):
+            same = column == what
             while same.ndim > 1:
                 same = same.all(axis=-1)
             right = same if right is None else right & same
@@ -116,17 +104,17 @@ def values(kind: type[Field], rows: Array, shape: Layout, turned: bool) -> tuple
     return columns, None
 
 
-def _leaves(parameters: tuple[Parameter, ...], record: Array, prefix: str) -> Iterator[tuple[str, Parameter, Array]]:
-    for p in parameters:
-        name, column = prefix + p.attribute, record[p.attribute]
+def _leaves(kind: type[Structure], record: Array, prefix: str) -> Iterator[tuple[str, Any, Array]]:
+    for own, _, what in kind._LAYOUT:
+        name, column = prefix + own, record[own]
         if column.dtype.names is not None:
-            yield from _leaves(info(p.type).parameters, column, name + ".")
-        elif p.kind == "text":
-            yield name, p, texts(column)
+            yield from _leaves(_inner(what), column, name + ".")
+        elif isinstance(what, wire.Text):
+            yield name, what, texts(column)
         elif column.dtype.isnative:
-            yield name, p, column
+            yield name, what, column
         else:
-            yield name, p, column.astype(column.dtype.newbyteorder("="))
+            yield name, what, column.astype(column.dtype.newbyteorder("="))
 
 
 def texts(column: Array) -> Array:

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from difflib import get_close_matches
 from enum import IntFlag
 from pathlib import Path
 from typing import Any
 
 from ..binding import DEVICES, Device, EncodeError, Parameter, Structure, UnknownName, device_id, info
 from ..cli import typed, yaml_text
+from ..cli.yaml_reader import Wrong, YamlReader, hint
 from ..cli.yaml_text import kind_of
 from ..errors import Failure
 from ..simulator.checks import SAME, inside, set_of
@@ -36,14 +36,6 @@ class File:
     at: dict[Place, str] = field(default_factory=dict)
 
 
-class Wrong(Exception):
-    """A mistake at a node of the file."""
-
-    def __init__(self, node: Any, text: str) -> None:
-        super().__init__(text)
-        self.node = node
-
-
 def parsed(path: Path, device: Device | None = None) -> File:
     """Reads a file, for a device that has told what it has, if one is given.
 
@@ -52,10 +44,9 @@ def parsed(path: Path, device: Device | None = None) -> File:
     return _Reader(path, device).file()
 
 
-class _Reader:
+class _Reader(YamlReader):
     def __init__(self, path: Path, device: Device | None) -> None:
-        self.path = path
-        self.mistakes: list[str] = []
+        super().__init__(path)
         self.profile = UNKNOWN
         self.device = device
 
@@ -77,44 +68,8 @@ class _Reader:
             self.families(parts["settings"], file)
         elif not self.mistakes:
             self.wrong(Wrong(root, "'settings' is missing; `mip config pull` writes a complete file"))
-        if self.mistakes:
-            raise Failure("\n".join(self.mistakes))
+        self.end()
         return file
-
-    def wrong(self, mistake: Wrong) -> None:
-        self.mistakes.append(f"{self.place(mistake.node)}: {mistake}")
-
-    def place(self, node: Any) -> str:
-        return f"{self.path}:{node.start_mark.line + 1}:{node.start_mark.column + 1}"
-
-    def keys(self, node: Any, known: Iterable[str], what: str) -> dict[str, Any]:
-        """The values of a mapping by their keys, which must be known ones."""
-        found: dict[str, Any] = {}
-        names = list(known)
-        for key, value in self.pairs(node, what):
-            if key.value in names:
-                found[key.value] = value
-            else:
-                self.wrong(Wrong(key, f"{what} has no '{key.value}'{_hint(key.value, names)}"))
-        return found
-
-    def pairs(self, node: Any, what: str) -> list[tuple[Any, Any]]:
-        """Keys and values of a mapping, each key once."""
-        if kind_of(node) != "mapping":
-            if kind_of(node) == "scalar" and node.value in ("", "~", "null"):
-                return []
-            self.wrong(Wrong(node, f"{what} needs keys with values, {{name: value}}"))
-            return []
-        seen: dict[str, Any] = {}
-        for key, _ in node.value:
-            if kind_of(key) != "scalar":
-                self.wrong(Wrong(key, "a key must be one word"))
-            elif key.value in seen:
-                line = seen[key.value].start_mark.line + 1
-                self.wrong(Wrong(key, f"'{key.value}' is already in line {line}; remove one"))
-            else:
-                seen[key.value] = key
-        return [(key, value) for key, value in node.value if seen.get(key.value) is key]
 
     # ----------------------------------------------------------------- commands
 
@@ -273,7 +228,7 @@ class _Reader:
             return p.type(known[node.value]) if p.type is not None else known[node.value]
         if known and not node.value[:1].isdigit():
             few = f"; known: {', '.join(known)}" if len(known) <= 12 else ""
-            raise Wrong(node, f"'{p.name}' cannot be '{node.value}'{_hint(node.value, known, few)}")
+            raise Wrong(node, f"'{p.name}' cannot be '{node.value}'{hint(node.value, known, few)}")
         return self.scalar(p, node, node.value)
 
     def scalar(self, p: Parameter, node: Any, text: str) -> Any:
@@ -305,11 +260,6 @@ class _Reader:
 def _depends(p: Parameter) -> bool:
     """Does its form depend on another value, which may come later on the wire?"""
     return bool(p.tag) or any(v.by != "device" for v in p.variants)
-
-
-def _hint(word: str, known: Iterable[str], otherwise: str = "") -> str:
-    near = get_close_matches(word, list(known), n=3)
-    return f"; did you mean {' or '.join(map(repr, near))}?" if near else otherwise or "; remove it"
 
 
 __all__ = ["File", "parsed"]

@@ -5,21 +5,28 @@ from __future__ import annotations
 import argparse
 import re
 import sys
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from contextlib import ExitStack
+from dataclasses import replace
 from datetime import datetime, timezone
 from pathlib import Path
-from typing import Any
+from typing import TextIO
 
 from ..binding import DEVICES, SETS, Device
 from ..cli import outputs, signals
 from ..errors import Failure, Misuse
 from . import earth
-from .endpoints import Endpoint, pty_at, tcp_at
+from .channel import CAPACITY
+from .device import VirtualDevice
+from .endpoints import Endpoint, pty_at, tcp_at, udp_at
 from .fault_kinds import parse_faults, table
-from .faults import Faults, json_log
-from .profiles import assumed_rates, certain, device_named, port_named
+from .faults import Faults, Injected, json_log
+from .motion import MotionError, parse_motion
+from .profiles import assumed_rates, certain, device_named
+from .scenario import SCHEMA, Scenario, Simulated, endpoint, read_scenario
 from .serve import Server
+
+Log = Callable[[Injected], None]
 
 _KNOWN = sorted(DEVICES.values(), key=lambda d: (bool(d.incomplete), -len(d.ports)))
 _EXAMPLE = _KNOWN[0].id if _KNOWN else "DEVICE"
@@ -30,10 +37,11 @@ examples:
   mip simulate {_EXAMPLE} --pty /tmp/mip          a terminal at /tmp/mip, until Ctrl-C
   mip simulate {_EXAMPLE} --tcp 5000 --speed 10   TCP, ten times as fast as real time
   mip simulate {_EXAMPLE} --port "{_PORTS[0]}=pty:/tmp/first" --port "{_PORTS[-1]}=tcp:5000"
+  mip simulate --scenario test.yaml               devices, ports, motions and events of a file
   mip simulate {_EXAMPLE} --fault lose=0.01,noise=0.1:16,lose_answer@3 --fault-log faults.jsonl
 
-When the device can be reached, its endpoints are printed, one in a line: those of --pty, --tcp and
---port, in the order in which they are given.
+When the device can be reached, its endpoints are printed, one in a line: those of --pty, --tcp, --udp and
+--port, in the order in which they are given, and those of a scenario in the order of the file.
 
 faults: KIND=RATE with a probability, KIND=RATE:AMOUNT with how much at most, KIND@N at the Nth
 chance; all=RATE is every kind.
@@ -50,19 +58,21 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add("--certain", action="store_true", help="only the commands and data that the device is known to have")
     add("--pty", action="append", default=[], metavar="PATH", help="a pseudo-terminal, with a link to it at PATH")
     add("--tcp", action="append", default=[], metavar="[HOST:]PORT", help="a TCP port; 0: the system chooses one")
+    add("--udp", action="append", default=[], metavar="[HOST:]PORT", help="a UDP port; 0: the system chooses one")
     add(
         "--port",
         action="append",
         default=[],
         metavar="NAME=ENDPOINT",
-        help="a port of the device, as its profile names it, at pty:PATH, pty or tcp:[HOST:]PORT",
+        help="a port of the device, as its profile names it, at pty:PATH, pty, tcp:[HOST:]PORT or udp:[HOST:]PORT",
     )
     add(
         "--motion",
-        default="standing",
         metavar="MOTION",
-        help="standing (default), circle:radius=20,speed=5, track:file=CSV or replay:file=LOG",
+        help="standing (default), circle:radius=20,speed=5, track:file=CSV, trajectory:file=CSV or replay:file=LOG",
     )
+    add("--scenario", type=Path, metavar="FILE", help="a YAML file with events, and perhaps devices and their ports")
+    add("--schema", action="store_true", help="print the JSON schema of scenario files and end")
     add(
         "--signal",
         type=_signal,
@@ -88,6 +98,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "(default: 2024-01-06T23:59:42, or that of a replayed log)",
     )
     add("--duration", type=_seconds, metavar="S", help="end after this many simulated seconds")
+    add(
+        "--queue",
+        type=_bytes,
+        default=CAPACITY,
+        metavar="BYTES",
+        help=f"how much waits for a slow client (default: {CAPACITY}); beyond it, the oldest packets are dropped",
+    )
     add("--storage", type=Path, metavar="FILE", help="keeps saved settings (default: they are lost at the end)")
     add("--strict-baud", action="store_true", help="baud rates limit the data, and wrong ones garble them")
     add("--fault", action="append", default=[], metavar="FAULT,...", help="inject faults; see below")
@@ -107,54 +124,78 @@ def run(options: argparse.Namespace) -> int:
 
         print("\n".join(without_effect()))
         return 0
-    whole = _profile(options.device)
-    profile = certain(whole) if options.certain else whole
-    endpoints = _endpoints(options, profile)
+    if options.schema:
+        print(SCHEMA.read_text("utf-8"), end="")
+        return 0
+    wanted = _wanted(options)
+    _different([endpoint for one in wanted for endpoint in one.endpoints])
     if options.log_packets and options.fault_log is None:
         raise Misuse("--log-packets needs a file; add --fault-log FILE")
     with ExitStack() as stack:
-        faults = _faults(options, stack)
-        device = _device(options, profile, faults)
+        file = _log(options, stack)
+        logs: list[Log | None] = [None] * len(wanted)
+        if file is not None:  # in which several devices have numbers
+            numbers = ({"device": i} if wanted[1:] else {} for i in range(1, len(wanted) + 1))
+            logs = [json_log(file, **number) for number in numbers]
         server = Server(
-            device,
-            endpoints,
+            [_device(one, options, log) for one, log in zip(wanted, logs)],
+            [replace(endpoint, device=i) for i, one in enumerate(wanted) for endpoint in one.endpoints],
             options.speed,
             duration=options.duration,
             strict_baud=options.strict_baud,
             seed=options.seed,
+            capacity=options.queue,
             ready=lambda text: print(text, flush=True),
             complain=_complain,
         )
         stack.enter_context(signals.handled(lambda number, frame: server.stop()))
         stack.enter_context(server)
-        _complain(_evidence(whole, options.certain))
-        if profile.incomplete:
-            _complain(
-                f"the profile of {profile.title} is incomplete ({_known(profile)}): " + " ".join(profile.incomplete)
-            )
-        if rates := {set: rate for set, rate in assumed_rates(profile).items() if rate}:
-            _complain(_assumed(rates))
+        for profile in {one.profile.id: one.profile for one in wanted}.values():
+            _introduce(profile, options.certain)
         server.run()
     return 0
 
 
-def _device(options: argparse.Namespace, profile: Device, faults: Faults | None) -> Any:
-    from .device import VirtualDevice
-    from .motion import parse_motion
-    from .state import MotionError
+def _wanted(options: argparse.Namespace) -> list[Simulated]:
+    """The devices to simulate. Raises Failure."""
+    scenario = Scenario() if options.scenario is None else read_scenario(options.scenario)
+    if not scenario.devices:
+        profile = _profile(options.device)
+        motion = None
+        if options.motion is not None:
+            try:
+                motion = parse_motion(options.motion)
+            except MotionError as error:
+                raise Failure(f"--motion {error}", 1 if "file=" in options.motion else 2) from None
+        return [
+            Simulated(
+                profile, tuple(_endpoints(options, profile)), motion, storage=options.storage, events=scenario.events
+            )
+        ]
+    for name in ("device", "pty", "tcp", "udp", "port", "motion", "signal", "storage"):
+        if getattr(options, name):
+            what = f"'{options.device}'" if name == "device" else f"--{name}"
+            raise Misuse(f"{what} is for one device, but {options.scenario} names its own; remove one of them")
+    return [
+        replace(one, seed=options.seed + i if one.seed is None else one.seed) for i, one in enumerate(scenario.devices)
+    ]
 
-    try:
-        motion = parse_motion(options.motion)
-    except MotionError as error:
-        raise Failure(f"--motion {error}", 1 if "file=" in options.motion else 2) from None
+
+def _device(one: Simulated, options: argparse.Namespace, log: Log | None) -> VirtualDevice:
+    seed = options.seed if one.seed is None else one.seed
+    plans = parse_faults(",".join(options.fault))
+    faults = None
+    if plans or log is not None or any(event.event == "faults" for event in one.events):
+        faults = Faults(seed=seed, log=log, every_packet=options.log_packets, plans=plans)
     device = VirtualDevice(
-        profile,
-        motion=motion,
-        seed=options.seed,
+        certain(one.profile) if options.certain else one.profile,
+        motion=one.motion,
+        seed=seed,
         noise=options.noise,
         start=options.start,
-        storage=options.storage,
+        storage=one.storage,
         faults=faults,
+        events=one.events,
     )
     for pin, hertz in options.signal:
         try:
@@ -164,25 +205,31 @@ def _device(options: argparse.Namespace, profile: Device, faults: Faults | None)
     return device
 
 
-def _faults(options: argparse.Namespace, stack: ExitStack) -> Faults | None:
-    plans = parse_faults(",".join(options.fault))
-    log = None
-    if options.fault_log is not None:
-        replayed = re.search(r"[:,]file=([^,]+)", options.motion)
-        if replayed is not None:
-            outputs.refuse_input(str(options.fault_log), replayed[1])
-        try:
-            if outputs.holds_bytes(options.fault_log):
-                with options.fault_log.open("rb") as earlier:
-                    if earlier.read(1) != b"{":
-                        raise Failure(f"{options.fault_log} is no log of faults; name another file")
-            file = stack.enter_context(options.fault_log.open("w", encoding="utf-8"))
-        except OSError as error:
-            raise Failure(f"{options.fault_log} cannot be written: {error.strerror}") from None
-        log = json_log(file)
-    if not plans and log is None:
+def _log(options: argparse.Namespace, stack: ExitStack) -> TextIO | None:
+    if options.fault_log is None:
         return None
-    return Faults(seed=options.seed, log=log, every_packet=options.log_packets, plans=plans)
+    replayed = re.search(r"[:,]file=([^,]+)", options.motion or "")
+    for given in (replayed and replayed[1], options.scenario):
+        if given:
+            outputs.refuse_input(str(options.fault_log), str(given))
+    try:
+        if outputs.holds_bytes(options.fault_log):
+            with options.fault_log.open("rb") as earlier:
+                if earlier.read(1) != b"{":
+                    raise Failure(f"{options.fault_log} is no log of faults; name another file")
+        return stack.enter_context(open(options.fault_log, "w", encoding="utf-8"))
+    except OSError as error:
+        raise Failure(f"{options.fault_log} cannot be written: {error.strerror}") from None
+
+
+def _introduce(whole: Device, sure: bool) -> None:
+    """What is known of a device, and what is assumed."""
+    profile = certain(whole) if sure else whole
+    _complain(_evidence(whole, sure))
+    if profile.incomplete:
+        _complain(f"the profile of {profile.title} is incomplete ({_known(profile)}): " + " ".join(profile.incomplete))
+    if rates := {set: rate for set, rate in assumed_rates(profile).items() if rate}:
+        _complain(_assumed(rates))
 
 
 def _evidence(profile: Device, certain: bool) -> str:
@@ -217,19 +264,17 @@ def _profile(name: str | None) -> Device:
 
 
 def _endpoints(options: argparse.Namespace, profile: Device) -> list[Endpoint]:
-    endpoints = [pty_at(path) for path in options.pty] + [tcp_at(text) for text in options.tcp]
-    for text in options.port:
-        name, _, where = text.partition("=")
-        kind, _, place = where.partition(":")
-        if kind not in ("pty", "tcp"):
-            raise Misuse(f"--port '{text}' cannot be read; write NAME=pty:PATH or NAME=tcp:[HOST:]PORT")
-        port = port_named(profile, name).name
-        endpoints.append(pty_at(place, port) if kind == "pty" else tcp_at(place, port))
+    endpoints = [pty_at(path) for path in options.pty]
+    endpoints += [tcp_at(text) for text in options.tcp] + [udp_at(text) for text in options.udp]
+    return endpoints + [endpoint(text, profile) for text in options.port] or [pty_at("")]
+
+
+def _different(endpoints: list[Endpoint]) -> None:
+    """No two terminals have one path."""
     paths = [e.path for e in endpoints if e.path]
     for path in paths:
         if paths.count(path) > 1:
             raise Misuse(f"{path} is given for two terminals; choose different paths")
-    return endpoints or [pty_at("")]
 
 
 def _signal(text: str) -> tuple[int, float]:
@@ -240,6 +285,10 @@ def _signal(text: str) -> tuple[int, float]:
 
 def _seconds(text: str) -> float:
     return _number(text, 1e-9, 1e10, "duration in seconds; use a number above 0")
+
+
+def _bytes(text: str) -> int:
+    return int(_number(text, 1024, 1e9, "queue; use a number of bytes from 1024 on"))
 
 
 def _noise(text: str) -> float:

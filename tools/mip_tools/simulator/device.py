@@ -30,6 +30,7 @@ from .filter_effects import FILTER_EFFECTS
 from .link import Link
 from .motion import Motion, Standing, parse_motion
 from .profiles import device_named, port_named
+from .script import Script, ScriptedEvent
 from .settings import Place, Settings, arguments, asking, command_type, home, is_setting, keys
 from .streams import SECOND, Stream, answers, packets
 from .world import World
@@ -62,6 +63,7 @@ class VirtualDevice:
         start: int | None = None,
         storage: Path | None = None,
         faults: Faults | None = None,
+        events: Iterable[ScriptedEvent] = (),
         trace: Callable[[str, bytes], None] | None = None,
     ) -> None:
         """`motion`: an object, or as `mip simulate --motion` has it: "circle:radius=20,speed=5".
@@ -70,11 +72,16 @@ class VirtualDevice:
 
         `start`: nanoseconds since the GPS epoch. `storage`: the file of saved settings.
 
+        `events`: what happens at given times, as an outage of GNSS.
+
         `trace` is told of every packet, before faults: "command", "answer" or "data", and the bytes.
         """
         self.profile: Device = device_named(profile) if isinstance(profile, str) else profile
         self.seed: int = seed
         moving = parse_motion(motion) if isinstance(motion, str) else motion
+        events = tuple(events)
+        if faults is None and any(event.event == "faults" for event in events):
+            faults = Faults(seed=seed)
         self.faults = faults
         self.settings = Settings(self.profile, storage)
         self.world: World = World(moving or Standing(), seed=seed, start=start, noise=noise)
@@ -97,6 +104,7 @@ class VirtualDevice:
         self._disturbed = DISTURBANCE_TIME
         self.events = Events(self)
         self._waves: list[Stream] = []
+        self.script = Script(self, events)
         self._settle()
 
     # ----------------------------------------------------------------------- the host's side
@@ -105,8 +113,11 @@ class VirtualDevice:
         """Connects a host with a port, the first one of the profile unless it is named. Hosts may share a port.
 
         `capacity`: how many bytes may wait until the host reads them; the device drops packets that do not fit.
-        Without it there is no limit: a host that no longer reads should `disconnect`.
+        Without it there is no limit: a host that no longer reads should `disconnect`. Raises ConnectionError while a
+        scripted event has unplugged the device.
         """
+        if not self.plugged:
+            raise ConnectionError("the device is unplugged; connect when it is plugged in again")
         if port is not None:
             port = port_named(self.profile, port).name
         name = port or next((p.name for p in self.profile.ports), "Main")
@@ -120,6 +131,16 @@ class VirtualDevice:
         if self.faults is not None:
             self.faults.forget(self.now, link)
         self.links = [other for other in self.links if other is not link]
+
+    @property
+    def plugged(self) -> bool:
+        """Can hosts connect? Not while a scripted event has unplugged the device."""
+        return self.script.plugged
+
+    def unplug(self) -> None:
+        """All connections end."""
+        for link in list(self.links):
+            self.disconnect(link)
 
     def drive(self, pin: int, level: bool) -> None:
         """A signal from outside gives a pin this level, which counts while the pin is an input.
@@ -155,6 +176,7 @@ class VirtualDevice:
         """Time passes up to this moment, with everything that is due by then."""
         while (due := self.next) is not None and due <= time:
             self._move(due)
+            self.script.run(due)
             for link in list(self.links):
                 if link.parser.pending and link.heard + SILENCE <= due:
                     self._taken(link, link.parser.flush())
@@ -180,7 +202,7 @@ class VirtualDevice:
         times = [stream.next for stream in (*self._streams, *self._waves)]
         times += [link.next for link in self.links if link.next is not None]
         times += [link.heard + SILENCE for link in self.links if link.parser.pending]
-        times += [t for t in (self._busy_until, self.events.next) if t is not None]
+        times += [t for t in (self._busy_until, self.events.next, self.script.next) if t is not None]
         if self.faults is not None:
             times.append(self._disturbed)
         return min(times, default=None)
@@ -190,7 +212,7 @@ class VirtualDevice:
         """Does it have something to send, now or later, by itself?"""
         late = any(link.next is not None for link in self.links)
         streams = bool(self._streams) or self.events.sends
-        return streams or late or self._busy_until is not None
+        return self.plugged and (streams or late or self._busy_until is not None)
 
     def reset(self) -> None:
         """Restarts the device with its saved settings."""
@@ -223,8 +245,7 @@ class VirtualDevice:
         if event == "reset":
             self.reset()
         elif event == "disconnect":
-            for link in list(self.links):
-                self.disconnect(link)
+            self.unplug()
 
     # ----------------------------------------------------------------------- commands
 

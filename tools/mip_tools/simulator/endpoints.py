@@ -1,4 +1,4 @@
-"""The connections of clients to the device: pseudo-terminals and TCP ports."""
+"""The connections of clients to the device: pseudo-terminals, TCP and UDP ports."""
 
 from __future__ import annotations
 
@@ -15,6 +15,7 @@ from pathlib import Path
 from random import Random
 from typing import Any
 
+from ..binding import SYNC
 from ..errors import Failure, Misuse
 
 fcntl: Any
@@ -28,9 +29,9 @@ except ImportError:  # Windows has no pseudo-terminals
 DEFAULT_HOST = "localhost"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Endpoint:
-    """One place to connect to: `pty` at a path (empty: no link is made), or `tcp` at a host."""
+    """One place to connect to: `pty` at a path (empty: no link is made), or `tcp` or `udp` at a host."""
 
     kind: str
     host: str = ""
@@ -38,6 +39,8 @@ class Endpoint:
     path: str = ""
     port: str | None = None
     """The port of the device, as its profile calls it; None: its main port."""
+    device: int = 0
+    """Which of several devices."""
 
 
 def pty_at(path: str, port: str | None = None) -> Endpoint:
@@ -46,10 +49,24 @@ def pty_at(path: str, port: str | None = None) -> Endpoint:
 
 def tcp_at(text: str, port: str | None = None) -> Endpoint:
     """From "5000", "localhost:5000" or "[::1]:5000"; 0 lets the system choose. Raises Failure."""
+    return _at_host("tcp", text, port)
+
+
+def udp_at(text: str, port: str | None = None) -> Endpoint:
+    """The same for UDP."""
+    return _at_host("udp", text, port)
+
+
+def _at_host(kind: str, text: str, port: str | None) -> Endpoint:
     host, _, digits = text.rpartition(":")
     if not (digits.isascii() and digits.isdigit()) or int(digits) > 65535:
-        raise Misuse(f"'{text}' is not a TCP port; write PORT or HOST:PORT, as in 5000 or 0.0.0.0:5000")
-    return Endpoint("tcp", host=host.strip("[]") or DEFAULT_HOST, number=int(digits), port=port)
+        known = "write PORT or HOST:PORT, as in 5000 or 0.0.0.0:5000"
+        raise Misuse(f"'{text}' is not a {kind.upper()} port; {known}")
+    return Endpoint(kind, host=host.strip("[]") or DEFAULT_HOST, number=int(digits), port=port)
+
+
+#: The kinds of endpoints, and what reads the place of each.
+KINDS: dict[str, Callable[[str, str | None], Endpoint]] = {"pty": pty_at, "tcp": tcp_at, "udp": udp_at}
 
 
 class Pty:
@@ -219,29 +236,14 @@ class Listener:
 
     def __init__(self, host: str, number: int) -> None:
         self._host = host
-        try:
-            family, kind, protocol, _, address = socket.getaddrinfo(
-                "127.0.0.1" if host == DEFAULT_HOST else host, number, type=socket.SOCK_STREAM
-            )[0]
-        except OSError:
-            raise Failure(f"host '{host}' is unknown; use localhost, or 0.0.0.0 for all networks") from None
-        self._socket = socket.socket(family, kind, protocol)
-        try:
-            if os.name == "posix":
-                self._socket.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-            self._socket.bind(address)
-            self._socket.listen()
-        except OSError as error:
-            self._socket.close()
-            raise Failure(_refused(error, host, number)) from None
-        self._socket.setblocking(False)
+        self._socket = _bound("tcp", host, number)
+        self.number: int = self._socket.getsockname()[1]
 
     def fileno(self) -> int:
         return self._socket.fileno()
 
     def __str__(self) -> str:
-        host = f"[{self._host}]" if ":" in self._host else self._host
-        return f"{host}:{self._socket.getsockname()[1]}"
+        return _address(self._host, self.number)
 
     def accept(self) -> Client | None:
         """The next client; None if it has left already."""
@@ -254,14 +256,96 @@ class Listener:
         self._socket.close()
 
 
-def _refused(error: OSError, host: str, number: int) -> str:
+class Udp:
+    """A UDP port. What the device sends goes to the host that has sent the last datagram; without one it is lost."""
+
+    #: Bytes of a datagram: what passes most networks in one piece.
+    MOST = 1400
+
+    def __init__(self, host: str, number: int) -> None:
+        self._host = host
+        self._socket = _bound("udp", host, number)
+        self._client: Any = None
+        self.number: int = self._socket.getsockname()[1]
+
+    def fileno(self) -> int:
+        return self._socket.fileno()
+
+    def __str__(self) -> str:
+        return _address(self._host, self.number)
+
+    def read(self) -> bytes:
+        try:
+            data, self._client = self._socket.recvfrom(65536)
+        except OSError:  # a host that is gone may be said to be; others come
+            raise BlockingIOError from None
+        if not data:
+            raise BlockingIOError
+        return data
+
+    def write(self, data: bytes | memoryview) -> int:
+        """One datagram, of whole packets where there are several."""
+        if self._client is None:
+            return len(data)
+        if len(data) > self.MOST:
+            end = bytes(data[: self.MOST]).rfind(SYNC)
+            data = data[: end if end > 0 else self.MOST]
+        try:
+            return self._socket.sendto(data, self._client)
+        except BlockingIOError:
+            raise
+        except OSError:  # it cannot be reached
+            return len(data)
+
+    speed: int | None = None
+    unread = 0
+
+    def flushed(self) -> bool:
+        return False
+
+    def set_speed(self, baud: int) -> None:
+        pass
+
+    def close(self) -> None:
+        self._socket.close()
+
+
+def _address(host: str, number: int) -> str:
+    return f"[{host}]:{number}" if ":" in host else f"{host}:{number}"
+
+
+def _bound(kind: str, host: str, number: int) -> socket.socket:
+    """A socket at this address that does not block, for TCP one that listens. Raises Failure."""
+    wanted = socket.SOCK_STREAM if kind == "tcp" else socket.SOCK_DGRAM
+    try:
+        family, type, protocol, _, address = socket.getaddrinfo(
+            "127.0.0.1" if host == DEFAULT_HOST else host, number, type=wanted
+        )[0]
+    except OSError:
+        raise Failure(f"host '{host}' is unknown; use localhost, or 0.0.0.0 for all networks") from None
+    made = socket.socket(family, type, protocol)
+    try:
+        if kind == "tcp" and os.name == "posix":
+            made.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        made.bind(address)
+        if kind == "tcp":
+            made.listen()
+    except OSError as error:
+        made.close()
+        raise Failure(_refused(error, kind, host, number)) from None
+    made.setblocking(False)
+    return made
+
+
+def _refused(error: OSError, kind: str, host: str, number: int) -> str:
+    what = f"{kind.upper()} port {number}"
     if error.errno == errno.EADDRINUSE:
-        return f"TCP port {number} is in use; end the program that has it, or use another: --tcp {number + 1}"
+        return f"{what} is in use; end the program that has it, or use another: --{kind} {number + 1}"
     if error.errno == errno.EACCES:
-        return f"TCP port {number} needs privileges; use one from 1024 on"
+        return f"{what} needs privileges; use one from 1024 on"
     if error.errno == errno.EADDRNOTAVAIL:
         return f"{host} is not an address of this machine; use localhost, or 0.0.0.0 for all networks"
-    return f"TCP port {number} of {host} cannot be opened: {error.strerror}"
+    return f"{what} of {host} cannot be opened: {error.strerror}"
 
 
 Scramble = Callable[[bytes], bytes]

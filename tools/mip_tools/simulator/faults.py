@@ -63,15 +63,28 @@ class Faults:
             self._plans[kind] = plan(kind, *rate) if isinstance(rate, tuple) else plan(kind, rate)
         for kind, exact in parse_faults(",".join(script)).items():
             self._plans[kind] = replace(self._plans.get(kind, exact), places=exact.places)
-        self._random = {kind: Random(f"{seed}:{kind}") for kind in self._plans}
-        self._chances = dict.fromkeys(self._plans, 0)
+        self._always = dict(self._plans)
+        self._seed = seed
+        self._random: dict[str, Random] = {}
+        self._chances: dict[str, int] = {}
+        self._active: dict[str, list[str]] = {}
+        self.add(())
+        self._lines: dict[Hashable, _Line] = {}
+        self._seen: dict[tuple[int, int], RawField] = {}
+        self._taken = 0
+
+    def add(self, plans: Iterable[Mapping[str, Plan]]) -> None:
+        """From now on, there are these faults beside those that there always are, and no others."""
+        self._plans = dict(self._always)
+        for more in plans:
+            self._plans.update(more)
+        for kind in self._plans.keys() - self._random.keys():
+            self._random[kind] = Random(f"{self._seed}:{kind}")
+            self._chances[kind] = 0
         self._active = {
             chance: [k for k in KINDS if k in self._plans and KINDS[k].of == chance]
             for chance in {kind.of for kind in KINDS.values()}
         }
-        self._lines: dict[Hashable, _Line] = {}
-        self._seen: dict[tuple[int, int], RawField] = {}
-        self._taken = 0
 
     # ----------------------------------------------------------------- chances
 
@@ -92,7 +105,8 @@ class Faults:
         most = self._plans[kind].amount
         return int(self._random[kind].uniform(0.1, 1.0) * most * 1e9)
 
-    def _tell(self, now: int, kind: str, detail: str, **more: Any) -> None:
+    def tell(self, now: int, kind: str, detail: str, **more: Any) -> None:
+        """Logs what has happened."""
         if self._log is not None:
             self._log(Injected(now, kind, detail, **more))
 
@@ -105,7 +119,7 @@ class Faults:
         """
         mip = packet[:2] == SYNC
         if self._every and mip:
-            self._tell(now, "sent", "a packet is sent", packet=packet)
+            self.tell(now, "sent", "a packet is sent", packet=packet)
         struck = self._struck("packet") if mip else []
         if not struck and line not in self._lines:
             return [(0, packet)]
@@ -119,7 +133,7 @@ class Faults:
         if intact and mip:
             right.append(packet)
         if "double_packet" in struck:
-            self._tell(now, "double_packet", "the packet comes twice", packet=packet, added=packet)
+            self.tell(now, "double_packet", "the packet comes twice", packet=packet, added=packet)
             body += packet
             right.append(packet)
         before = self._apart(now, at, before, body, right)
@@ -134,7 +148,7 @@ class Faults:
         for arrival, packet in at.late:
             if arrival > now:
                 text = "the packet was on the way when the line was cut"
-                self._tell(now, "disconnect", text, packet=packet, damaged=True)
+                self.tell(now, "disconnect", text, packet=packet, damaged=True)
 
     def _inserted(self, now: int, kind: str, right: list[bytes]) -> bytes:
         random = self._random[kind]
@@ -147,19 +161,19 @@ class Faults:
         else:
             made = damage.unknown_packet(random)
             right.append(made)
-        self._tell(now, kind, f"{len(made)} bytes are inserted", added=made)
+        self.tell(now, kind, f"{len(made)} bytes are inserted", added=made)
         return made
 
     def _body(self, now: int, packet: bytes, struck: list[str]) -> tuple[bytes, bool]:
         """The rest of a packet, and whether it is complete."""
         if "lose_packet" in struck:
-            self._tell(now, "lose_packet", "the packet is lost", packet=packet, damaged=True)
+            self.tell(now, "lose_packet", "the packet is lost", packet=packet, damaged=True)
             return b"", False
         kind = next((k for k in _DAMAGE if k in struck), "")  # one fault for one packet
         if not kind:
             return packet, True
         body, what = damage.damage(kind, packet, self._most(kind) or 1, self._random[kind])
-        self._tell(now, kind, what, packet=packet, damaged=True)
+        self.tell(now, kind, what, packet=packet, damaged=True)
         return body, False
 
     def _apart(self, now: int, at: _Line, before: bytes, body: bytes, right: list[bytes]) -> bytes:
@@ -180,11 +194,11 @@ class Faults:
                 break
         else:  # has not been seen
             for lost in wanted:
-                self._tell(now, "noise", "bytes make up a packet", packet=lost, damaged=True)
+                self.tell(now, "noise", "bytes make up a packet", packet=lost, damaged=True)
         at.hidden, at.pending = wanted[len(found) :], pending
         if spare:
             text = f"{spare} bytes keep a false start from being complete by accident"
-            self._tell(now, "noise", text, added=bytes(spare))
+            self.tell(now, "noise", text, added=bytes(spare))
         return bytes(spare) + before
 
     def _timed(
@@ -195,7 +209,7 @@ class Faults:
         if "delay_packet" in struck:
             later = self._seconds("delay_packet")
             first += later
-            self._tell(now, "delay_packet", f"{later / 1e9:.3f} s late", packet=packet)
+            self.tell(now, "delay_packet", f"{later / 1e9:.3f} s late", packet=packet)
         stream = before + body
         parts = [(first, stream)]
         if "delay" in struck and len(body) > 1:
@@ -203,7 +217,7 @@ class Faults:
             cut = len(before) + self._random["delay"].randrange(1, len(body))
             parts = [(first, stream[:cut]), (first + later, stream[cut:])]
             text = f"{len(stream) - cut} bytes at the end come {later / 1e9:.3f} s late"
-            self._tell(now, "delay", text, packet=packet)
+            self.tell(now, "delay", text, packet=packet)
         at.late = [entry for entry in at.late if entry[0] > now]
         if parts[-1][0] and packet[:2] == SYNC:
             at.late.append((now + parts[-1][0], packet))
@@ -225,14 +239,14 @@ class Faults:
             if added is not None:
                 fields.append(added)
                 text = f"a field 0x{set:02X},0x{added.descriptor:02X} is added"
-                self._tell(now, kind, text, added=added.data)
+                self.tell(now, kind, text, added=added.data)
             return fields
         found = wrong.longer(fields, places, self._most(kind), random)
         if found is not None:
             at, made = found
             more = made.data[len(fields[at].data) :]
             text = f"field 0x{set:02X},0x{made.descriptor:02X} is {len(more)} bytes longer"
-            self._tell(now, kind, text, added=more)
+            self.tell(now, kind, text, added=more)
             fields[at] = made
         return fields
 
@@ -249,14 +263,14 @@ class Faults:
             random = self._random[kind]
             if kind == "late_answer":
                 delay = self._seconds(kind)
-                self._tell(now, kind, f"{delay / 1e9:.3f} s late", command=command)
+                self.tell(now, kind, f"{delay / 1e9:.3f} s late", command=command)
             elif kind in ("unknown_field_in_answer", "longer_response"):
                 if fields and (kind.startswith("unknown") or len(fields) > 1):
                     fields = self._extended(now, kind, command.set, fields, range(1, len(fields)))
             else:
                 changed, what = wrong.answer(kind, command, fields, self._seen, random)
                 if changed != fields:
-                    self._tell(now, kind, what, command=command)
+                    self.tell(now, kind, what, command=command)
                     fields = changed
         if response is not None and self._active["response"]:
             self._seen[response.set, response.descriptor] = response
@@ -279,13 +293,13 @@ class Faults:
                     out += out
                 elif out:
                     out = bytes((out[0] ^ self._random[kind].randrange(1, 256),)) + out[1:]
-                self._tell(now, kind, f"byte {self._taken} on the way to the device")
+                self.tell(now, kind, f"byte {self._taken} on the way to the device")
             made += out
         return bytes(made)
 
     def event(self, now: int) -> str:
         """What happens to the device itself, checked every 100 ms of simulated time."""
         for kind in self._struck("tick"):
-            self._tell(now, kind, KINDS[kind].description)
+            self.tell(now, kind, KINDS[kind].description)
             return kind
         return ""

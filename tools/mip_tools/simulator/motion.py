@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from math import cos, fmod, inf, isfinite, pi, radians, sin
+from pathlib import Path
 from typing import Any
 
 from .replay import Replay
-from .state import PLACES, Motion, MotionError, Plane, State, is_place, rotation
+from .state import Motion, MotionError, Plane, State, check_place, rotation
 from .track import Track
+from .trajectory import Trajectory
 from .waypoints import Waypoint
 
 #: Where motions are that are given no place: degrees and metres.
@@ -22,7 +24,7 @@ class Standing:
         self, latitude: float = LATITUDE, longitude: float = LONGITUDE, height: float = HEIGHT, *,
         heading: float = 0.0, pitch: float = 0.0, roll: float = 0.0,
     ) -> None:  # fmt: skip
-        _place("standing", latitude, longitude, height)
+        check_place("standing", latitude, longitude, height)
         q, m = rotation(radians(roll), radians(pitch), radians(heading))
         zero = (0.0, 0.0, 0.0)
         self._state = State(radians(latitude), radians(longitude), height, zero, zero, q, m, zero)
@@ -41,7 +43,7 @@ class Circle:
         for name, value in (("radius", radius), ("speed", speed)):
             if not 0 < value <= 1e6:
                 raise MotionError(f"circle: {name}={value:g} must be above 0, and at most 1e6")
-        _place("circle", latitude, longitude, height)
+        check_place("circle", latitude, longitude, height)
         self._radius, self._speed = radius, speed
         self._period = 2 * pi * radius / speed
         self._plane = Plane(radians(latitude), radians(longitude), height)
@@ -50,13 +52,6 @@ class Circle:
         angle = fmod(t, self._period) * self._speed / self._radius
         s, c, r = sin(angle), cos(angle), self._radius
         return self._plane.state(r * c, r * s, 0.0, (-s, c), self._speed, 0.0, 1 / r)
-
-
-def _place(motion: str, latitude: float, longitude: float, height: float) -> None:
-    if not is_place(latitude, longitude, height):
-        raise MotionError(
-            f"{motion}: latitude {latitude:g}, longitude {longitude:g}, height {height:g} is not a place; {PLACES}"
-        )
 
 
 def _yes(text: str) -> bool:
@@ -85,13 +80,14 @@ MOTIONS: dict[str, tuple[Callable[..., Motion], dict[str, Callable[[str], Any]]]
     "track": (
         Track, {"file": str, "speed": _number, "acceleration": _number, "corner": _number, "loop": _yes}
     ),
+    "trajectory": (Trajectory, _PLACE | {"file": str, "loop": _yes}),
     "replay": (Replay, {"file": str, "loop": _yes, "rate": _number}),
 }  # fmt: skip
-_REQUIRED = {"track": "file", "replay": "file"}
+_REQUIRED = dict.fromkeys(("track", "trajectory", "replay"), "file")
 
 
-def parse_motion(text: str) -> Motion:
-    """A motion by name, optionally with options. Raises MotionError.
+def parse_motion(text: str, folder: Path = Path()) -> Motion:
+    """A motion by name, optionally with options; its file is relative to a folder. Raises MotionError.
 
     >>> parse_motion("circle:radius=20,speed=5").at(0).velocity[1]
     5.0
@@ -118,9 +114,10 @@ def parse_motion(text: str) -> Motion:
         return motion(**given)
     if not given.get(required):
         raise MotionError(f"{name}: needs a {required}; write {name}:{required}=PATH")
-    return motion(given.pop(required), **given)
+    return motion(folder / given.pop(required), **given)
 
 
 __all__ = [
-    "MOTIONS", "Circle", "Motion", "MotionError", "Replay", "Standing", "State", "Track", "Waypoint", "parse_motion",
+    "MOTIONS", "Circle", "Motion", "MotionError", "Replay", "Standing", "State", "Track", "Trajectory",
+    "Waypoint", "parse_motion",
 ]  # fmt: skip

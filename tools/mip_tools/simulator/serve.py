@@ -1,4 +1,4 @@
-"""Serves a device to programs outside this one, in real time or in a time of its own."""
+"""Serves devices to programs outside this one, in real time or in a time of their own."""
 
 from __future__ import annotations
 
@@ -7,11 +7,11 @@ import os
 import selectors
 import socket
 import time
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from typing import Any, Protocol
 
 from .channel import CAPACITY, Channel, Link, Peer
-from .endpoints import Endpoint, Listener, Pty, scrambler
+from .endpoints import Endpoint, Listener, Pty, Udp, scrambler
 
 SECOND = 1_000_000_000
 #: Seconds of the clock for which the device may be advanced before clients are served again.
@@ -37,23 +37,43 @@ class Device(Protocol):
     def next(self) -> int | None: ...
     @property
     def busy(self) -> bool: ...
+    @property
+    def plugged(self) -> bool: ...
     def advance(self, seconds: float) -> None: ...
     def connect(self, port: str | None = None) -> Any: ...  # a `channel.Link`
     def disconnect(self, link: Any) -> None: ...
 
 
-def serve(device: Device, endpoints: Iterable[Endpoint], speed: float = 1.0, **options: Any) -> None:
-    """Serves until the process is interrupted, or for `duration`; options as `Server` has them."""
-    with Server(device, endpoints, speed, **options) as server:
-        server.run()
+class Together:
+    """Devices in the same time."""
+
+    def __init__(self, devices: Sequence[Device]) -> None:
+        self.devices = devices
+
+    @property
+    def now(self) -> int:
+        return self.devices[0].now
+
+    @property
+    def next(self) -> int | None:
+        """When something happens next without a host."""
+        return min((d.next for d in self.devices if d.next is not None), default=None)
+
+    @property
+    def busy(self) -> bool:
+        return any(d.busy for d in self.devices)
+
+    def advance(self, seconds: float) -> None:
+        for device in self.devices:
+            device.advance(seconds)
 
 
 class Server:
-    """A device at its endpoints. Use it in a `with` statement, which opens and closes them."""
+    """Devices at their endpoints. Use it in a `with` statement, which opens and closes them."""
 
     def __init__(
         self,
-        device: Device,
+        devices: Device | Sequence[Device],
         endpoints: Iterable[Endpoint],
         speed: float = 1.0,
         *,
@@ -70,21 +90,23 @@ class Server:
 
         `duration`: simulated seconds until `run` returns. `ready` is called with each endpoint.
         """
-        self._device = device
+        self._device = Together(devices if isinstance(devices, Sequence) else (devices,))
         self._endpoints = tuple(endpoints)
         self._speed = speed
         self._clock = clock
-        self._end = math.inf if duration is None else device.now + round(duration * SECOND)
+        self._end = math.inf if duration is None else self._device.now + round(duration * SECOND)
         self._garble = scrambler(seed) if strict_baud else None
         self._pace = speed if strict_baud else 0.0
         self._capacity = capacity
         self._ready = ready
         self._complain = complain
         self._selector = selectors.DefaultSelector()
-        self._listeners: list[Listener] = []
+        self._listeners: dict[Endpoint, Listener] = {}
         self._channels: dict[Channel, Endpoint] = {}
+        self._plugged: set[Endpoint] = set()
+        self._numbers: dict[Endpoint, int] = {}  # those that the system chose
         self._stopped = False
-        self._slipped = False
+        self._lost = 0.0  # seconds of the clock that simulated time has given up
         self._origin = 0.0
         self._wake, self._woken = socket.socketpair()
 
@@ -106,15 +128,41 @@ class Server:
         self.close()
 
     def _open(self, endpoint: Endpoint) -> None:
-        if endpoint.kind == "pty":
-            terminal = Pty(endpoint.path)
-            self._add(terminal, endpoint)
-            self._ready(str(terminal))
+        self._plugged.add(endpoint)
+        number = self._numbers.get(endpoint, endpoint.number)
+        if endpoint.kind == "tcp":
+            listener = Listener(endpoint.host, number)
+            self._listeners[endpoint] = listener
+            self._numbers[endpoint] = listener.number
+            self._selector.register(listener, selectors.EVENT_READ, lambda _: self._accept(listener, endpoint))
+            self._ready(str(listener))
             return
-        listener = Listener(endpoint.host, endpoint.number)
-        self._listeners.append(listener)
-        self._selector.register(listener, selectors.EVENT_READ, lambda _: self._accept(listener, endpoint))
-        self._ready(str(listener))
+        peer: Pty | Udp
+        if endpoint.kind == "pty":
+            peer = Pty(endpoint.path)
+        else:
+            peer = Udp(endpoint.host, number)
+            self._numbers[endpoint] = peer.number
+        self._add(peer, endpoint)
+        self._ready(str(peer))
+
+    def _plug(self) -> None:
+        """A device that is unplugged has no ports, until it is plugged in again."""
+        for endpoint in self._endpoints:
+            plugged = self._of(endpoint).plugged
+            if plugged and endpoint not in self._plugged:
+                for channel in [c for c, e in self._channels.items() if e is endpoint]:
+                    self._remove(channel, again=False)
+                self._open(endpoint)
+            elif not plugged and endpoint in self._plugged:
+                self._plugged.remove(endpoint)
+                listener = self._listeners.pop(endpoint, None)
+                if listener is not None:
+                    self._selector.unregister(listener)
+                    listener.close()
+
+    def _of(self, endpoint: Endpoint) -> Device:
+        return self._device.devices[endpoint.device]
 
     def _accept(self, listener: Listener, endpoint: Endpoint) -> None:
         client = listener.accept()
@@ -127,7 +175,7 @@ class Server:
         self._add(client, endpoint)
 
     def _add(self, peer: Peer, endpoint: Endpoint) -> None:
-        link: Link = self._device.connect(endpoint.port)
+        link: Link = self._of(endpoint).connect(endpoint.port)
         channel = Channel(peer, link, self._garble, self._pace, self._capacity)
         self._channels[channel] = endpoint
         self._selector.register(peer, selectors.EVENT_READ, lambda events: self._serve(channel, events))
@@ -141,16 +189,16 @@ class Server:
             # It may have no client: who has a terminal open is not known.
             packets = f"{channel.dropped} packet{'s' * (channel.dropped != 1)}"
             self._complain(f"{channel.peer}: {packets} dropped, as no client read them in time")
-        self._device.disconnect(channel.link)
+        self._of(endpoint).disconnect(channel.link)
         channel.peer.close()
-        if again and endpoint.kind == "pty":  # the same path leads to a new terminal
+        if again and endpoint.kind != "tcp" and self._of(endpoint).plugged:  # the same path leads to a new terminal
             self._open(endpoint)
 
     def close(self) -> None:
         """Closes all connections and removes the links to terminals."""
         for channel in list(self._channels):
             self._remove(channel, again=False)
-        for listener in self._listeners:
+        for listener in self._listeners.values():
             listener.close()
         self._listeners.clear()
         self._selector.close()
@@ -177,6 +225,8 @@ class Server:
             self._advance()
             for key, events in self._selector.select(self._patience()):
                 key.data(events)
+        if self._lost:
+            self._complain(f"simulated time ends {self._lost:.1f} s late")
         self._drain()
 
     def _simulated(self, nanoseconds: float) -> float:
@@ -218,6 +268,7 @@ class Server:
                 device.advance(max(until - now, 1) / SECOND)
                 for channel in self._channels:
                     channel.collect()
+        self._plug()
         self._pump()
         self._slip()
 
@@ -228,9 +279,9 @@ class Server:
             self._origin += behind
         elif behind > LATE and self._device.now < self._end:
             self._origin += behind
-            if not self._slipped:
+            if not self._lost:
                 self._complain("the machine cannot keep up; simulated time is late from here on")
-                self._slipped = True
+            self._lost += behind
 
     def _patience(self) -> float | None:
         """How long to wait for clients; None: until one comes."""

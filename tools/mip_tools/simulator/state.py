@@ -22,6 +22,14 @@ def is_place(latitude: float, longitude: float, height: float) -> bool:
 PLACES = "use degrees, with a latitude of -89 to 89, and a height of -10 to 1000 km"
 
 
+def check_place(motion: str, latitude: float, longitude: float, height: float) -> None:
+    """Raises MotionError where a motion cannot be."""
+    if not is_place(latitude, longitude, height):
+        raise MotionError(
+            f"{motion}: latitude {latitude:g}, longitude {longitude:g}, height {height:g} is not a place; {PLACES}"
+        )
+
+
 class State(NamedTuple):
     """All values agree with each other. The body's axes point forward, right and down."""
 

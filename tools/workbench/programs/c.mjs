@@ -49,15 +49,21 @@ export function cProgram(names, field, calls) {
     return lines.join("\n");
 }
 
+/** The function that calls a command with these values, and decodes what answers that. */
+export function wayOf(names, field, values) {
+    const function_ = field.calls && names.protocol.functions.get(Number(values.function))?.name;
+    const ways = names.table.calls[field.name].filter((way) => way.function === function_);
+    const wanted = responseTo(names.protocol, field, values)?.name;
+    const way = ways.find(({ response }) => response === wanted) ?? ways[0];
+    if (!way) throw cannot("the function has no name");
+    return way;
+}
+
 /** What must be declared before, and the call, whose result is assigned. */
 function cCall(names, field, values, result) {
     const { protocol } = names;
     refuseOptional(protocol, field, values);
-    const function_ = field.calls && protocol.functions.get(Number(values.function))?.name;
-    const ways = names.table.calls[field.name].filter((way) => way.function === function_);
-    const wanted = responseTo(protocol, field, values)?.name;
-    const way = ways.find(({ response }) => response === wanted) ?? ways[0];
-    if (!way) throw cannot("the function has no name");
+    const way = wayOf(names, field, values);
     const before = [];
     const given = ["device"];
     if (way.whole) {
@@ -105,7 +111,7 @@ function cArgument(names, field, parameter, value) {
 }
 
 /** The type of one item. */
-function cType(names, { type }) {
+export function cType(names, { type }) {
     const { protocol, table } = names;
     if (table.scalars[type]) return table.scalars[type];
     const known = protocol.type(type);
@@ -113,7 +119,7 @@ function cType(names, { type }) {
     return table.scalars[known.scalar] ?? `struct ${names.type(known)}`;
 }
 
-function cUnion(names, parameter, op, value) {
+export function cUnion(names, parameter, op, value) {
     const found = alternativeOf(op, value);
     if (!found) return brackets("{", ["0"], "}");
     const { operation } = found;
@@ -121,7 +127,7 @@ function cUnion(names, parameter, op, value) {
     return brackets("{", [after(`.${names.member(operation.member)} = `, cValue(names, inner, operation, found.value))], "}");
 }
 
-function cRecord(names, record, values) {
+export function cRecord(names, record, values) {
     const held = record.parameters
         .filter((parameter) => parameter.constant === undefined && Object.hasOwn(values, parameter.name))
         .map((parameter) => [parameter, operationOf(record, parameter.name), values[parameter.name]])
@@ -133,7 +139,7 @@ function cRecord(names, record, values) {
     return brackets("{", held.length ? held : ["0"], "}");
 }
 
-function cValue(names, parameter, op, value) {
+export function cValue(names, parameter, op, value) {
     switch (op.kind) {
         case "counter":
             return String(value);
@@ -173,7 +179,7 @@ function cNumber(value, size, form) {
     return number > 0x7fffn && size === 4 ? `UINT32_C(${text})` : text;
 }
 
-function cString(text) {
+export function cString(text) {
     const whole = printable(text).trim();
     if (/ {2}/.test(whole)) throw cannot(`${JSON.stringify(text)} has several spaces`);
     return `"${whole.replace(/["\\]/g, "\\$&").replaceAll("??", "?\\?")}"`;

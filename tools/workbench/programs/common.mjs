@@ -1,6 +1,6 @@
 // What programs in all languages share: names of the bindings, the parts of a call, and expressions that are laid out.
 
-import { bitsNumber, enumValue, maskOf, MipError } from "mip-protocol/tools";
+import { bitsNumber, enumValue, maskOf, memberName, MipError } from "mip-protocol/tools";
 import { decimalLiteral, hexLiteral } from "../words.mjs";
 
 /** The first response that a command asks for with these values, or nothing. */
@@ -22,28 +22,39 @@ export class Names {
         this.language = language;
         this.table = protocol.model.programs[language];
         this.package = protocol.model.package; // begins the names of the bindings
-        this.used = new Set(); // what a program imports
+        this.used = new Set(); // what a program imports: modules of Python, items of the crate
+        this.imports = new Map(); // of JavaScript: module -> names
     }
 
     member(name) {
+        if (this.language === "javascript") return memberName(name);
         return this.table.members[name] ?? name;
     }
 
     /** A value of an enumeration, or a bit. */
     constant(type, part) {
         if (this.language === "c") return `${type.symbols.c}_${part.short ?? part.name}`.toUpperCase();
-        const name = this.table.constants[part.name] ?? part.name.toUpperCase();
-        return `${this.type(type)}${this.language === "rust" ? "::" : "."}${name}`;
+        const usual = this.language === "cpp" ? part.name : part.name.toUpperCase();
+        const between = ["cpp", "rust"].includes(this.language) ? "::" : ".";
+        return this.type(type) + between + (this.table.constants[part.name] ?? usual);
     }
 
     /** A type or a field; what it needs is imported. */
     type({ symbols }) {
-        if (this.language === "c") return symbols.c;
-        const path = symbols[this.language].replace(/^\w+_protocol(\.|::)/, "");
+        const symbol = symbols[this.language];
+        if (this.language === "c" || this.language === "cpp") return symbol;
+        if (this.language === "javascript") return this.imported(...symbol.split("."));
+        const path = symbol.replace(/^\w+_protocol(\.|::)/, "");
         if (this.language === "rust") return this.item(path);
         const [module, name] = path.split(".");
         this.used.add(module);
         return `${this.local(module)}.${name}`;
+    }
+
+    imported(module, name) {
+        if (!this.imports.has(module)) this.imports.set(module, new Set());
+        this.imports.get(module).add(name);
+        return name;
     }
 
     /** What a program in Python calls a module. */
@@ -124,10 +135,10 @@ export function printable(text) {
     return text;
 }
 
-/** An expression with others in brackets: a call, a list, a structure. `comma` comes behind the last of several lines,
- * `alone` behind the only item in one line. */
-export function brackets(head, items, tail, { comma = ",", alone = "" } = {}) {
-    return { head, items, tail, comma, alone };
+/** An expression with others in brackets: a call, a list, a structure. `comma` comes behind the last of several lines;
+ * in one line, `alone` comes behind the only item, and `pad` is inside the brackets. */
+export function brackets(head, items, tail, { comma = ",", alone = "", pad = "" } = {}) {
+    return { head, items, tail, comma, alone, pad };
 }
 
 /** An expression behind a text. */
@@ -142,8 +153,9 @@ export function statement(expression) {
 /** An expression in one line. */
 function flat(expression) {
     if (typeof expression === "string") return expression;
-    const { head, items, tail, alone } = expression;
-    return `${head}${items.map(flat).join(", ")}${items.length === 1 ? alone : ""}${tail}`;
+    const { head, items, tail, alone, pad } = expression;
+    if (!items.length) return head + tail;
+    return `${head}${pad}${items.map(flat).join(", ")}${items.length === 1 ? alone : ""}${pad}${tail}`;
 }
 
 /** An expression, with a line for each of what is in brackets if one line is too long. */

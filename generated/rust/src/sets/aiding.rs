@@ -136,10 +136,6 @@ record! {
     /// [`filter_data::AidingFrameConfigErrorUncertainty`](crate::filter_data::AidingFrameConfigErrorUncertainty).
     /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-CV7-INS](crate::devices::CV7_INS).
-    /// Probably supported by [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// - Aiding measurements name the frame by its number.
     /// - `p_vehicle = R * p_frame + t`, with the rotation R and the translation t.
@@ -251,11 +247,7 @@ record! {
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`EchoControlResponse`]. Supported
     /// by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR) and
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - The manual does not give the layout of the responses that carry the data back.
     ///
@@ -314,9 +306,7 @@ record! {
     ///
     /// Also called `pos_ecef`. Not acknowledged if [`mode`](EchoControl::mode) of [`EchoControl`]
     /// is [`AidingEchoMode::SUPPRESS_ACK`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-INS](crate::devices::CX7_INS) and
-    /// [3DM-GV7-INS](crate::devices::GV7_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - Use only one form of position: ECEF or LLH.
     /// - In mode `response` of [`EchoControl`], the device sends the data back in a response of
@@ -378,9 +368,7 @@ record! {
     ///
     /// Also called `pos_llh`. Not acknowledged if [`mode`](EchoControl::mode) of [`EchoControl`] is
     /// [`AidingEchoMode::SUPPRESS_ACK`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-INS](crate::devices::CX7_INS) and
-    /// [3DM-GV7-INS](crate::devices::GV7_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - Use only one form of position: ECEF or LLH.
     /// - To send a height only, clear the valid flags of latitude and longitude. The
@@ -458,9 +446,7 @@ record! {
     ///
     /// Not acknowledged if [`mode`](EchoControl::mode) of [`EchoControl`] is
     /// [`AidingEchoMode::SUPPRESS_ACK`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-INS](crate::devices::CX7_INS) and
-    /// [3DM-GV7-INS](crate::devices::GV7_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - In mode `response` of [`EchoControl`], the device sends the data back in a response of
     ///   unknown layout.
@@ -518,9 +504,7 @@ record! {
     ///
     /// Also called `vel_ecef`. Not acknowledged if [`mode`](EchoControl::mode) of [`EchoControl`]
     /// is [`AidingEchoMode::SUPPRESS_ACK`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-INS](crate::devices::CX7_INS) and
-    /// [3DM-GV7-INS](crate::devices::GV7_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - Use only one form of velocity: ECEF or NED.
     /// - Not for a sensor that is fixed to the vehicle; for such a sensor, use
@@ -584,9 +568,7 @@ record! {
     ///
     /// Also called `vel_ned`. Not acknowledged if [`mode`](EchoControl::mode) of [`EchoControl`] is
     /// [`AidingEchoMode::SUPPRESS_ACK`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-INS](crate::devices::CX7_INS) and
-    /// [3DM-GV7-INS](crate::devices::GV7_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - Use only one form of velocity: ECEF or NED.
     /// - Not for a sensor that is fixed to the vehicle; for such a sensor, use
@@ -650,9 +632,7 @@ record! {
     ///
     /// Also called `vel_body_frame`. Not acknowledged if [`mode`](EchoControl::mode) of
     /// [`EchoControl`] is [`AidingEchoMode::SUPPRESS_ACK`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-INS](crate::devices::CX7_INS) and
-    /// [3DM-GV7-INS](crate::devices::GV7_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - The device supports up to four sensors of this kind.
     /// - A wheeled vehicle constraint is a velocity of 0 with only y valid, sent at least once per
@@ -720,11 +700,7 @@ record! {
     /// Also called `heading_true`. Not acknowledged if [`mode`](EchoControl::mode) of
     /// [`EchoControl`] is [`AidingEchoMode::SUPPRESS_ACK`]. Supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR) and
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - In mode `response` of [`EchoControl`], the device sends the data back in a response of
     ///   unknown layout.
@@ -785,10 +761,6 @@ record! {
     /// Not acknowledged if [`mode`](EchoControl::mode) of [`EchoControl`] is
     /// [`AidingEchoMode::SUPPRESS_ACK`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
     /// [3DM-CV7-AR](crate::devices::CV7_AR) and [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
-    /// Probably supported by [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
-    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// - The magnetometer must be calibrated.
     /// - In mode `response` of [`EchoControl`], the device sends the data back in a response of
@@ -850,9 +822,7 @@ record! {
     ///
     /// Not acknowledged if [`mode`](EchoControl::mode) of [`EchoControl`] is
     /// [`AidingEchoMode::SUPPRESS_ACK`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-INS](crate::devices::CX7_INS) and
-    /// [3DM-GV7-INS](crate::devices::GV7_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - In mode `response` of [`EchoControl`], the device sends the data back in a response of
     ///   unknown layout.
@@ -909,11 +879,7 @@ record! {
     ///
     /// Answers [`FrameConfig`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
     /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-CV7-INS](crate::devices::CV7_INS). Probably supported by
-    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
-    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR) and
-    /// [3DM-GV7-INS](crate::devices::GV7_INS).
+    /// [3DM-CV7-INS](crate::devices::CV7_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01); 3dm-cv7-gnss-ins: Aiding Frames.
     #[derive(Copy, Default)]
@@ -967,11 +933,6 @@ record! {
     ///
     /// Answers [`EchoControl`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
     /// [3DM-CV7-AR](crate::devices::CV7_AR) and [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
-    /// Probably supported by [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
-    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR) and
-    /// [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Echo Control (0x13,0x1F); 3dm-cv7-gnss-ins: Aiding Command Echo
     /// Control.

@@ -80,25 +80,6 @@ record! {
     /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
-    /// Probably supported by [3DM-CL5-10](crate::devices::CL5_10),
-    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
-    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX5-15](crate::devices::CX5_15),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-35](crate::devices::CX5_35),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-DH3](crate::devices::DH3), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
-    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX3-15](crate::devices::GX3_15),
-    /// [3DM-GX3-25](crate::devices::GX3_25), [3DM-GX3-35](crate::devices::GX3_35),
-    /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
-    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX4-IMU](crate::devices::GX4_IMU), [3DM-GX5-10](crate::devices::GX5_10),
-    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-GX5-45](crate::devices::GX5_45),
-    /// [3DM-MV5-AR](crate::devices::MV5_AR), [3DM-RQ1-IMU](crate::devices::RQ1_IMU),
-    /// [3DM-RTK](crate::devices::RTK) and [DEMOD-DC](crate::devices::DEMOD_DC).
     ///
     /// - A device that is not in a normal operating mode may reject the command.
     ///
@@ -131,26 +112,7 @@ record! {
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
     /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Probably supported by
-    /// [3DM-CL5-10](crate::devices::CL5_10), [3DM-CL5-15](crate::devices::CL5_15),
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-10](crate::devices::CV5_10),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
-    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-DH3](crate::devices::DH3),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS),
-    /// [3DM-GX3-15](crate::devices::GX3_15), [3DM-GX3-25](crate::devices::GX3_25),
-    /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX4-IMU](crate::devices::GX4_IMU),
-    /// [3DM-GX5-10](crate::devices::GX5_10), [3DM-GX5-25](crate::devices::GX5_25),
-    /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-GX5-45](crate::devices::GX5_45),
-    /// [3DM-MV5-AR](crate::devices::MV5_AR), [3DM-RQ1-IMU](crate::devices::RQ1_IMU),
-    /// [3DM-RTK](crate::devices::RTK) and [DEMOD-DC](crate::devices::DEMOD_DC).
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// - [`Resume`] restores the previous mode.
     /// - While idle, the device does not send NMEA sentences either.
@@ -187,25 +149,7 @@ record! {
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
     /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Probably supported by
-    /// [3DM-CL5-10](crate::devices::CL5_10), [3DM-CL5-15](crate::devices::CL5_15),
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-10](crate::devices::CV5_10),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
-    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-DH3](crate::devices::DH3),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
-    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX3-15](crate::devices::GX3_15),
-    /// [3DM-GX3-25](crate::devices::GX3_25), [3DM-GX3-35](crate::devices::GX3_35),
-    /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
-    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX4-IMU](crate::devices::GX4_IMU), [3DM-GX5-10](crate::devices::GX5_10),
-    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-MV5-AR](crate::devices::MV5_AR),
-    /// [3DM-RQ1-IMU](crate::devices::RQ1_IMU), [3DM-RTK](crate::devices::RTK) and
-    /// [DEMOD-DC](crate::devices::DEMOD_DC).
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// Source: 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03); 3dm-cv7-gnss-ins: Get device
     /// information (0x01,0x03).
@@ -241,24 +185,6 @@ record! {
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
-    /// Probably supported by [3DM-CL5-10](crate::devices::CL5_10),
-    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
-    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX5-15](crate::devices::CX5_15),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-35](crate::devices::CX5_35),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-DH3](crate::devices::DH3), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS),
-    /// [3DM-GX3-15](crate::devices::GX3_15), [3DM-GX3-25](crate::devices::GX3_25),
-    /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX4-IMU](crate::devices::GX4_IMU),
-    /// [3DM-GX5-10](crate::devices::GX5_10), [3DM-GX5-25](crate::devices::GX5_25),
-    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-MV5-AR](crate::devices::MV5_AR),
-    /// [3DM-RQ1-IMU](crate::devices::RQ1_IMU), [3DM-RTK](crate::devices::RTK) and
-    /// [DEMOD-DC](crate::devices::DEMOD_DC).
     ///
     /// - If the list contains the descriptor of [`GetExtendedDescriptors`], that command returns
     ///   further descriptors.
@@ -295,26 +221,8 @@ record! {
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CX5-10](crate::devices::CX5_10),
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
-    /// Probably supported by [3DM-CL5-10](crate::devices::CL5_10),
-    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
-    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX5-15](crate::devices::CX5_15),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-35](crate::devices::CX5_35),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS),
-    /// [3DM-GX3-15](crate::devices::GX3_15), [3DM-GX3-25](crate::devices::GX3_25),
-    /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX4-IMU](crate::devices::GX4_IMU),
-    /// [3DM-GX5-10](crate::devices::GX5_10), [3DM-GX5-25](crate::devices::GX5_25),
-    /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-GX5-45](crate::devices::GX5_45),
-    /// [3DM-RQ1-IMU](crate::devices::RQ1_IMU) and [3DM-RTK](crate::devices::RTK). Uncertain: The
-    /// maximum duration of the test. The manual of the 3DM-CV7 states several seconds; 10 s leaves
-    /// room for that.
+    /// Uncertain: The maximum duration of the test. The manual of the 3DM-CV7 states several
+    /// seconds; 10 s leaves room for that.
     ///
     /// - The test interrupts normal operation for up to several seconds; no data is available
     ///   meanwhile.
@@ -354,24 +262,6 @@ record! {
     /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-45](crate::devices::GX5_45),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
-    /// Probably supported by [3DM-CL5-10](crate::devices::CL5_10),
-    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
-    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX5-15](crate::devices::CX5_15),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-35](crate::devices::CX5_35),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-DH3](crate::devices::DH3), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
-    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX3-15](crate::devices::GX3_15),
-    /// [3DM-GX3-25](crate::devices::GX3_25), [3DM-GX3-35](crate::devices::GX3_35),
-    /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
-    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX5-10](crate::devices::GX5_10), [3DM-GX5-25](crate::devices::GX5_25),
-    /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-MV5-AR](crate::devices::MV5_AR),
-    /// [3DM-RTK](crate::devices::RTK) and [DEMOD-DC](crate::devices::DEMOD_DC).
     ///
     /// - If the device was not idle, it enters its default mode (3DM-GX5-15).
     ///
@@ -405,18 +295,7 @@ record! {
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35) and
-    /// [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
-    /// [3DM-CL5-10](crate::devices::CL5_10), [3DM-CL5-15](crate::devices::CL5_15),
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-10](crate::devices::CV5_10),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-CX5-15](crate::devices::CX5_15),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-35](crate::devices::CX5_35),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
-    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX5-10](crate::devices::GX5_10) and
-    /// [3DM-GX5-25](crate::devices::GX5_25).
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - Only supported if [`GetDeviceDescriptors`] lists it.
     ///
@@ -450,11 +329,6 @@ record! {
     ///
     /// Also called `continuous_bit`. Answered by [`ContinuousBuiltInTestResponse`]. Supported by
     /// [3DM-CV7-AR](crate::devices::CV7_AR) and [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
-    /// Probably supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// - It is less thorough than [`BuiltInTest`].
     /// - Each flag stays set until this command reports it; the streamed field has its own copy of
@@ -493,11 +367,7 @@ record! {
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`CommSpeedResponse`]. Supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
-    /// [3DM-GV7-INS](crate::devices::GV7_INS) and [3DM-RTK](crate::devices::RTK).
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// - The change takes effect once pending data is sent and received, after at most 250 ms.
     /// - Send it alone in a packet while the device is idle, and wait 250 ms before going on.
@@ -607,19 +477,7 @@ record! {
     /// [`shared::ExternalTimestamp`](crate::shared::ExternalTimestamp). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CX5-10](crate::devices::CX5_10),
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15) and
-    /// [3DM-GX5-35](crate::devices::GX5_35). Probably supported by
-    /// [3DM-CL5-10](crate::devices::CL5_10), [3DM-CL5-15](crate::devices::CL5_15),
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-10](crate::devices::CV5_10),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
-    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
-    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX5-10](crate::devices::GX5_10),
-    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45). On the
+    /// [3DM-GX5-35](crate::devices::GX5_35). On the
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): [write](types::FunctionSelector::WRITE)
     /// only.
     ///
@@ -708,21 +566,6 @@ record! {
     /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-45](crate::devices::GX5_45),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
-    /// Probably supported by [3DM-CL5-10](crate::devices::CL5_10),
-    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
-    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX5-15](crate::devices::CX5_15),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-35](crate::devices::CX5_35),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10),
-    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-GX5-35](crate::devices::GX5_35) and
-    /// [3DM-RTK](crate::devices::RTK).
     ///
     /// Source: 3dm-gx5-15: 4.1.9 Device Reset (0x01, 0x7E); 3dm-cv7-gnss-ins: Reset device
     /// (0x01,0x7E).
@@ -754,24 +597,6 @@ record! {
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15),
     /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-GX5-45](crate::devices::GX5_45),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
-    /// Probably supported by [3DM-CL5-10](crate::devices::CL5_10),
-    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
-    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX5-15](crate::devices::CX5_15),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-35](crate::devices::CX5_35),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-DH3](crate::devices::DH3), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS),
-    /// [3DM-GX3-15](crate::devices::GX3_15), [3DM-GX3-25](crate::devices::GX3_25),
-    /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX4-IMU](crate::devices::GX4_IMU),
-    /// [3DM-GX5-10](crate::devices::GX5_10), [3DM-GX5-25](crate::devices::GX5_25),
-    /// [3DM-MV5-AR](crate::devices::MV5_AR), [3DM-RQ1-IMU](crate::devices::RQ1_IMU),
-    /// [3DM-RTK](crate::devices::RTK) and [DEMOD-DC](crate::devices::DEMOD_DC).
     ///
     /// Source: 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03); 3dm-cv7-gnss-ins: Get device
     /// information (0x01,0x03).
@@ -808,24 +633,7 @@ record! {
     /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15),
     /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Probably supported by
-    /// [3DM-CL5-10](crate::devices::CL5_10), [3DM-CL5-15](crate::devices::CL5_15),
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-10](crate::devices::CV5_10),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
-    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-DH3](crate::devices::DH3),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
-    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX3-15](crate::devices::GX3_15),
-    /// [3DM-GX3-25](crate::devices::GX3_25), [3DM-GX3-35](crate::devices::GX3_35),
-    /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
-    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX4-IMU](crate::devices::GX4_IMU), [3DM-GX5-10](crate::devices::GX5_10),
-    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-GX5-45](crate::devices::GX5_45),
-    /// [3DM-MV5-AR](crate::devices::MV5_AR), [3DM-RQ1-IMU](crate::devices::RQ1_IMU),
-    /// [3DM-RTK](crate::devices::RTK) and [DEMOD-DC](crate::devices::DEMOD_DC).
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// Source: 3dm-gx5-15: 4.1.4 Get Device Descriptor Sets (0x01, 0x04); 3dm-cv7-gnss-ins: Get
     /// device descriptors (0x01,0x04).
@@ -856,25 +664,7 @@ record! {
     /// Answers [`BuiltInTest`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
     /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Probably supported by
-    /// [3DM-CL5-10](crate::devices::CL5_10), [3DM-CL5-15](crate::devices::CL5_15),
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-10](crate::devices::CV5_10),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
-    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
-    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX3-15](crate::devices::GX3_15),
-    /// [3DM-GX3-25](crate::devices::GX3_25), [3DM-GX3-35](crate::devices::GX3_35),
-    /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
-    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX4-IMU](crate::devices::GX4_IMU), [3DM-GX5-10](crate::devices::GX5_10),
-    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-GX5-35](crate::devices::GX5_35),
-    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-IMU](crate::devices::RQ1_IMU) and
-    /// [3DM-RTK](crate::devices::RTK).
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// Source: 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05); 3dm-cv7-gnss-ins: Built in test
     /// (0x01,0x05); 3dm-cv7-gnss-ins: Commanded Built-in Test.
@@ -971,19 +761,7 @@ record! {
     /// Answers [`GpsTimeUpdate`]. Sent if [`field_id`](GpsTimeUpdate::field_id) is
     /// [`GpsTimeField::WEEK_NUMBER`]. Supported by [3DM-CX5-10](crate::devices::CX5_10),
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15) and
-    /// [3DM-GX5-35](crate::devices::GX5_35). Probably supported by
-    /// [3DM-CL5-10](crate::devices::CL5_10), [3DM-CL5-15](crate::devices::CL5_15),
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-10](crate::devices::CV5_10),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
-    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
-    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX5-10](crate::devices::GX5_10),
-    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// [3DM-GX5-35](crate::devices::GX5_35).
     ///
     /// Source: 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72); 3dm-cv7-gnss-ins: GPS Time Update
     /// Command (0x01,0x72); 3dm-cv7-gnss-ins: Timestamps.
@@ -1022,19 +800,7 @@ record! {
     /// Answers [`GpsTimeUpdate`]. Sent if [`field_id`](GpsTimeUpdate::field_id) is
     /// [`GpsTimeField::TOW`]. Supported by [3DM-CX5-10](crate::devices::CX5_10),
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15) and
-    /// [3DM-GX5-35](crate::devices::GX5_35). Probably supported by
-    /// [3DM-CL5-10](crate::devices::CL5_10), [3DM-CL5-15](crate::devices::CL5_15),
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-10](crate::devices::CV5_10),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
-    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
-    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX5-10](crate::devices::GX5_10),
-    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// [3DM-GX5-35](crate::devices::GX5_35).
     ///
     /// Source: 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72); 3dm-cv7-gnss-ins: GPS Time Update
     /// Command (0x01,0x72); 3dm-cv7-gnss-ins: Timestamps.
@@ -1071,18 +837,7 @@ record! {
     /// Answers [`GetExtendedDescriptors`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
     /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15),
-    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45). Probably
-    /// supported by [3DM-CL5-10](crate::devices::CL5_10), [3DM-CL5-15](crate::devices::CL5_15),
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-10](crate::devices::CV5_10),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-CX5-15](crate::devices::CX5_15),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-35](crate::devices::CX5_35),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
-    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX5-10](crate::devices::GX5_10) and
-    /// [3DM-GX5-25](crate::devices::GX5_25).
+    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-gx5-15: 4.1.7 Get Extended Device Descriptor Sets (0x01, 0x07);
     /// 3dm-cv7-gnss-ins: Get device descriptors (extended) (0x01,0x07).
@@ -1112,11 +867,6 @@ record! {
     ///
     /// Also called `continuous_bit_response`. Answers [`ContinuousBuiltInTest`]. Supported by
     /// [3DM-CV7-AR](crate::devices::CV7_AR) and [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
-    /// Probably supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Continuous built-in test (0x01,0x08).
     #[derive(Copy, Default, Eq, Hash)]
@@ -1186,11 +936,7 @@ record! {
     ///
     /// Answers [`CommSpeed`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
     /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
-    /// [3DM-GV7-INS](crate::devices::GV7_INS) and [3DM-RTK](crate::devices::RTK).
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// Source: 3dm-cv7-gnss-ins: Comm Port Speed (0x01,0x09).
     #[derive(Copy, Default, Eq, Hash)]

@@ -19,9 +19,9 @@ record! {
     ///
     /// Reads the line by which the device converts the counts of its converter to a displacement.
     ///
-    /// Also called `get_analog_displacement_calibration`. Answered by [`GetCalibrationResponse`].
-    /// Probably supported by [DEMOD-DC](crate::devices::DEMOD_DC). Known only from the MicroStrain
-    /// Communication Library.
+    /// No device is certain to support it. Also called `get_analog_displacement_calibration`.
+    /// Answered by [`GetCalibrationResponse`]. Known only from the MicroStrain Communication
+    /// Library.
     ///
     /// Source: mscl: Get Analog to Displacement Calibration (0x11,0x01).
     #[derive(Copy, Default, Eq, Hash)]
@@ -50,10 +50,10 @@ record! {
     ///
     /// Reads the rate at which displacement is measured.
     ///
-    /// Also called `displacement_output_rate`. Functions: [read](types::FunctionSelector::READ).
-    /// Answered by [`OutputRateResponse`]. Probably supported by
-    /// [DEMOD-DC](crate::devices::DEMOD_DC). Known only from the MicroStrain Communication Library.
-    /// Uncertain: Whether the rate can be written. MSCL only reads it.
+    /// No device is certain to support it. Also called `displacement_output_rate`. Functions:
+    /// [read](types::FunctionSelector::READ). Answered by [`OutputRateResponse`]. Known only from
+    /// the MicroStrain Communication Library. Uncertain: Whether the rate can be written. MSCL only
+    /// reads it.
     ///
     /// Source: mscl: Displacement Output Data Rate (0x11,0x02).
     #[derive(Copy, Eq, Hash)]
@@ -90,10 +90,11 @@ record! {
     /// Sets the clock of the device, from which
     /// [`displacement_data::Timestamp`](crate::displacement_data::Timestamp) is taken.
     ///
-    /// Also called `displacement_device_time`. Functions: [write](types::FunctionSelector::WRITE).
-    /// Changes [`displacement_data::Timestamp`](crate::displacement_data::Timestamp). Probably
-    /// supported by [DEMOD-DC](crate::devices::DEMOD_DC). Known only from the MicroStrain
-    /// Communication Library. Uncertain: Whether the time can be read. MSCL only writes it.
+    /// No device is certain to support it. Also called `displacement_device_time`. Functions:
+    /// [write](types::FunctionSelector::WRITE). Changes
+    /// [`displacement_data::Timestamp`](crate::displacement_data::Timestamp). Known only from the
+    /// MicroStrain Communication Library. Uncertain: Whether the time can be read. MSCL only writes
+    /// it.
     ///
     /// Source: mscl: Displacement Device Time (0x11,0x04).
     #[derive(Copy, Eq, Hash)]
@@ -131,9 +132,9 @@ command! {
 record! {
     /// Get Analog to Displacement Calibration response (0x11,0x81).
     ///
-    /// Also called `get_analog_displacement_calibration_response`. Answers [`GetCalibration`].
-    /// Probably supported by [DEMOD-DC](crate::devices::DEMOD_DC). Known only from the MicroStrain
-    /// Communication Library.
+    /// No device is certain to support it. Also called
+    /// `get_analog_displacement_calibration_response`. Answers [`GetCalibration`]. Known only from
+    /// the MicroStrain Communication Library.
     ///
     /// Source: mscl: Get Analog to Displacement Calibration (0x11,0x01).
     #[derive(Copy, Default)]
@@ -173,9 +174,8 @@ field! {
 record! {
     /// Displacement Output Data Rate response (0x11,0x82).
     ///
-    /// Also called `displacement_output_rate_response`. Answers [`OutputRate`]. Probably supported
-    /// by [DEMOD-DC](crate::devices::DEMOD_DC). Known only from the MicroStrain Communication
-    /// Library.
+    /// No device is certain to support it. Also called `displacement_output_rate_response`. Answers
+    /// [`OutputRate`]. Known only from the MicroStrain Communication Library.
     ///
     /// Source: mscl: Displacement Output Data Rate (0x11,0x02).
     #[derive(Copy, Default, Eq, Hash)]

@@ -328,31 +328,10 @@ record! {
     ///
     /// Returns the filter to its initialization state.
     ///
-    /// Changes filter_data (0x82). Flagged by
-    /// [`solution_fault`](types::Gx5BuiltInTest::solution_fault) of [`types::Gx5BuiltInTest`],
-    /// [`filter_solution_fault`](types::Cv7BuiltInTest::filter_solution_fault) of
-    /// [`types::Cv7BuiltInTest`],
-    /// [`run_matrix_singularity`](crate::filter_data::Gx5StatusFlags::run_matrix_singularity) of
-    /// [`filter_data::Gx5StatusFlags`](crate::filter_data::Gx5StatusFlags),
-    /// [`run_nan_in_solution_warning`](crate::filter_data::Gx5StatusFlags::run_nan_in_solution_warning)
-    /// of [`filter_data::Gx5StatusFlags`](crate::filter_data::Gx5StatusFlags) and
-    /// [`solution_error`](crate::filter_data::Cv7StatusFlags::solution_error) of
-    /// [`filter_data::Cv7StatusFlags`](crate::filter_data::Cv7StatusFlags). Supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
-    /// Probably supported by [3DM-CL5-15](crate::devices::CL5_15),
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-15](crate::devices::CV5_15),
-    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX5-15](crate::devices::CX5_15),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
-    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS),
-    /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
-    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// Changes filter_data (0x82). Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// - If automatic initialization is off, the attitude or heading must be set before the filter
     ///   runs again.
@@ -391,15 +370,7 @@ record! {
     /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm) and
     /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles). Supported by
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Probably supported by
-    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-15](crate::devices::CX5_15),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-45](crate::devices::GX3_45),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25) and
-    /// [3DM-GX5-45](crate::devices::GX5_45).
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// - Accepted only in the initialization state.
     ///
@@ -458,18 +429,7 @@ record! {
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15),
     /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Probably supported by
-    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
-    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX3-45](crate::devices::GX3_45),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45) and [3DM-GX5-25](crate::devices::GX5_25).
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// - 3DM-GX5: accepted only in the initialization state.
     /// - 3DM-CV7: resets the estimated heading; if magnetometer aiding is on, the given heading is
@@ -509,14 +469,13 @@ record! {
     ///
     /// Initializes the attitude of the filter with that of the complementary filter.
     ///
-    /// Also called `set_initial_heading_from_mag`. Changes
+    /// No device is certain to support it. Also called `set_initial_heading_from_mag`. Changes
     /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
     /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm) and
-    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles). Probably supported by
-    /// [3DM-GX3-45](crate::devices::GX3_45). Known only from the MIP SDK of 2014, MicroStrain
-    /// Communication Library and MicroStrain MIP SDK. Uncertain: The name. The SDK calls it set
-    /// initial heading from mag, and has no layout; the SDK of 2014 has this layout, in its example
-    /// for the 3DM-GX3-45. Uncertain: Which devices have it.
+    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles). Known only from the MIP SDK
+    /// of 2014, MicroStrain Communication Library and MicroStrain MIP SDK. Uncertain: The name. The
+    /// SDK calls it set initial heading from mag, and has no layout; the SDK of 2014 has this
+    /// layout, in its example for the 3DM-GX3-45. Uncertain: Which devices have it.
     ///
     /// Source: mip-sdk-4: Set Initial Heading From Mag (0x0D,0x04); mip-sdk-2014: Set Initial
     /// Attitude From AHRS (0x0D,0x04); mscl: Set Initial Attitude From AHRS (0x0D,0x04).
@@ -553,9 +512,7 @@ record! {
     ///
     /// Changes [`filter_data::Status`](crate::filter_data::Status). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-INS](crate::devices::CX7_INS) and
-    /// [3DM-GV7-INS](crate::devices::GV7_INS).
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// - The filter waits in its initialization state if `wait_for_run_command` of
     ///   [`InitializationConfig`] is set.
@@ -590,11 +547,7 @@ record! {
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`VehicleDynamicsModeResponse`].
     /// Probably changes filter_data (0x82). Supported by [3DM-GX5-45](crate::devices::GX5_45).
-    /// Probably supported by [3DM-CV5-45](crate::devices::CV5_45),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
-    /// Refused by [3DM-GX3-25](crate::devices::GX3_25). Known only from the MicroStrain MIP SDK.
+    /// Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Vehicle dynamics mode (0x0D,0x10).
     #[derive(Copy, Eq, Hash)]
@@ -666,16 +619,8 @@ record! {
     /// [`filter_data::CompAngularRate`](crate::filter_data::CompAngularRate),
     /// [`filter_data::GravityVector`](crate::filter_data::GravityVector) and
     /// [`filter_data::CompAccel`](crate::filter_data::CompAccel). Supported by
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). Probably
-    /// supported by [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-15](crate::devices::CX5_15),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-45](crate::devices::GX3_45),
-    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Uncertain: The formula. The text of the manual
-    /// lacks it; it is the inverse of that of
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). Uncertain:
+    /// The formula. The text of the manual lacks it; it is the inverse of that of
     /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
     /// which the 3DM-CV7 manual states.
     ///
@@ -756,13 +701,9 @@ record! {
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`SensorToVehicleOffsetResponse`].
     /// Changes [`filter_data::LlhPosition`](crate::filter_data::LlhPosition). Supported by
-    /// [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-45](crate::devices::GX3_45),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Known only from the MicroStrain MIP SDK.
-    /// Uncertain: The direction, from the sensor to the origin of the vehicle frame, is inferred
-    /// from the name.
+    /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK. Uncertain:
+    /// The direction, from the sensor to the origin of the vehicle frame, is inferred from the
+    /// name.
     ///
     /// - The shift is constant. It does not follow the attitude, as a lever arm would.
     ///
@@ -827,16 +768,8 @@ record! {
     /// [`filter_data::NedVelocity`](crate::filter_data::NedVelocity),
     /// [`filter_data::EcefVelocity`](crate::filter_data::EcefVelocity) and
     /// [`filter_data::AntennaOffsetCorrection`](crate::filter_data::AntennaOffsetCorrection).
-    /// Flagged by
-    /// [`run_antenna_offset_correction_est_high_warning`](crate::filter_data::Gx5StatusFlags::run_antenna_offset_correction_est_high_warning)
-    /// of [`filter_data::Gx5StatusFlags`](crate::filter_data::Gx5StatusFlags). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CV7-INS](crate::devices::CV7_INS) and
-    /// [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX3-45](crate::devices::GX3_45),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Refused by [3DM-GX3-25](crate::devices::GX3_25).
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-CV7-INS](crate::devices::CV7_INS) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - 7-series devices expect the vehicle frame, 5-series devices the sensor frame.
     /// - On the 3DM-CV7 it applies to GNSS data received as NMEA; data from the aiding commands
@@ -913,15 +846,7 @@ record! {
     /// [`filter_data::AntennaOffsetCorrectionUncertainty`](crate::filter_data::AntennaOffsetCorrectionUncertainty),
     /// [`filter_data::MagOffsetUncertainty`](crate::filter_data::MagOffsetUncertainty) and
     /// [`filter_data::MagMatrixUncertainty`](crate::filter_data::MagMatrixUncertainty). Supported
-    /// by [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). Probably
-    /// supported by [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-15](crate::devices::CX5_15),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-45](crate::devices::GX3_45),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// by [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14).
     #[derive(Copy, Eq, Hash)]
@@ -1007,12 +932,7 @@ record! {
     /// [`filter_data::EcefVelocity`](crate::filter_data::EcefVelocity) and
     /// [`filter_data::GnssPositionAidingStatus`](crate::filter_data::GnssPositionAidingStatus).
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and [3DM-GX5-45](crate::devices::GX5_45). Probably
-    /// supported by [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GV7-INS](crate::devices::GV7_INS),
-    /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - A change while the filter is running may return it to initialization until the new source
     ///   provides data.
@@ -1071,11 +991,7 @@ record! {
     ///
     /// Sends one measurement of position and velocity by a GNSS receiver of the user to the filter.
     ///
-    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
-    /// Known only from the MicroStrain MIP SDK.
+    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
     /// - Refused unless [`GnssSource`] selects the external source.
     /// - The highest rate depends on the device.
@@ -1153,16 +1069,7 @@ record! {
     /// Sends one measurement of the heading of the sensor frame in the NED frame to the filter.
     ///
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). Probably
-    /// supported by [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - Refused unless external heading updates are enabled, by [`HeadingSource`] on the 3DM-GX5
     ///   and by [`AidingMeasurementEnable`] on the 3DM-CV7.
@@ -1228,15 +1135,7 @@ record! {
     /// changes [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
     /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm) and
     /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles). Supported by
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). Probably
-    /// supported by [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-15](crate::devices::CX5_15),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-45](crate::devices::GX3_45),
-    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18).
     #[derive(Copy, Eq, Hash)]
@@ -1312,16 +1211,7 @@ record! {
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
     /// Answered by [`AutoInitializationControlResponse`]. Supported by
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). Probably
-    /// supported by [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-15](crate::devices::CX5_15),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-45](crate::devices::GX3_45),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
-    /// Refused by [3DM-CV7-AR](crate::devices::CV7_AR).
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - It needs a valid heading source.
     ///
@@ -1387,20 +1277,7 @@ record! {
     /// [`filter_data::EcefVelocityUncertainty`](crate::filter_data::EcefVelocityUncertainty) and
     /// [`filter_data::AccelBiasUncertainty`](crate::filter_data::AccelBiasUncertainty). Supported
     /// by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15)
-    /// and [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
-    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
-    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX3-45](crate::devices::GX3_45),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - The factory values suit most laboratory conditions.
     ///
@@ -1465,20 +1342,7 @@ record! {
     /// [`filter_data::QuaternionAttitudeUncertainty`](crate::filter_data::QuaternionAttitudeUncertainty)
     /// and [`filter_data::GyroBiasUncertainty`](crate::filter_data::GyroBiasUncertainty). Supported
     /// by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15)
-    /// and [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
-    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
-    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX3-45](crate::devices::GX3_45),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - The factory values suit most laboratory conditions.
     ///
@@ -1542,12 +1406,7 @@ record! {
     /// Probably changes [`filter_data::AccelBias`](crate::filter_data::AccelBias) and
     /// [`filter_data::AccelBiasUncertainty`](crate::filter_data::AccelBiasUncertainty). Supported
     /// by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C).
     #[derive(Copy)]
@@ -1613,20 +1472,7 @@ record! {
     /// changes [`filter_data::GyroBias`](crate::filter_data::GyroBias) and
     /// [`filter_data::GyroBiasUncertainty`](crate::filter_data::GyroBiasUncertainty). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15) and
-    /// [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
-    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
-    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX3-45](crate::devices::GX3_45),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D); 3dm-gx5-15: 4.3.14
     /// Gyroscope Bias Model Parameters (0x0D, 0x1D).
@@ -1695,11 +1541,7 @@ record! {
     /// [`filter_data::NedVelocityUncertainty`](crate::filter_data::NedVelocityUncertainty) and
     /// [`filter_data::EcefVelocityUncertainty`](crate::filter_data::EcefVelocityUncertainty).
     /// Supported by [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and
-    /// [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Known only from the MicroStrain MIP SDK.
+    /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
     /// - The update applies while the magnitude of the GNSS velocity vector is at or below the
     ///   threshold.
@@ -1763,16 +1605,7 @@ record! {
     /// Sends one measurement of the heading of the sensor frame with its GPS time to the filter.
     ///
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). Probably
-    /// supported by [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - Better than [`ExternalHeadingUpdate`] if the heading changes quickly; the time must be
     ///   accurate.
@@ -1857,19 +1690,7 @@ record! {
     /// [`filter_data::GyroBiasUncertainty`](crate::filter_data::GyroBiasUncertainty). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CV7-INS](crate::devices::CV7_INS),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15) and
-    /// [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
-    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CX5-15](crate::devices::CX5_15),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
-    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
-    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX4-15](crate::devices::GX4_15),
-    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - The update applies while the magnitude of the angular rate vector is at or below the
     ///   threshold.
@@ -1948,18 +1769,11 @@ record! {
     /// [`filter_data::CompAngularRate`](crate::filter_data::CompAngularRate),
     /// [`filter_data::GravityVector`](crate::filter_data::GravityVector) and
     /// [`filter_data::CompAccel`](crate::filter_data::CompAccel). Supported by
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). Probably
-    /// supported by [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-15](crate::devices::CX5_15),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX4-15](crate::devices::GX4_15),
-    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). On the [3DM-GX5-15](crate::devices::GX5_15):
-    /// [write](types::FunctionSelector::WRITE), [save](types::FunctionSelector::SAVE),
-    /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT) only.
-    /// On the [3DM-GX5-45](crate::devices::GX5_45): [write](types::FunctionSelector::WRITE),
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). On the
+    /// [3DM-GX5-15](crate::devices::GX5_15): [write](types::FunctionSelector::WRITE),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT) only. On the
+    /// [3DM-GX5-45](crate::devices::GX5_45): [write](types::FunctionSelector::WRITE),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT) only.
     ///
@@ -2022,11 +1836,7 @@ record! {
     /// [`filter_data::EcefVelocity`](crate::filter_data::EcefVelocity),
     /// [`filter_data::NedVelocityUncertainty`](crate::filter_data::NedVelocityUncertainty) and
     /// [`filter_data::EcefVelocityUncertainty`](crate::filter_data::EcefVelocityUncertainty).
-    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
-    /// Known only from the MicroStrain MIP SDK.
+    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
     /// - The highest rate depends on the device.
     ///
@@ -2062,15 +1872,7 @@ record! {
     /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles),
     /// [`filter_data::GyroBias`](crate::filter_data::GyroBias) and
     /// [`filter_data::GyroBiasUncertainty`](crate::filter_data::GyroBiasUncertainty). Supported by
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). Probably
-    /// supported by [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-15](crate::devices::CX5_15),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX4-15](crate::devices::GX4_15),
-    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - At most 10 per second.
     ///
@@ -2106,12 +1908,7 @@ record! {
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`ReferencePositionResponse`].
     /// Changes [`filter_data::Wgs84GravityMagnitude`](crate::filter_data::Wgs84GravityMagnitude)
     /// and [`filter_data::MagneticModel`](crate::filter_data::MagneticModel). Supported by
-    /// [3DM-GX5-15](crate::devices::GX5_15). Probably supported by
-    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// [3DM-GX5-15](crate::devices::GX5_15).
     ///
     /// Source: 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26).
     #[derive(Copy)]
@@ -2197,11 +1994,7 @@ record! {
     /// [`sensor::ScaledMag`](crate::sensor::ScaledMag),
     /// [`filter_data::MagOffset`](crate::filter_data::MagOffset) and
     /// [`filter_data::MagMatrix`](crate::filter_data::MagMatrix). Supported by
-    /// [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-45](crate::devices::CX5_45) and [3DM-GX5-25](crate::devices::GX5_25). Known only
-    /// from the MicroStrain MIP SDK.
+    /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
     /// - A write combines the automatic calibration with
     ///   [`mip_3dm::MagHardIronOffset`](crate::mip_3dm::MagHardIronOffset) and
@@ -2251,17 +2044,7 @@ record! {
     /// and
     /// [`filter_data::QuaternionAttitudeUncertainty`](crate::filter_data::QuaternionAttitudeUncertainty).
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). Probably
-    /// supported by [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS) and
-    /// [3DM-GX5-25](crate::devices::GX5_25).
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - The factory values suit most laboratory conditions.
     ///
@@ -2325,11 +2108,7 @@ record! {
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`PressureAltitudeNoiseResponse`].
     /// Probably changes [`filter_data::LlhPosition`](crate::filter_data::LlhPosition) and
     /// [`filter_data::LlhPositionUncertainty`](crate::filter_data::LlhPositionUncertainty).
-    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-45](crate::devices::CX5_45) and [3DM-GX5-25](crate::devices::GX5_25). Known only
-    /// from the MicroStrain MIP SDK.
+    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
     /// - With a small value, the altitude follows the pressure faster, but weather and draughts
     ///   appear as changes of height.
@@ -2392,11 +2171,7 @@ record! {
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`HardIronOffsetNoiseResponse`].
     /// Probably changes [`filter_data::MagOffset`](crate::filter_data::MagOffset) and
     /// [`filter_data::MagOffsetUncertainty`](crate::filter_data::MagOffsetUncertainty). Supported
-    /// by [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-45](crate::devices::CX5_45) and [3DM-GX5-25](crate::devices::GX5_25). Known only
-    /// from the MicroStrain MIP SDK.
+    /// by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Hard iron offset noise (0x0D,0x2B).
     #[derive(Copy)]
@@ -2456,11 +2231,7 @@ record! {
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`SoftIronMatrixNoiseResponse`].
     /// Probably changes [`filter_data::MagMatrix`](crate::filter_data::MagMatrix) and
     /// [`filter_data::MagMatrixUncertainty`](crate::filter_data::MagMatrixUncertainty). Supported
-    /// by [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-45](crate::devices::CX5_45) and [3DM-GX5-25](crate::devices::GX5_25). Known only
-    /// from the MicroStrain MIP SDK.
+    /// by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Soft iron matrix noise (0x0D,0x2C).
     #[derive(Copy)]
@@ -2524,11 +2295,7 @@ record! {
     /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles),
     /// [`filter_data::EulerAnglesUncertainty`](crate::filter_data::EulerAnglesUncertainty) and
     /// [`filter_data::QuaternionAttitudeUncertainty`](crate::filter_data::QuaternionAttitudeUncertainty).
-    /// Supported by [3DM-GX5-15](crate::devices::GX5_15). Probably supported by
-    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-GX4-25](crate::devices::GX4_25) and [3DM-GX5-25](crate::devices::GX5_25).
+    /// Supported by [3DM-GX5-15](crate::devices::GX5_15).
     ///
     /// Source: 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41).
     #[derive(Copy, Eq, Hash)]
@@ -2589,13 +2356,7 @@ record! {
     /// changes [`filter_data::EulerAnglesUncertainty`](crate::filter_data::EulerAnglesUncertainty)
     /// and
     /// [`filter_data::QuaternionAttitudeUncertainty`](crate::filter_data::QuaternionAttitudeUncertainty).
-    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Known only from the MicroStrain MIP SDK.
+    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     /// Uncertain: The SDK calls it process noise, although the noise is that of a measurement.
     ///
     /// Source: mip-sdk-4: Mag Noise (0x0D,0x42).
@@ -2660,17 +2421,7 @@ record! {
     /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles). Supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7)
-    /// and [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
-    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
-    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
-    /// Refused by [3DM-GX3-25](crate::devices::GX3_25).
+    /// and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - Without a good declination source, keep automatic magnetometer calibration off.
     ///
@@ -2751,15 +2502,6 @@ record! {
     /// [`filter_data::EulerAnglesUncertainty`](crate::filter_data::EulerAnglesUncertainty) and
     /// [`filter_data::QuaternionAttitudeUncertainty`](crate::filter_data::QuaternionAttitudeUncertainty).
     /// Supported by [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
-    /// Probably supported by [3DM-CL5-15](crate::devices::CL5_15),
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-15](crate::devices::CV5_15),
-    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
-    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Refused by [3DM-CV7-AR](crate::devices::CV7_AR).
     ///
     /// - Also called accelerometer magnitude error adaptive measurement.
     /// - All parameters after the selector keep their values if they are left out.
@@ -2880,14 +2622,7 @@ record! {
     /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles),
     /// [`filter_data::EulerAnglesUncertainty`](crate::filter_data::EulerAnglesUncertainty) and
     /// [`filter_data::QuaternionAttitudeUncertainty`](crate::filter_data::QuaternionAttitudeUncertainty).
-    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
-    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Known only from the MicroStrain MIP SDK.
+    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     /// Uncertain: Whether the parameters after the selector may be left out on write, as those of
     /// [`AccelMagnitudeErrorAdaptiveMeasurement`] may.
     ///
@@ -3016,13 +2751,7 @@ record! {
     /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles),
     /// [`filter_data::EulerAnglesUncertainty`](crate::filter_data::EulerAnglesUncertainty) and
     /// [`filter_data::QuaternionAttitudeUncertainty`](crate::filter_data::QuaternionAttitudeUncertainty).
-    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Known only from the MicroStrain MIP SDK.
+    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
     /// - It has no effect while [`AccelMagnitudeErrorAdaptiveMeasurement`] or
     ///   [`MagMagnitudeErrorAdaptiveMeasurement`] is set to `auto`.
@@ -3119,11 +2848,7 @@ record! {
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`AltitudeAidingResponse`].
     /// Probably changes [`filter_data::LlhPosition`](crate::filter_data::LlhPosition) and
     /// [`filter_data::LlhPositionUncertainty`](crate::filter_data::LlhPositionUncertainty).
-    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-45](crate::devices::CX5_45) and [3DM-GX5-25](crate::devices::GX5_25). Known only
-    /// from the MicroStrain MIP SDK.
+    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
     /// - GNSS remains the main source of altitude; the aid improves it and bridges outages.
     /// - Weather and location shift the pressure altitude, sometimes by more than 40 m.
@@ -3190,12 +2915,6 @@ record! {
     /// [`filter_data::EulerAnglesUncertainty`](crate::filter_data::EulerAnglesUncertainty) and
     /// [`filter_data::QuaternionAttitudeUncertainty`](crate::filter_data::QuaternionAttitudeUncertainty).
     /// Supported by [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
-    /// Probably supported by [3DM-CL5-15](crate::devices::CL5_15),
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-15](crate::devices::CV5_15),
-    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-45](crate::devices::CX5_45) and [3DM-GX5-25](crate::devices::GX5_25). Refused by
-    /// [3DM-CV7-AR](crate::devices::CV7_AR).
     ///
     /// Source: 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B).
     #[derive(Copy, Eq, Hash)]
@@ -3556,11 +3275,6 @@ record! {
     /// [`filter_data::AidingMeasurementSummary`](crate::filter_data::AidingMeasurementSummary).
     /// Probably changes filter_data (0x82). Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
     /// [3DM-CV7-AR](crate::devices::CV7_AR) and [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
-    /// Probably supported by [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
-    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR) and
-    /// [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50).
     #[derive(Copy, Eq, Hash)]
@@ -3725,8 +3439,7 @@ record! {
     /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm) and
     /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CV7-INS](crate::devices::CV7_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
-    /// [3DM-CX7-INS](crate::devices::CX7_INS) and [3DM-GV7-INS](crate::devices::GV7_INS).
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// - Single precision resolves the latitude and longitude of the initial position to about a
     ///   metre only.
@@ -3857,14 +3570,7 @@ record! {
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`AdaptiveFilterOptionsResponse`].
     /// Probably changes filter_data (0x82). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS) and
-    /// [3DM-GX5-45](crate::devices::GX5_45).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53).
     #[derive(Copy, Eq, Hash)]
@@ -3937,11 +3643,7 @@ record! {
     /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles),
     /// [`filter_data::MultiAntennaOffsetCorrection`](crate::filter_data::MultiAntennaOffsetCorrection)
     /// and [`filter_data::GnssDualAntennaStatus`](crate::filter_data::GnssDualAntennaStatus).
-    /// Flagged by
-    /// [`antenna_lever_arm_warning`](crate::filter_data::Cv7StatusFlags::antenna_lever_arm_warning)
-    /// of [`filter_data::Cv7StatusFlags`](crate::filter_data::Cv7StatusFlags). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Refused by [3DM-GX3-25](crate::devices::GX3_25).
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54).
     #[derive(Copy)]
@@ -4006,9 +3708,7 @@ record! {
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
     /// Answered by [`RelativePositionConfigResponse`]. Changes
     /// [`filter_data::NedRelativePosition`](crate::filter_data::NedRelativePosition). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and [3DM-GV7-INS](crate::devices::GV7_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55).
     #[derive(Copy)]
@@ -4090,9 +3790,7 @@ record! {
     /// [`filter_data::NedVelocity`](crate::filter_data::NedVelocity),
     /// [`filter_data::EcefVelocity`](crate::filter_data::EcefVelocity) and
     /// [`filter_data::NedRelativePosition`](crate::filter_data::NedRelativePosition). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and [3DM-GV7-INS](crate::devices::GV7_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - The shift of positions depends on the attitude, that of velocities on the angular rate as
     ///   well.
@@ -4230,8 +3928,7 @@ record! {
     /// changes [`filter_data::NedVelocity`](crate::filter_data::NedVelocity),
     /// [`filter_data::EcefVelocity`](crate::filter_data::EcefVelocity) and
     /// [`filter_data::OdometerScaleFactorError`](crate::filter_data::OdometerScaleFactorError).
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - It corrects for the part of the speed at that point that is due to the rotation of the
     ///   vehicle.
@@ -4364,8 +4061,7 @@ record! {
     /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
     /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm) and
     /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - It improves the heading of cars and similar vehicles, especially with intermittent GNSS.
     ///   Do not use it for vehicles that move sideways, such as aircraft.
@@ -4491,11 +4187,8 @@ command! {
 record! {
     /// Vehicle dynamics mode response (0x0D,0x80).
     ///
-    /// Answers [`VehicleDynamicsMode`]. Supported by [3DM-GX5-45](crate::devices::GX5_45). Probably
-    /// supported by [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-45](crate::devices::GX3_45),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Known only from the MicroStrain MIP SDK.
+    /// Answers [`VehicleDynamicsMode`]. Supported by [3DM-GX5-45](crate::devices::GX5_45). Known
+    /// only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Vehicle dynamics mode (0x0D,0x10).
     #[derive(Copy, Default, Eq, Hash)]
@@ -4527,15 +4220,7 @@ record! {
     /// Sensor to vehicle frame transformation response (0x0D,0x81).
     ///
     /// Answers [`SensorToVehicleRotationEuler`]. Supported by [3DM-GX5-15](crate::devices::GX5_15)
-    /// and [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
-    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-15](crate::devices::CX5_15),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-45](crate::devices::GX3_45),
-    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11).
     #[derive(Copy, Default)]
@@ -4585,12 +4270,8 @@ field! {
 record! {
     /// Sensor to vehicle offset response (0x0D,0x82).
     ///
-    /// Answers [`SensorToVehicleOffset`]. Supported by [3DM-GX5-45](crate::devices::GX5_45).
-    /// Probably supported by [3DM-CV5-45](crate::devices::CV5_45),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
-    /// Known only from the MicroStrain MIP SDK.
+    /// Answers [`SensorToVehicleOffset`]. Supported by [3DM-GX5-45](crate::devices::GX5_45). Known
+    /// only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Sensor to vehicle offset (0x0D,0x12).
     #[derive(Copy, Default)]
@@ -4624,12 +4305,7 @@ record! {
     /// GNSS antenna offset response (0x0D,0x83).
     ///
     /// Answers [`AntennaOffset`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS) and [3DM-GX5-45](crate::devices::GX5_45). Probably
-    /// supported by [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX3-45](crate::devices::GX3_45),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// [3DM-CV7-INS](crate::devices::CV7_INS) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13).
     #[derive(Copy, Default)]
@@ -4664,15 +4340,7 @@ record! {
     /// Estimation control flags response (0x0D,0x84).
     ///
     /// Answers [`EstimationControl`]. Supported by [3DM-GX5-15](crate::devices::GX5_15) and
-    /// [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
-    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-15](crate::devices::CX5_15),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-45](crate::devices::GX3_45),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14).
     #[derive(Copy, Default, Eq, Hash)]
@@ -4704,12 +4372,7 @@ record! {
     /// GNSS aiding source response (0x0D,0x86).
     ///
     /// Answers [`GnssSource`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and [3DM-GX5-45](crate::devices::GX5_45). Probably
-    /// supported by [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GV7-INS](crate::devices::GV7_INS),
-    /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15).
     #[derive(Copy, Default, Eq, Hash)]
@@ -4741,15 +4404,7 @@ record! {
     /// Heading update control response (0x0D,0x87).
     ///
     /// Answers [`HeadingSource`]. Supported by [3DM-GX5-15](crate::devices::GX5_15) and
-    /// [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
-    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-15](crate::devices::CX5_15),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-45](crate::devices::GX3_45),
-    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18).
     #[derive(Copy, Default, Eq, Hash)]
@@ -4781,15 +4436,7 @@ record! {
     /// Automatic initialization response (0x0D,0x88).
     ///
     /// Also called `auto_init_control_response`. Answers [`AutoInitializationControl`]. Supported
-    /// by [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). Probably
-    /// supported by [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-15](crate::devices::CX5_15),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-45](crate::devices::GX3_45),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// by [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19).
     #[derive(Copy, Default, Eq, Hash)]
@@ -4823,20 +4470,7 @@ record! {
     /// Accelerometer noise response (0x0D,0x89).
     ///
     /// Answers [`AccelNoise`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). Probably
-    /// supported by [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
-    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX3-45](crate::devices::GX3_45),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: Accelerometer Noise Standard Deviation (0x0D,0x1A); 3dm-gx5-15:
     /// 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A).
@@ -4871,20 +4505,7 @@ record! {
     /// Gyroscope noise response (0x0D,0x8A).
     ///
     /// Answers [`GyroNoise`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). Probably
-    /// supported by [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
-    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX3-45](crate::devices::GX3_45),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: Gyroscope Noise Standard Deviation (0x0D,0x1B); 3dm-gx5-15: 4.3.13
     /// Gyroscope Noise Standard Deviation (0x0D, 0x1B).
@@ -4919,12 +4540,7 @@ record! {
     /// Accelerometer bias model response (0x0D,0x8B).
     ///
     /// Answers [`AccelBiasModel`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS)
-    /// and [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C).
     #[derive(Copy, Default)]
@@ -4963,20 +4579,7 @@ record! {
     /// Gyroscope bias model response (0x0D,0x8C).
     ///
     /// Answers [`GyroBiasModel`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). Probably
-    /// supported by [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
-    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX3-45](crate::devices::GX3_45),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D); 3dm-gx5-15: 4.3.14
     /// Gyroscope Bias Model Parameters (0x0D, 0x1D).
@@ -5016,11 +4619,7 @@ record! {
     /// Automatic zero velocity update response (0x0D,0x8D).
     ///
     /// Answers [`AutoZupt`]. Supported by [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and
-    /// [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Known only from the MicroStrain MIP SDK.
+    /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Auto Zupt (0x0D,0x1E).
     #[derive(Copy, Default)]
@@ -5061,19 +4660,7 @@ record! {
     ///
     /// Answers [`AutoAngularZupt`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
     /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). Probably
-    /// supported by [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CX5-15](crate::devices::CX5_15),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
-    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
-    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX4-15](crate::devices::GX4_15),
-    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: Zero Angular Rate Update Control (0x0D,0x20); 3dm-gx5-15: 4.3.15
     /// Zero Angular Rate Update Control (0x0D, 0x20).
@@ -5113,12 +4700,7 @@ field! {
 record! {
     /// Set reference position response (0x0D,0x90).
     ///
-    /// Answers [`ReferencePosition`]. Supported by [3DM-GX5-15](crate::devices::GX5_15). Probably
-    /// supported by [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// Answers [`ReferencePosition`]. Supported by [3DM-GX5-15](crate::devices::GX5_15).
     ///
     /// Source: 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26).
     #[derive(Copy, Default)]
@@ -5176,17 +4758,7 @@ record! {
     /// Gravity noise response (0x0D,0x93).
     ///
     /// Answers [`GravityNoise`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). Probably
-    /// supported by [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS) and
-    /// [3DM-GX5-25](crate::devices::GX5_25).
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: Gravity Noise Standard Deviation (0x0D,0x28); 3dm-gx5-15: 4.3.11
     /// Gravity Noise Standard Deviation (0x0D, 0x28).
@@ -5220,11 +4792,8 @@ field! {
 record! {
     /// Pressure altitude noise response (0x0D,0x94).
     ///
-    /// Answers [`PressureAltitudeNoise`]. Supported by [3DM-GX5-45](crate::devices::GX5_45).
-    /// Probably supported by [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45) and
-    /// [3DM-GX5-25](crate::devices::GX5_25). Known only from the MicroStrain MIP SDK.
+    /// Answers [`PressureAltitudeNoise`]. Supported by [3DM-GX5-45](crate::devices::GX5_45). Known
+    /// only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Pressure altitude noise (0x0D,0x29).
     #[derive(Copy, Default)]
@@ -5258,11 +4827,8 @@ field! {
 record! {
     /// Hard iron offset noise response (0x0D,0x96).
     ///
-    /// Answers [`HardIronOffsetNoise`]. Supported by [3DM-GX5-45](crate::devices::GX5_45). Probably
-    /// supported by [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-45](crate::devices::CX5_45) and [3DM-GX5-25](crate::devices::GX5_25). Known only
-    /// from the MicroStrain MIP SDK.
+    /// Answers [`HardIronOffsetNoise`]. Supported by [3DM-GX5-45](crate::devices::GX5_45). Known
+    /// only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Hard iron offset noise (0x0D,0x2B).
     #[derive(Copy, Default)]
@@ -5295,11 +4861,8 @@ field! {
 record! {
     /// Soft iron matrix noise response (0x0D,0x97).
     ///
-    /// Answers [`SoftIronMatrixNoise`]. Supported by [3DM-GX5-45](crate::devices::GX5_45). Probably
-    /// supported by [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-45](crate::devices::CX5_45) and [3DM-GX5-25](crate::devices::GX5_25). Known only
-    /// from the MicroStrain MIP SDK.
+    /// Answers [`SoftIronMatrixNoise`]. Supported by [3DM-GX5-45](crate::devices::GX5_45). Known
+    /// only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Soft iron matrix noise (0x0D,0x2C).
     #[derive(Copy, Default)]
@@ -5332,16 +4895,9 @@ field! {
 record! {
     /// Tare orientation response (0x0D,0xA1).
     ///
-    /// Answers [`TareOrientation`]. Probably supported by [3DM-CL5-15](crate::devices::CL5_15),
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-15](crate::devices::CV5_15),
-    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
-    /// Uncertain: Which devices send it. The SDK reads the setting back; the manuals of the
-    /// 3DM-GX5-15 and 3DM-GX5-45 have neither the read function nor the response.
+    /// No device is certain to support it. Answers [`TareOrientation`]. Uncertain: Which devices
+    /// send it. The SDK reads the setting back; the manuals of the 3DM-GX5-15 and 3DM-GX5-45 have
+    /// neither the read function nor the response.
     ///
     /// Source: 3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21); mip-sdk-4: Tare orientation
     /// (0x0D,0x21).
@@ -5373,11 +4929,7 @@ field! {
 record! {
     /// Enable or disable measurements response (0x0D,0xB0).
     ///
-    /// Answers [`EnableMeasurements`]. Supported by [3DM-GX5-15](crate::devices::GX5_15). Probably
-    /// supported by [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-GX4-25](crate::devices::GX4_25) and [3DM-GX5-25](crate::devices::GX5_25).
+    /// Answers [`EnableMeasurements`]. Supported by [3DM-GX5-15](crate::devices::GX5_15).
     ///
     /// Source: 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41).
     #[derive(Copy, Default, Eq, Hash)]
@@ -5408,13 +4960,8 @@ field! {
 record! {
     /// Magnetometer noise response (0x0D,0xB1).
     ///
-    /// Answers [`MagNoise`]. Supported by [3DM-GX5-45](crate::devices::GX5_45). Probably supported
-    /// by [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Known only from the MicroStrain MIP SDK.
+    /// Answers [`MagNoise`]. Supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from the
+    /// MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Mag Noise (0x0D,0x42).
     #[derive(Copy, Default)]
@@ -5450,16 +4997,7 @@ record! {
     /// Answers [`MagneticDeclinationSource`]. Supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7)
-    /// and [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
-    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
-    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43); 3dm-gq7:
     /// Magnetic Field Declination Source Control (0x0D,0x43).
@@ -5500,15 +5038,7 @@ record! {
     /// Gravity magnitude error adaptive measurement response (0x0D,0xB3).
     ///
     /// Answers [`AccelMagnitudeErrorAdaptiveMeasurement`]. Supported by
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). Probably
-    /// supported by [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-15](crate::devices::CX5_15),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-45](crate::devices::GX3_45),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44).
     #[derive(Copy, Default)]
@@ -5584,14 +5114,7 @@ record! {
     /// Magnetometer magnitude error adaptive measurement response (0x0D,0xB4).
     ///
     /// Answers [`MagMagnitudeErrorAdaptiveMeasurement`]. Supported by
-    /// [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
-    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Known only from the MicroStrain MIP SDK.
+    /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45).
     #[derive(Copy, Default)]
@@ -5672,13 +5195,7 @@ record! {
     /// Magnetometer dip angle error adaptive measurement response (0x0D,0xB5).
     ///
     /// Answers [`MagDipAngleErrorAdaptiveMeasurement`]. Supported by
-    /// [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Known only from the MicroStrain MIP SDK.
+    /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46).
     #[derive(Copy, Default)]
@@ -5741,10 +5258,7 @@ field! {
 record! {
     /// Altitude aiding response (0x0D,0xB7).
     ///
-    /// Answers [`AltitudeAiding`]. Supported by [3DM-GX5-45](crate::devices::GX5_45). Probably
-    /// supported by [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-45](crate::devices::CX5_45) and [3DM-GX5-25](crate::devices::GX5_25). Known only
+    /// Answers [`AltitudeAiding`]. Supported by [3DM-GX5-45](crate::devices::GX5_45). Known only
     /// from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Altitude aiding (0x0D,0x47).
@@ -5777,12 +5291,7 @@ record! {
     /// Pitch and roll aiding response (0x0D,0xBB).
     ///
     /// Answers [`PitchRollAiding`]. Supported by [3DM-GX5-15](crate::devices::GX5_15) and
-    /// [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
-    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-15](crate::devices::CX5_15),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45) and
-    /// [3DM-GX5-25](crate::devices::GX5_25).
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B).
     #[derive(Copy, Default, Eq, Hash)]
@@ -5960,11 +5469,6 @@ record! {
     ///
     /// Answers [`AidingMeasurementEnable`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
     /// [3DM-CV7-AR](crate::devices::CV7_AR) and [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
-    /// Probably supported by [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
-    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR) and
-    /// [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50).
     #[derive(Copy, Default, Eq, Hash)]
@@ -6047,9 +5551,7 @@ record! {
     ///
     /// Also called `initialization_configuration_response`. Answers [`InitializationConfig`].
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS) and [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably
-    /// supported by [3DM-CX7-INS](crate::devices::CX7_INS) and
-    /// [3DM-GV7-INS](crate::devices::GV7_INS).
+    /// [3DM-CV7-INS](crate::devices::CV7_INS) and [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// Source: 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52).
     #[derive(Copy, Default)]
@@ -6139,14 +5641,7 @@ record! {
     /// Adaptive filter control response (0x0D,0xD3).
     ///
     /// Answers [`AdaptiveFilterOptions`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS) and
-    /// [3DM-GX5-45](crate::devices::GX5_45).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53).
     #[derive(Copy, Default, Eq, Hash)]
@@ -6185,8 +5680,7 @@ record! {
     /// GNSS multi-antenna offset response (0x0D,0xD4).
     ///
     /// Answers [`MultiAntennaOffset`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54).
     #[derive(Copy, Default)]
@@ -6225,9 +5719,7 @@ record! {
     /// Relative position configuration response (0x0D,0xD5).
     ///
     /// Also called `rel_pos_configuration_response`. Answers [`RelativePositionConfig`]. Supported
-    /// by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and [3DM-GV7-INS](crate::devices::GV7_INS).
+    /// by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55).
     #[derive(Copy, Default)]
@@ -6276,9 +5768,7 @@ record! {
     /// Reference point lever arm response (0x0D,0xD6).
     ///
     /// Also called `ref_point_lever_arm_response`. Answers [`ReferencePointLeverArm`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and [3DM-GV7-INS](crate::devices::GV7_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56).
     #[derive(Copy, Default)]
@@ -6315,7 +5805,6 @@ record! {
     /// Speed measurement lever arm response (0x0D,0xE1).
     ///
     /// Answers [`SpeedLeverArm`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
-    /// Probably supported by [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// Source: 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61).
     #[derive(Copy)]
@@ -6395,8 +5884,7 @@ record! {
     /// Wheeled vehicle constraint response (0x0D,0xE3).
     ///
     /// Answers [`WheeledVehicleConstraintControl`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Wheeled Vehicle Constraint Control (0x0D,0x63).
     #[derive(Copy, Default, Eq, Hash)]

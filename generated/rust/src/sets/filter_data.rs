@@ -391,28 +391,8 @@ record! {
     ///
     /// Estimated position.
     ///
-    /// Also called `position_llh`. Changed by
-    /// [`filter::SensorToVehicleOffset`](crate::filter::SensorToVehicleOffset) and
-    /// [`filter::ReferencePointLeverArm`](crate::filter::ReferencePointLeverArm). Probably changed
-    /// by [`filter::AntennaOffset`](crate::filter::AntennaOffset),
-    /// [`filter::GnssSource`](crate::filter::GnssSource),
-    /// [`filter::PressureAltitudeNoise`](crate::filter::PressureAltitudeNoise),
-    /// [`filter::AltitudeAiding`](crate::filter::AltitudeAiding),
-    /// [`filter::InitializationConfig`](crate::filter::InitializationConfig) and
-    /// [`filter::MultiAntennaOffset`](crate::filter::MultiAntennaOffset). Flagged by
-    /// [`run_gps_unavailable`](Gx5StatusFlags::run_gps_unavailable) of [`Gx5StatusFlags`],
-    /// [`run_position_covariance_warning`](Gx5StatusFlags::run_position_covariance_warning) of
-    /// [`Gx5StatusFlags`], [`init_no_position_velocity`](Gx5StatusFlags::init_no_position_velocity)
-    /// of [`Gx5StatusFlags`] and [`position_warning`](Cv7StatusFlags::position_warning) of
-    /// [`Cv7StatusFlags`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GV7-INS](crate::devices::GV7_INS),
-    /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Refused by [3DM-GX3-25](crate::devices::GX3_25)
-    /// and [3DM-GX5-25](crate::devices::GX5_25).
+    /// Also called `position_llh`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS)
+    /// and [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// Source: 3dm-cv7-gnss-ins: LLH Position (0x82,0x01).
     #[derive(Copy, Default)]
@@ -469,31 +449,8 @@ record! {
     ///
     /// Estimated velocity.
     ///
-    /// Also called `velocity_ned`. Changed by
-    /// [`filter::ReferencePointLeverArm`](crate::filter::ReferencePointLeverArm). Probably changed
-    /// by [`filter::AntennaOffset`](crate::filter::AntennaOffset),
-    /// [`filter::GnssSource`](crate::filter::GnssSource),
-    /// [`filter::AutoZupt`](crate::filter::AutoZupt),
-    /// [`filter::CommandedZupt`](crate::filter::CommandedZupt),
-    /// [`filter::KinematicConstraint`](crate::filter::KinematicConstraint),
-    /// [`filter::InitializationConfig`](crate::filter::InitializationConfig),
-    /// [`filter::MultiAntennaOffset`](crate::filter::MultiAntennaOffset),
-    /// [`filter::SpeedLeverArm`](crate::filter::SpeedLeverArm) and
-    /// [`filter::WheeledVehicleConstraintControl`](crate::filter::WheeledVehicleConstraintControl).
-    /// Flagged by [`run_gps_unavailable`](Gx5StatusFlags::run_gps_unavailable) of
-    /// [`Gx5StatusFlags`],
-    /// [`run_velocity_covariance_warning`](Gx5StatusFlags::run_velocity_covariance_warning) of
-    /// [`Gx5StatusFlags`], [`init_no_position_velocity`](Gx5StatusFlags::init_no_position_velocity)
-    /// of [`Gx5StatusFlags`] and [`velocity_warning`](Cv7StatusFlags::velocity_warning) of
-    /// [`Cv7StatusFlags`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GV7-INS](crate::devices::GV7_INS),
-    /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Refused by [3DM-GX3-25](crate::devices::GX3_25)
-    /// and [3DM-GX5-25](crate::devices::GX5_25).
+    /// Also called `velocity_ned`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS)
+    /// and [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// Source: 3dm-cv7-gnss-ins: Velocity NED (0x82,0x02).
     #[derive(Copy, Default)]
@@ -551,50 +508,9 @@ record! {
     ///
     /// Estimated orientation of the vehicle frame in the NED frame as a quaternion.
     ///
-    /// Changed by
-    /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
-    /// [`mip_3dm::SensorToVehicleTransformQuaternion`](crate::mip_3dm::SensorToVehicleTransformQuaternion),
-    /// [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm),
-    /// [`filter::SetInitialAttitude`](crate::filter::SetInitialAttitude),
-    /// [`filter::SetInitialHeading`](crate::filter::SetInitialHeading),
-    /// [`filter::SetInitialAttitudeFromImu`](crate::filter::SetInitialAttitudeFromImu),
-    /// [`filter::SensorToVehicleRotationEuler`](crate::filter::SensorToVehicleRotationEuler),
-    /// [`filter::TareOrientation`](crate::filter::TareOrientation),
-    /// [`filter::SensorToVehicleRotationDcm`](crate::filter::SensorToVehicleRotationDcm) and
-    /// [`filter::SensorToVehicleRotationQuaternion`](crate::filter::SensorToVehicleRotationQuaternion).
-    /// Probably changed by [`filter::HeadingSource`](crate::filter::HeadingSource),
-    /// [`filter::AutoAngularZupt`](crate::filter::AutoAngularZupt),
-    /// [`filter::CommandedAngularZupt`](crate::filter::CommandedAngularZupt),
-    /// [`filter::EnableMeasurements`](crate::filter::EnableMeasurements),
-    /// [`filter::MagneticDeclinationSource`](crate::filter::MagneticDeclinationSource),
-    /// [`filter::AccelMagnitudeErrorAdaptiveMeasurement`](crate::filter::AccelMagnitudeErrorAdaptiveMeasurement),
-    /// [`filter::MagMagnitudeErrorAdaptiveMeasurement`](crate::filter::MagMagnitudeErrorAdaptiveMeasurement),
-    /// [`filter::MagDipAngleErrorAdaptiveMeasurement`](crate::filter::MagDipAngleErrorAdaptiveMeasurement),
-    /// [`filter::PitchRollAiding`](crate::filter::PitchRollAiding),
-    /// [`filter::MagneticInclinationSource`](crate::filter::MagneticInclinationSource),
-    /// [`filter::MagneticMagnitudeSource`](crate::filter::MagneticMagnitudeSource),
-    /// [`filter::KinematicConstraint`](crate::filter::KinematicConstraint),
-    /// [`filter::InitializationConfig`](crate::filter::InitializationConfig),
-    /// [`filter::MultiAntennaOffset`](crate::filter::MultiAntennaOffset),
-    /// [`filter::VerticalGyroConstraintControl`](crate::filter::VerticalGyroConstraintControl) and
-    /// [`filter::WheeledVehicleConstraintControl`](crate::filter::WheeledVehicleConstraintControl).
-    /// Flagged by [`init_no_attitude`](Gx5StatusFlags::init_no_attitude) of [`Gx5StatusFlags`],
-    /// [`roll_pitch_warning`](Cv7StatusFlags::roll_pitch_warning) of [`Cv7StatusFlags`] and
-    /// [`heading_warning`](Cv7StatusFlags::heading_warning) of [`Cv7StatusFlags`]. Supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7)
-    /// and [3DM-GX5-15](crate::devices::GX5_15). Probably supported by
-    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
-    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX4-15](crate::devices::GX4_15),
-    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45). Refused by
-    /// [3DM-GX3-25](crate::devices::GX3_25).
+    /// and [3DM-GX5-15](crate::devices::GX5_15).
     ///
     /// - `v_vehicle = q^-1 * v_ned * q`. The 3DM-GX5-15 manual documents the inverse rotation.
     ///
@@ -635,49 +551,9 @@ record! {
     ///
     /// Estimated orientation of the vehicle frame in the NED frame as a rotation matrix.
     ///
-    /// Changed by
-    /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
-    /// [`mip_3dm::SensorToVehicleTransformQuaternion`](crate::mip_3dm::SensorToVehicleTransformQuaternion),
-    /// [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm),
-    /// [`filter::SetInitialAttitude`](crate::filter::SetInitialAttitude),
-    /// [`filter::SetInitialHeading`](crate::filter::SetInitialHeading),
-    /// [`filter::SetInitialAttitudeFromImu`](crate::filter::SetInitialAttitudeFromImu),
-    /// [`filter::SensorToVehicleRotationEuler`](crate::filter::SensorToVehicleRotationEuler),
-    /// [`filter::TareOrientation`](crate::filter::TareOrientation),
-    /// [`filter::SensorToVehicleRotationDcm`](crate::filter::SensorToVehicleRotationDcm) and
-    /// [`filter::SensorToVehicleRotationQuaternion`](crate::filter::SensorToVehicleRotationQuaternion).
-    /// Probably changed by [`filter::HeadingSource`](crate::filter::HeadingSource),
-    /// [`filter::AutoAngularZupt`](crate::filter::AutoAngularZupt),
-    /// [`filter::CommandedAngularZupt`](crate::filter::CommandedAngularZupt),
-    /// [`filter::EnableMeasurements`](crate::filter::EnableMeasurements),
-    /// [`filter::MagneticDeclinationSource`](crate::filter::MagneticDeclinationSource),
-    /// [`filter::AccelMagnitudeErrorAdaptiveMeasurement`](crate::filter::AccelMagnitudeErrorAdaptiveMeasurement),
-    /// [`filter::MagMagnitudeErrorAdaptiveMeasurement`](crate::filter::MagMagnitudeErrorAdaptiveMeasurement),
-    /// [`filter::MagDipAngleErrorAdaptiveMeasurement`](crate::filter::MagDipAngleErrorAdaptiveMeasurement),
-    /// [`filter::PitchRollAiding`](crate::filter::PitchRollAiding),
-    /// [`filter::MagneticInclinationSource`](crate::filter::MagneticInclinationSource),
-    /// [`filter::MagneticMagnitudeSource`](crate::filter::MagneticMagnitudeSource),
-    /// [`filter::KinematicConstraint`](crate::filter::KinematicConstraint),
-    /// [`filter::InitializationConfig`](crate::filter::InitializationConfig),
-    /// [`filter::MultiAntennaOffset`](crate::filter::MultiAntennaOffset),
-    /// [`filter::VerticalGyroConstraintControl`](crate::filter::VerticalGyroConstraintControl) and
-    /// [`filter::WheeledVehicleConstraintControl`](crate::filter::WheeledVehicleConstraintControl).
-    /// Flagged by [`init_no_attitude`](Gx5StatusFlags::init_no_attitude) of [`Gx5StatusFlags`],
-    /// [`roll_pitch_warning`](Cv7StatusFlags::roll_pitch_warning) of [`Cv7StatusFlags`] and
-    /// [`heading_warning`](Cv7StatusFlags::heading_warning) of [`Cv7StatusFlags`]. Supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15) and
-    /// [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
-    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45) and [3DM-GX5-25](crate::devices::GX5_25).
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - The matrix transforms vectors from the NED frame to the vehicle frame: `v_vehicle = dcm *
     ///   v_ned`.
@@ -720,55 +596,10 @@ record! {
     ///
     /// Estimated orientation of the vehicle frame in the NED frame as Euler angles.
     ///
-    /// Changed by
-    /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
-    /// [`mip_3dm::SensorToVehicleTransformQuaternion`](crate::mip_3dm::SensorToVehicleTransformQuaternion),
-    /// [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm),
-    /// [`filter::SetInitialAttitude`](crate::filter::SetInitialAttitude),
-    /// [`filter::SetInitialHeading`](crate::filter::SetInitialHeading),
-    /// [`filter::SetInitialAttitudeFromImu`](crate::filter::SetInitialAttitudeFromImu),
-    /// [`filter::SensorToVehicleRotationEuler`](crate::filter::SensorToVehicleRotationEuler),
-    /// [`filter::TareOrientation`](crate::filter::TareOrientation),
-    /// [`filter::SensorToVehicleRotationDcm`](crate::filter::SensorToVehicleRotationDcm) and
-    /// [`filter::SensorToVehicleRotationQuaternion`](crate::filter::SensorToVehicleRotationQuaternion).
-    /// Probably changed by [`filter::HeadingSource`](crate::filter::HeadingSource),
-    /// [`filter::AutoAngularZupt`](crate::filter::AutoAngularZupt),
-    /// [`filter::CommandedAngularZupt`](crate::filter::CommandedAngularZupt),
-    /// [`filter::EnableMeasurements`](crate::filter::EnableMeasurements),
-    /// [`filter::MagneticDeclinationSource`](crate::filter::MagneticDeclinationSource),
-    /// [`filter::AccelMagnitudeErrorAdaptiveMeasurement`](crate::filter::AccelMagnitudeErrorAdaptiveMeasurement),
-    /// [`filter::MagMagnitudeErrorAdaptiveMeasurement`](crate::filter::MagMagnitudeErrorAdaptiveMeasurement),
-    /// [`filter::MagDipAngleErrorAdaptiveMeasurement`](crate::filter::MagDipAngleErrorAdaptiveMeasurement),
-    /// [`filter::PitchRollAiding`](crate::filter::PitchRollAiding),
-    /// [`filter::MagneticInclinationSource`](crate::filter::MagneticInclinationSource),
-    /// [`filter::MagneticMagnitudeSource`](crate::filter::MagneticMagnitudeSource),
-    /// [`filter::KinematicConstraint`](crate::filter::KinematicConstraint),
-    /// [`filter::InitializationConfig`](crate::filter::InitializationConfig),
-    /// [`filter::MultiAntennaOffset`](crate::filter::MultiAntennaOffset),
-    /// [`filter::VerticalGyroConstraintControl`](crate::filter::VerticalGyroConstraintControl) and
-    /// [`filter::WheeledVehicleConstraintControl`](crate::filter::WheeledVehicleConstraintControl).
-    /// Flagged by
-    /// [`run_attitude_covariance_warning`](Gx5StatusFlags::run_attitude_covariance_warning) of
-    /// [`Gx5StatusFlags`], [`init_no_attitude`](Gx5StatusFlags::init_no_attitude) of
-    /// [`Gx5StatusFlags`], [`roll_pitch_warning`](Cv7StatusFlags::roll_pitch_warning) of
-    /// [`Cv7StatusFlags`] and [`heading_warning`](Cv7StatusFlags::heading_warning) of
-    /// [`Cv7StatusFlags`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15) and
-    /// [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
-    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS),
-    /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
-    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Uncertain: The ranges of the angles. Uncertain:
-    /// which no source states.
+    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). Uncertain:
+    /// The ranges of the angles. Uncertain: which no source states.
     ///
     /// - The rotations apply in the order yaw, pitch, roll (3-2-1).
     ///
@@ -830,28 +661,8 @@ record! {
     ///
     /// Estimated bias of the gyroscope.
     ///
-    /// Changed by [`filter::EstimationControl`](crate::filter::EstimationControl). Probably changed
-    /// by [`mip_3dm::GyroBias`](crate::mip_3dm::GyroBias),
-    /// [`mip_3dm::CaptureGyroBias`](crate::mip_3dm::CaptureGyroBias),
-    /// [`filter::GyroBiasModel`](crate::filter::GyroBiasModel),
-    /// [`filter::AutoAngularZupt`](crate::filter::AutoAngularZupt) and
-    /// [`filter::CommandedAngularZupt`](crate::filter::CommandedAngularZupt). Flagged by
-    /// [`run_gyro_bias_est_high_warning`](Gx5StatusFlags::run_gyro_bias_est_high_warning) of
-    /// [`Gx5StatusFlags`] and [`imu_bias_warning`](Cv7StatusFlags::imu_bias_warning) of
-    /// [`Cv7StatusFlags`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GX5-15](crate::devices::GX5_15). Probably supported by
-    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25) and
-    /// [3DM-GX5-45](crate::devices::GX5_45).
+    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-GX5-15](crate::devices::GX5_15).
     ///
     /// Source: 3dm-cv7-gnss-ins: Gyro Bias (0x82,0x06); 3dm-gx5-15: 5.2.9 Gyro Bias (0x82, 0x06).
     #[derive(Copy, Default)]
@@ -889,16 +700,7 @@ record! {
     ///
     /// Estimated bias of the accelerometer.
     ///
-    /// Changed by [`filter::EstimationControl`](crate::filter::EstimationControl). Probably changed
-    /// by [`mip_3dm::AccelBias`](crate::mip_3dm::AccelBias) and
-    /// [`filter::AccelBiasModel`](crate::filter::AccelBiasModel). Flagged by
-    /// [`run_accel_bias_est_high_warning`](Gx5StatusFlags::run_accel_bias_est_high_warning) of
-    /// [`Gx5StatusFlags`] and [`imu_bias_warning`](Cv7StatusFlags::imu_bias_warning) of
-    /// [`Cv7StatusFlags`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably
-    /// supported by [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-INS](crate::devices::GV7_INS) and
-    /// [3DM-GX5-45](crate::devices::GX5_45). Refused by [3DM-GX4-25](crate::devices::GX4_25).
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Accel Bias (0x82,0x07).
     #[derive(Copy, Default)]
@@ -936,17 +738,9 @@ record! {
     ///
     /// Standard deviation of the estimated position, in the NED frame.
     ///
-    /// Also called `position_llh_uncertainty`. Probably changed by
-    /// [`filter::AccelNoise`](crate::filter::AccelNoise),
-    /// [`filter::PressureAltitudeNoise`](crate::filter::PressureAltitudeNoise) and
-    /// [`filter::AltitudeAiding`](crate::filter::AltitudeAiding). Flagged by
-    /// [`run_position_covariance_warning`](Gx5StatusFlags::run_position_covariance_warning) of
-    /// [`Gx5StatusFlags`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GV7-INS](crate::devices::GV7_INS) and [3DM-GX5-45](crate::devices::GX5_45). Refused by
-    /// [3DM-GX3-25](crate::devices::GX3_25) and [3DM-GX5-25](crate::devices::GX5_25).
+    /// Also called `position_llh_uncertainty`. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// Source: 3dm-cv7-gnss-ins: LLH Position Uncertainty (0x82,0x08).
     #[derive(Copy, Default)]
@@ -1004,17 +798,9 @@ record! {
     ///
     /// Standard deviation of the estimated velocity.
     ///
-    /// Also called `velocity_ned_uncertainty`. Probably changed by
-    /// [`filter::AccelNoise`](crate::filter::AccelNoise),
-    /// [`filter::AutoZupt`](crate::filter::AutoZupt) and
-    /// [`filter::CommandedZupt`](crate::filter::CommandedZupt). Flagged by
-    /// [`run_velocity_covariance_warning`](Gx5StatusFlags::run_velocity_covariance_warning) of
-    /// [`Gx5StatusFlags`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GV7-INS](crate::devices::GV7_INS) and [3DM-GX5-45](crate::devices::GX5_45). Refused by
-    /// [3DM-GX3-25](crate::devices::GX3_25).
+    /// Also called `velocity_ned_uncertainty`. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// Source: 3dm-cv7-gnss-ins: NED Velocity Uncertainty (0x82,0x09).
     #[derive(Copy, Default)]
@@ -1072,29 +858,8 @@ record! {
     ///
     /// Standard deviation of the estimated Euler angles.
     ///
-    /// Probably changed by [`filter::GyroNoise`](crate::filter::GyroNoise),
-    /// [`filter::GravityNoise`](crate::filter::GravityNoise),
-    /// [`filter::EnableMeasurements`](crate::filter::EnableMeasurements),
-    /// [`filter::MagNoise`](crate::filter::MagNoise),
-    /// [`filter::AccelMagnitudeErrorAdaptiveMeasurement`](crate::filter::AccelMagnitudeErrorAdaptiveMeasurement),
-    /// [`filter::MagMagnitudeErrorAdaptiveMeasurement`](crate::filter::MagMagnitudeErrorAdaptiveMeasurement),
-    /// [`filter::MagDipAngleErrorAdaptiveMeasurement`](crate::filter::MagDipAngleErrorAdaptiveMeasurement)
-    /// and [`filter::PitchRollAiding`](crate::filter::PitchRollAiding). Flagged by
-    /// [`run_attitude_covariance_warning`](Gx5StatusFlags::run_attitude_covariance_warning) of
-    /// [`Gx5StatusFlags`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and [3DM-GX5-15](crate::devices::GX5_15). Probably
-    /// supported by [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
-    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX4-15](crate::devices::GX4_15),
-    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45). Refused by
-    /// [3DM-GX3-25](crate::devices::GX3_25).
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and [3DM-GX5-15](crate::devices::GX5_15).
     ///
     /// - 3DM-GX5: derived from the quaternion, less accurate at steep pitch, and not valid beyond
     ///   70 degrees of pitch up or down.
@@ -1153,24 +918,8 @@ record! {
     ///
     /// Standard deviation of the estimated gyroscope bias.
     ///
-    /// Probably changed by [`filter::EstimationControl`](crate::filter::EstimationControl),
-    /// [`filter::GyroNoise`](crate::filter::GyroNoise),
-    /// [`filter::GyroBiasModel`](crate::filter::GyroBiasModel),
-    /// [`filter::AutoAngularZupt`](crate::filter::AutoAngularZupt) and
-    /// [`filter::CommandedAngularZupt`](crate::filter::CommandedAngularZupt). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-GX5-15](crate::devices::GX5_15).
-    /// Probably supported by [3DM-CL5-15](crate::devices::CL5_15),
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-15](crate::devices::CV5_15),
-    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX5-15](crate::devices::CX5_15),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
-    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
-    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX4-15](crate::devices::GX4_15),
-    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GX5-15](crate::devices::GX5_15).
     ///
     /// Source: 3dm-cv7-gnss-ins: Gyro Bias Uncertainty (0x82,0x0B); 3dm-gx5-15: 5.2.10 Gyro Bias
     /// Uncertainty (0x82, 0x0B).
@@ -1209,14 +958,7 @@ record! {
     ///
     /// Standard deviation of the estimated accelerometer bias.
     ///
-    /// Probably changed by [`filter::EstimationControl`](crate::filter::EstimationControl),
-    /// [`filter::AccelNoise`](crate::filter::AccelNoise) and
-    /// [`filter::AccelBiasModel`](crate::filter::AccelBiasModel). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-INS](crate::devices::GV7_INS) and
-    /// [3DM-GX5-45](crate::devices::GX5_45).
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Accel Bias Uncertainty (0x82,0x0C).
     #[derive(Copy, Default)]
@@ -1254,28 +996,9 @@ record! {
     ///
     /// Rate of change of the velocity, with the effect of gravity removed.
     ///
-    /// Changed by
-    /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
-    /// [`mip_3dm::SensorToVehicleTransformQuaternion`](crate::mip_3dm::SensorToVehicleTransformQuaternion),
-    /// [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm),
-    /// [`mip_3dm::LowPassFilter`](crate::mip_3dm::LowPassFilter),
-    /// [`filter::SensorToVehicleRotationEuler`](crate::filter::SensorToVehicleRotationEuler),
-    /// [`filter::TareOrientation`](crate::filter::TareOrientation),
-    /// [`filter::SensorToVehicleRotationDcm`](crate::filter::SensorToVehicleRotationDcm) and
-    /// [`filter::SensorToVehicleRotationQuaternion`](crate::filter::SensorToVehicleRotationQuaternion).
     /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7)
-    /// and [3DM-GX5-15](crate::devices::GX5_15). Probably supported by
-    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
-    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX4-15](crate::devices::GX4_15),
-    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// and [3DM-GX5-15](crate::devices::GX5_15).
     ///
     /// Source: 3dm-cv7-gnss-ins: Linear Accel (0x82,0x0D); 3dm-gx5-15: 5.2.12 Linear Acceleration
     /// (0x82, 0x0D).
@@ -1314,28 +1037,9 @@ record! {
     ///
     /// Angular rate without the estimated bias.
     ///
-    /// Changed by
-    /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
-    /// [`mip_3dm::SensorToVehicleTransformQuaternion`](crate::mip_3dm::SensorToVehicleTransformQuaternion),
-    /// [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm),
-    /// [`mip_3dm::LowPassFilter`](crate::mip_3dm::LowPassFilter),
-    /// [`filter::SensorToVehicleRotationEuler`](crate::filter::SensorToVehicleRotationEuler),
-    /// [`filter::TareOrientation`](crate::filter::TareOrientation),
-    /// [`filter::SensorToVehicleRotationDcm`](crate::filter::SensorToVehicleRotationDcm) and
-    /// [`filter::SensorToVehicleRotationQuaternion`](crate::filter::SensorToVehicleRotationQuaternion).
     /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). Probably
-    /// supported by [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
-    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX4-15](crate::devices::GX4_15),
-    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45) and
-    /// [3DM-GX5-25](crate::devices::GX5_25). Refused by [3DM-GX3-25](crate::devices::GX3_25).
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: Comp Angular Rate (0x82,0x0E); 3dm-gx5-15: 5.2.8 Compensated
     /// Angular Rate (0x82, 0x0E).
@@ -1375,16 +1079,7 @@ record! {
     ///
     /// Magnitude of gravity at the position of the device according to the WGS84 model.
     ///
-    /// Also called `wgs84_gravity_mag`. Changed by
-    /// [`filter::ReferencePosition`](crate::filter::ReferencePosition). Supported by
-    /// [3DM-GX5-15](crate::devices::GX5_15). Probably supported by
-    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-15](crate::devices::CX5_15),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25) and
-    /// [3DM-GX5-45](crate::devices::GX5_45).
+    /// Also called `wgs84_gravity_mag`. Supported by [3DM-GX5-15](crate::devices::GX5_15).
     ///
     /// - The model is valid up to an altitude of 20 km.
     ///
@@ -1425,24 +1120,9 @@ record! {
     ///
     /// State, dynamics mode, condition and warnings of the filter.
     ///
-    /// Changed by [`filter::Run`](crate::filter::Run). Probably changed by
-    /// [`mip_3dm::GyroBias`](crate::mip_3dm::GyroBias),
-    /// [`mip_3dm::CaptureGyroBias`](crate::mip_3dm::CaptureGyroBias) and
-    /// [`filter::InitializationConfig`](crate::filter::InitializationConfig). Supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7)
-    /// and [3DM-GX5-15](crate::devices::GX5_15). Probably supported by
-    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
-    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX4-15](crate::devices::GX4_15),
-    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45). Refused by
-    /// [3DM-GX3-25](crate::devices::GX3_25).
+    /// and [3DM-GX5-15](crate::devices::GX5_15).
     ///
     /// - The meaning of all three values depends on the device.
     /// - 3DM-CV7: 4, 1, 1 is normal operation (full navigation, default mode, stable).
@@ -1645,17 +1325,8 @@ record! {
     ///
     /// GPS time of the filter data.
     ///
-    /// Changed by [`base::GpsTimeUpdate`](crate::base::GpsTimeUpdate). Flagged by
-    /// [`gnss_clock_warning`](Cv7StatusFlags::gnss_clock_warning) of [`Cv7StatusFlags`]. Supported
-    /// by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GX5-15](crate::devices::GX5_15). Probably supported by
-    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-15](crate::devices::CX5_15),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25) and
-    /// [3DM-GX5-45](crate::devices::GX5_45).
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GX5-15](crate::devices::GX5_15).
     ///
     /// - Without PPS the internal clock drives the time, and the time jumps when the PPS returns.
     /// - Without synchronization to a receiver or an external clock it is the internal system time.
@@ -1709,27 +1380,8 @@ record! {
     ///
     /// Standard deviation of the elements of the estimated attitude quaternion.
     ///
-    /// Probably changed by [`filter::GyroNoise`](crate::filter::GyroNoise),
-    /// [`filter::GravityNoise`](crate::filter::GravityNoise),
-    /// [`filter::EnableMeasurements`](crate::filter::EnableMeasurements),
-    /// [`filter::MagNoise`](crate::filter::MagNoise),
-    /// [`filter::AccelMagnitudeErrorAdaptiveMeasurement`](crate::filter::AccelMagnitudeErrorAdaptiveMeasurement),
-    /// [`filter::MagMagnitudeErrorAdaptiveMeasurement`](crate::filter::MagMagnitudeErrorAdaptiveMeasurement),
-    /// [`filter::MagDipAngleErrorAdaptiveMeasurement`](crate::filter::MagDipAngleErrorAdaptiveMeasurement)
-    /// and [`filter::PitchRollAiding`](crate::filter::PitchRollAiding). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-GX5-15](crate::devices::GX5_15).
-    /// Probably supported by [3DM-CL5-15](crate::devices::CL5_15),
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-15](crate::devices::CV5_15),
-    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX5-15](crate::devices::CX5_15),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
-    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
-    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX4-15](crate::devices::GX4_15),
-    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GX5-15](crate::devices::GX5_15).
     ///
     /// Source: 3dm-cv7-gnss-ins: Quaternion Attitude Uncertainty (0x82,0x12); 3dm-gx5-15: 5.2.4
     /// Attitude Uncertainty, Quaternion Elements (0x82, 0x12).
@@ -1768,27 +1420,8 @@ record! {
     ///
     /// Estimated gravity.
     ///
-    /// Changed by
-    /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
-    /// [`mip_3dm::SensorToVehicleTransformQuaternion`](crate::mip_3dm::SensorToVehicleTransformQuaternion),
-    /// [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm),
-    /// [`filter::SensorToVehicleRotationEuler`](crate::filter::SensorToVehicleRotationEuler),
-    /// [`filter::TareOrientation`](crate::filter::TareOrientation),
-    /// [`filter::SensorToVehicleRotationDcm`](crate::filter::SensorToVehicleRotationDcm) and
-    /// [`filter::SensorToVehicleRotationQuaternion`](crate::filter::SensorToVehicleRotationQuaternion).
     /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-GX5-15](crate::devices::GX5_15).
-    /// Probably supported by [3DM-CL5-15](crate::devices::CL5_15),
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-15](crate::devices::CV5_15),
-    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX5-15](crate::devices::CX5_15),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
-    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
-    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX4-15](crate::devices::GX4_15),
-    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: Gravity Vector (0x82,0x13); 3dm-gx5-15: 5.2.14 Gravity Vector
     /// (0x82, 0x13).
@@ -1828,14 +1461,7 @@ record! {
     ///
     /// The last heading that updated the filter and where it came from.
     ///
-    /// Changed by [`filter::HeadingSource`](crate::filter::HeadingSource). Supported by
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). Probably
-    /// supported by [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-15](crate::devices::CX5_15),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45) and
-    /// [3DM-GX5-25](crate::devices::GX5_25).
+    /// Supported by [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - The valid bit means that the source gave data within the last 2 seconds.
     ///
@@ -1893,15 +1519,7 @@ record! {
     ///
     /// Magnetic field at the position of the device according to the World Magnetic Model.
     ///
-    /// Changed by [`filter::ReferencePosition`](crate::filter::ReferencePosition). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25) and
-    /// [3DM-GX5-45](crate::devices::GX5_45).
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - It is valid only with a valid GNSS position.
     ///
@@ -1974,10 +1592,7 @@ record! {
     ///
     /// Estimated scale factor of the gyroscope.
     ///
-    /// Changed by [`filter::EstimationControl`](crate::filter::EstimationControl). Flagged by
-    /// [`run_gyro_scale_factor_est_high_warning`](Gx5StatusFlags::run_gyro_scale_factor_est_high_warning)
-    /// of [`Gx5StatusFlags`]. Not listed in any device profile. Known only from the MicroStrain MIP
-    /// SDK.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gyro Scale Factor (0x82,0x16).
     #[derive(Copy, Default)]
@@ -2015,10 +1630,7 @@ record! {
     ///
     /// Estimated scale factor of the accelerometer.
     ///
-    /// Changed by [`filter::EstimationControl`](crate::filter::EstimationControl). Flagged by
-    /// [`run_accel_scale_factor_est_high_warning`](Gx5StatusFlags::run_accel_scale_factor_est_high_warning)
-    /// of [`Gx5StatusFlags`]. Not listed in any device profile. Known only from the MicroStrain MIP
-    /// SDK.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Accel Scale Factor (0x82,0x17).
     #[derive(Copy, Default)]
@@ -2056,8 +1668,7 @@ record! {
     ///
     /// Standard deviation of the estimated scale factor of the gyroscope.
     ///
-    /// Probably changed by [`filter::EstimationControl`](crate::filter::EstimationControl). Not
-    /// listed in any device profile. Known only from the MicroStrain MIP SDK.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gyro Scale Factor Uncertainty (0x82,0x18).
     #[derive(Copy, Default)]
@@ -2095,8 +1706,7 @@ record! {
     ///
     /// Standard deviation of the estimated scale factor of the accelerometer.
     ///
-    /// Probably changed by [`filter::EstimationControl`](crate::filter::EstimationControl). Not
-    /// listed in any device profile. Known only from the MicroStrain MIP SDK.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Accel Scale Factor Uncertainty (0x82,0x19).
     #[derive(Copy, Default)]
@@ -2134,9 +1744,7 @@ record! {
     ///
     /// Estimated bias of the magnetometer.
     ///
-    /// Flagged by [`run_mag_bias_est_high_warning`](Gx5StatusFlags::run_mag_bias_est_high_warning)
-    /// of [`Gx5StatusFlags`]. Not listed in any device profile. Known only from the MicroStrain MIP
-    /// SDK.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Mag Bias (0x82,0x1A).
     #[derive(Copy, Default)]
@@ -2212,26 +1820,9 @@ record! {
     ///
     /// Acceleration without the estimated bias; it includes gravity.
     ///
-    /// Changed by [`mip_3dm::LowPassFilter`](crate::mip_3dm::LowPassFilter),
-    /// [`filter::SensorToVehicleRotationEuler`](crate::filter::SensorToVehicleRotationEuler) and
-    /// [`filter::TareOrientation`](crate::filter::TareOrientation). Probably changed by
-    /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
-    /// [`mip_3dm::SensorToVehicleTransformQuaternion`](crate::mip_3dm::SensorToVehicleTransformQuaternion),
-    /// [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm),
-    /// [`filter::SensorToVehicleRotationDcm`](crate::filter::SensorToVehicleRotationDcm) and
-    /// [`filter::SensorToVehicleRotationQuaternion`](crate::filter::SensorToVehicleRotationQuaternion).
     /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7)
-    /// and [3DM-GX5-15](crate::devices::GX5_15). Probably supported by
-    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
-    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX5-25](crate::devices::GX5_25) and
-    /// [3DM-GX5-45](crate::devices::GX5_45).
+    /// and [3DM-GX5-15](crate::devices::GX5_15).
     ///
     /// Source: 3dm-cv7-gnss-ins: Compensated Acceleration (0x82,0x1C); 3dm-gx5-15: 5.2.11
     /// Compensated Acceleration (0x82, 0x1C).
@@ -2270,9 +1861,7 @@ record! {
     ///
     /// US Standard Atmosphere of 1976 at the altitude of the device.
     ///
-    /// Probably supported by [3DM-CV5-45](crate::devices::CV5_45),
-    /// [3DM-CX5-45](crate::devices::CX5_45) and [3DM-GX5-45](crate::devices::GX5_45). Known only
-    /// from the MicroStrain MIP SDK.
+    /// No device is certain to support it. Known only from the MicroStrain MIP SDK.
     ///
     /// - It is valid only with a valid GNSS position.
     ///
@@ -2345,17 +1934,7 @@ record! {
     /// Altitude from the measured pressure, by the US Standard Atmosphere of 1976.
     ///
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GX5-15](crate::devices::GX5_15). Probably supported by
-    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS),
-    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// [3DM-GX5-15](crate::devices::GX5_15).
     ///
     /// - It needs a valid pressure. The model ends at a pressure of 0.0037 mbar, an altitude of
     ///   84852 m.
@@ -2437,16 +2016,8 @@ record! {
     ///
     /// Estimated hard iron offset of the magnetometer.
     ///
-    /// Also called `magnetometer_offset`. Changed by
-    /// [`filter::EstimationControl`](crate::filter::EstimationControl) and
-    /// [`filter::MagCaptureAutoCalibration`](crate::filter::MagCaptureAutoCalibration). Probably
-    /// changed by [`filter::HardIronOffsetNoise`](crate::filter::HardIronOffsetNoise). Flagged by
-    /// [`run_mag_hard_iron_est_high_warning`](Gx5StatusFlags::run_mag_hard_iron_est_high_warning)
-    /// of [`Gx5StatusFlags`]. Probably supported by [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45). Known only
-    /// from the MicroStrain MIP SDK.
+    /// No device is certain to support it. Also called `magnetometer_offset`. Known only from the
+    /// MicroStrain MIP SDK.
     ///
     /// - The filter adds it to the stored offset of
     ///   [`mip_3dm::MagHardIronOffset`](crate::mip_3dm::MagHardIronOffset).
@@ -2487,16 +2058,8 @@ record! {
     ///
     /// Estimated soft iron matrix of the magnetometer.
     ///
-    /// Also called `magnetometer_matrix`. Changed by
-    /// [`filter::EstimationControl`](crate::filter::EstimationControl) and
-    /// [`filter::MagCaptureAutoCalibration`](crate::filter::MagCaptureAutoCalibration). Probably
-    /// changed by [`filter::SoftIronMatrixNoise`](crate::filter::SoftIronMatrixNoise). Flagged by
-    /// [`run_mag_soft_iron_est_high_warning`](Gx5StatusFlags::run_mag_soft_iron_est_high_warning)
-    /// of [`Gx5StatusFlags`]. Probably supported by [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45). Known only
-    /// from the MicroStrain MIP SDK.
+    /// No device is certain to support it. Also called `magnetometer_matrix`. Known only from the
+    /// MicroStrain MIP SDK.
     ///
     /// - The filter multiplies the stored matrix of
     ///   [`mip_3dm::MagSoftIronMatrix`](crate::mip_3dm::MagSoftIronMatrix) by it, from the right.
@@ -2537,13 +2100,8 @@ record! {
     ///
     /// Standard deviation of the estimated hard iron offset.
     ///
-    /// Also called `magnetometer_offset_uncertainty`. Probably changed by
-    /// [`filter::EstimationControl`](crate::filter::EstimationControl) and
-    /// [`filter::HardIronOffsetNoise`](crate::filter::HardIronOffsetNoise). Probably supported by
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GX5-25](crate::devices::GX5_25) and
-    /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
+    /// No device is certain to support it. Also called `magnetometer_offset_uncertainty`. Known
+    /// only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Magnetometer offset uncertainty (0x82,0x28).
     #[derive(Copy, Default)]
@@ -2581,13 +2139,8 @@ record! {
     ///
     /// Standard deviation of the estimated soft iron matrix.
     ///
-    /// Also called `magnetometer_matrix_uncertainty`. Probably changed by
-    /// [`filter::EstimationControl`](crate::filter::EstimationControl) and
-    /// [`filter::SoftIronMatrixNoise`](crate::filter::SoftIronMatrixNoise). Probably supported by
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GX5-25](crate::devices::GX5_25) and
-    /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
+    /// No device is certain to support it. Also called `magnetometer_matrix_uncertainty`. Known
+    /// only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Magnetometer matrix uncertainty (0x82,0x29).
     #[derive(Copy, Default)]
@@ -2704,11 +2257,7 @@ record! {
     ///
     /// Estimated error of the offset of the GNSS antenna.
     ///
-    /// Changed by [`filter::EstimationControl`](crate::filter::EstimationControl). Probably changed
-    /// by [`filter::AntennaOffset`](crate::filter::AntennaOffset). Flagged by
-    /// [`run_antenna_offset_correction_est_high_warning`](Gx5StatusFlags::run_antenna_offset_correction_est_high_warning)
-    /// of [`Gx5StatusFlags`]. Not listed in any device profile. Known only from the MicroStrain MIP
-    /// SDK.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// - The filter adds it to the stored offset of
     ///   [`filter::AntennaOffset`](crate::filter::AntennaOffset).
@@ -2749,8 +2298,7 @@ record! {
     ///
     /// Standard deviation of the estimated error of the offset of the GNSS antenna.
     ///
-    /// Probably changed by [`filter::EstimationControl`](crate::filter::EstimationControl). Not
-    /// listed in any device profile. Known only from the MicroStrain MIP SDK.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Antenna offset correction uncertainty (0x82,0x31).
     #[derive(Copy, Default)]
@@ -2788,7 +2336,6 @@ record! {
     ///
     /// Estimated clock error of one GNSS receiver.
     ///
-    /// Flagged by [`gnss_clock_warning`](Cv7StatusFlags::gnss_clock_warning) of [`Cv7StatusFlags`].
     /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Clock correction (0x82,0x32).
@@ -2897,13 +2444,8 @@ record! {
     ///
     /// Estimated error of the offset of one GNSS antenna.
     ///
-    /// Changed by
-    /// [`filter::GnssAntennaCalibrationControl`](crate::filter::GnssAntennaCalibrationControl).
-    /// Probably changed by [`filter::MultiAntennaOffset`](crate::filter::MultiAntennaOffset).
-    /// Flagged by [`antenna_lever_arm_warning`](Cv7StatusFlags::antenna_lever_arm_warning) of
-    /// [`Cv7StatusFlags`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Refused by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS).
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// - The filter adds it to the stored offset.
     ///
@@ -2950,10 +2492,7 @@ record! {
     ///
     /// Standard deviation of the estimated error of the offset of one GNSS antenna.
     ///
-    /// Probably changed by
-    /// [`filter::GnssAntennaCalibrationControl`](crate::filter::GnssAntennaCalibrationControl).
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Multi Antenna Offset Correction Uncertainty (0x82,0x35).
     #[derive(Copy, Default)]
@@ -2998,12 +2537,9 @@ record! {
     ///
     /// Standard deviation of the estimated position.
     ///
-    /// Also called `ecef_pos_uncertainty`. Probably changed by
-    /// [`filter::AccelNoise`](crate::filter::AccelNoise). Supported by
+    /// Also called `ecef_pos_uncertainty`. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-INS](crate::devices::CX7_INS) and
-    /// [3DM-GV7-INS](crate::devices::GV7_INS). Refused by [3DM-GX3-25](crate::devices::GX3_25).
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// Source: 3dm-cv7-gnss-ins: ECEF Position Uncertainty (0x82,0x36).
     #[derive(Copy, Default)]
@@ -3041,14 +2577,9 @@ record! {
     ///
     /// Standard deviation of the estimated velocity.
     ///
-    /// Also called `ecef_vel_uncertainty`. Probably changed by
-    /// [`filter::AccelNoise`](crate::filter::AccelNoise),
-    /// [`filter::AutoZupt`](crate::filter::AutoZupt) and
-    /// [`filter::CommandedZupt`](crate::filter::CommandedZupt). Supported by
+    /// Also called `ecef_vel_uncertainty`. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-INS](crate::devices::CX7_INS) and
-    /// [3DM-GV7-INS](crate::devices::GV7_INS). Refused by [3DM-GX3-25](crate::devices::GX3_25).
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// Source: 3dm-cv7-gnss-ins: ECEF Velocity Uncertainty (0x82,0x37).
     #[derive(Copy, Default)]
@@ -3086,17 +2617,8 @@ record! {
     ///
     /// Estimated position.
     ///
-    /// Also called `ecef_pos`. Changed by
-    /// [`filter::ReferencePointLeverArm`](crate::filter::ReferencePointLeverArm). Probably changed
-    /// by [`filter::AntennaOffset`](crate::filter::AntennaOffset),
-    /// [`filter::GnssSource`](crate::filter::GnssSource),
-    /// [`filter::InitializationConfig`](crate::filter::InitializationConfig) and
-    /// [`filter::MultiAntennaOffset`](crate::filter::MultiAntennaOffset). Flagged by
-    /// [`position_warning`](Cv7StatusFlags::position_warning) of [`Cv7StatusFlags`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-INS](crate::devices::CX7_INS) and
-    /// [3DM-GV7-INS](crate::devices::GV7_INS). Refused by [3DM-GX3-25](crate::devices::GX3_25).
+    /// Also called `ecef_pos`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// Source: 3dm-cv7-gnss-ins: ECEF Position (0x82,0x40).
     #[derive(Copy, Default)]
@@ -3134,22 +2656,8 @@ record! {
     ///
     /// Estimated velocity.
     ///
-    /// Also called `ecef_vel`. Changed by
-    /// [`filter::ReferencePointLeverArm`](crate::filter::ReferencePointLeverArm). Probably changed
-    /// by [`filter::AntennaOffset`](crate::filter::AntennaOffset),
-    /// [`filter::GnssSource`](crate::filter::GnssSource),
-    /// [`filter::AutoZupt`](crate::filter::AutoZupt),
-    /// [`filter::CommandedZupt`](crate::filter::CommandedZupt),
-    /// [`filter::KinematicConstraint`](crate::filter::KinematicConstraint),
-    /// [`filter::InitializationConfig`](crate::filter::InitializationConfig),
-    /// [`filter::MultiAntennaOffset`](crate::filter::MultiAntennaOffset),
-    /// [`filter::SpeedLeverArm`](crate::filter::SpeedLeverArm) and
-    /// [`filter::WheeledVehicleConstraintControl`](crate::filter::WheeledVehicleConstraintControl).
-    /// Flagged by [`velocity_warning`](Cv7StatusFlags::velocity_warning) of [`Cv7StatusFlags`].
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-INS](crate::devices::CX7_INS) and
-    /// [3DM-GV7-INS](crate::devices::GV7_INS). Refused by [3DM-GX3-25](crate::devices::GX3_25).
+    /// Also called `ecef_vel`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// Source: 3dm-cv7-gnss-ins: ECEF Velocity (0x82,0x41).
     #[derive(Copy, Default)]
@@ -3188,14 +2696,8 @@ record! {
     /// Estimated position relative to the point that
     /// [`filter::RelativePositionConfig`](crate::filter::RelativePositionConfig) sets.
     ///
-    /// Also called `rel_pos_ned`. Changed by
-    /// [`filter::RelativePositionConfig`](crate::filter::RelativePositionConfig) and
-    /// [`filter::ReferencePointLeverArm`](crate::filter::ReferencePointLeverArm). Flagged by
-    /// [`position_warning`](Cv7StatusFlags::position_warning) of [`Cv7StatusFlags`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-INS](crate::devices::CX7_INS) and
-    /// [3DM-GV7-INS](crate::devices::GV7_INS).
+    /// Also called `rel_pos_ned`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// Source: 3dm-cv7-gnss-ins: NED Relative Position (0x82,0x42).
     #[derive(Copy, Default)]
@@ -3233,13 +2735,9 @@ record! {
     ///
     /// Use of the position measurements of one GNSS receiver by the filter.
     ///
-    /// Also called `gnss_pos_aid_status`. Probably changed by
-    /// [`filter::GnssSource`](crate::filter::GnssSource). Supported by
+    /// Also called `gnss_pos_aid_status`. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-INS](crate::devices::CX7_INS) and
-    /// [3DM-GV7-INS](crate::devices::GV7_INS). Refused by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [3DM-GX3-25](crate::devices::GX3_25) and [3DM-GX5-25](crate::devices::GX5_25).
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// - Single precision resolves the time of week to 0.0625 s at the end of the week.
     ///
@@ -3390,11 +2888,8 @@ record! {
     ///
     /// Use of one kind of aiding measurement in the last measurement interval.
     ///
-    /// Changed by [`filter::AidingMeasurementEnable`](crate::filter::AidingMeasurementEnable).
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-INS](crate::devices::CX7_INS) and
-    /// [3DM-GV7-INS](crate::devices::GV7_INS).
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// - Single precision resolves the time of week to 0.0625 s at the end of the week.
     ///
@@ -3452,9 +2947,7 @@ record! {
     ///
     /// Estimated relative error of the odometer scale factor.
     ///
-    /// Probably changed by [`filter::SpeedLeverArm`](crate::filter::SpeedLeverArm). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - Estimated scale factor = configured scale factor \* (1 + error).
     ///
@@ -3494,8 +2987,7 @@ record! {
     ///
     /// Uncertainty of the estimated error of the odometer scale factor.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Odometer Scale Factor Error Uncertainty (0x82,0x48).
     #[derive(Copy, Default)]
@@ -3533,10 +3025,8 @@ record! {
     ///
     /// Heading that two GNSS antennas give.
     ///
-    /// Probably changed by [`filter::MultiAntennaOffset`](crate::filter::MultiAntennaOffset).
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Refused by [3DM-CV7-AHRS](crate::devices::CV7_AHRS)
-    /// and [3DM-GX5-25](crate::devices::GX5_25).
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// - Single precision resolves the time of week to 0.0625 s at the end of the week.
     ///
@@ -3603,11 +3093,8 @@ record! {
     /// Estimated error of a frame that [`aiding::FrameConfig`](crate::aiding::FrameConfig) defines;
     /// it is corrected for.
     ///
-    /// Changed by [`aiding::FrameConfig`](crate::aiding::FrameConfig). Supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-CV7-INS](crate::devices::CV7_INS).
-    /// Probably supported by [3DM-CX7-INS](crate::devices::CX7_INS) and
-    /// [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Aiding Frame Configuration Error (0x82,0x50).
     #[derive(Copy, Default)]
@@ -3654,10 +3141,7 @@ record! {
     /// Uncertainty of the estimated error of a frame that
     /// [`aiding::FrameConfig`](crate::aiding::FrameConfig) defines.
     ///
-    /// Probably changed by [`aiding::FrameConfig`](crate::aiding::FrameConfig). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-INS](crate::devices::CX7_INS) and
-    /// [3DM-GV7-INS](crate::devices::GV7_INS).
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Aiding Frame Configuration Error Uncertainty (0x82,0x51).
     #[derive(Copy, Default)]

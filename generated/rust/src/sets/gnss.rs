@@ -183,8 +183,7 @@ record! {
     /// Gets the GNSS receivers of the device.
     ///
     /// Answered by [`ReceiverInfoResponse`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Receiver Info (0x0E,0x01).
     #[derive(Copy, Default, Eq, Hash)]
@@ -220,9 +219,8 @@ record! {
     /// [`gnss_data::FixInfo`](crate::gnss_data::FixInfo),
     /// [`gnss_data::SatelliteStatus`](crate::gnss_data::SatelliteStatus) and
     /// [`gnss_data::Raw`](crate::gnss_data::Raw). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Refused by [3DM-GX3-25](crate::devices::GX3_25). On
-    /// the [3DM-GQ7-GNSS/INS](crate::devices::GQ7): firmware \> 1.0.10.
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). On the
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7): firmware \> 1.0.10.
     ///
     /// - A device accepts certain combinations only.
     /// - The 3DM-CV7-GNSS/INS needs GPS or Galileo, and rejects GPS L1 with BeiDou L1 alone. For
@@ -408,13 +406,13 @@ record! {
     ///
     /// Switches the communication with a connected RTK dongle on or off.
     ///
-    /// Also called `rtk_dongle_configuration`. Functions: [write](types::FunctionSelector::WRITE),
-    /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
-    /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Answered by [`RtkDongleConfigResponse`]. Probably changes
-    /// [`gnss_data::RtkCorrectionsStatus`](crate::gnss_data::RtkCorrectionsStatus). Probably
-    /// supported by [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Refused by
-    /// [3DM-GX3-25](crate::devices::GX3_25). Known only from the MicroStrain MIP SDK.
+    /// No device is certain to support it. Also called `rtk_dongle_configuration`. Functions:
+    /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`RtkDongleConfigResponse`].
+    /// Probably changes
+    /// [`gnss_data::RtkCorrectionsStatus`](crate::gnss_data::RtkCorrectionsStatus). Known only from
+    /// the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: RTK dongle configuration (0x0E,0x10).
     #[derive(Copy, Eq, Hash)]
@@ -584,7 +582,6 @@ record! {
     /// Receiver info response (0x0E,0x81).
     ///
     /// Answers [`ReceiverInfo`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
-    /// Probably supported by [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// The wire format also contains `num_receivers`: Number of physical receivers. The number of
     /// elements of [`receiver_info`](ReceiverInfoResponse::receiver_info).
@@ -618,8 +615,7 @@ record! {
     /// Signal configuration response (0x0E,0x82).
     ///
     /// Also called `signal_configuration_response`. Answers [`SignalConfig`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Signal Configuration (0x0E,0x02); 3dm-cv7-gnss-ins: GNSS.
     #[derive(Copy, Default, Eq, Hash)]
@@ -702,9 +698,8 @@ field! {
 record! {
     /// RTK dongle configuration response (0x0E,0x90).
     ///
-    /// Also called `rtk_dongle_configuration_response`. Answers [`RtkDongleConfig`]. Probably
-    /// supported by [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Known only from the MicroStrain MIP
-    /// SDK.
+    /// No device is certain to support it. Also called `rtk_dongle_configuration_response`. Answers
+    /// [`RtkDongleConfig`]. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: RTK dongle configuration (0x0E,0x10).
     #[derive(Copy, Default, Eq, Hash)]

@@ -922,20 +922,9 @@ record! {
     /// GNSS position as latitude, longitude and height.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
-    /// gnss_external (0x94) and gnss_external_2 (0x95). Also called `pos_llh`. Probably changed by
-    /// [`mip_3dm::GpsDynamicsMode`](crate::mip_3dm::GpsDynamicsMode) and
-    /// [`gnss::RtkConfig`](crate::gnss::RtkConfig). Supported by
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Also called `pos_llh`. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CV7-INS](crate::devices::CV7_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-35](crate::devices::CX5_35),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GV7-INS](crate::devices::GV7_INS),
-    /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-35](crate::devices::GX5_35),
-    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Refused by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-GX3-25](crate::devices::GX3_25) and
-    /// [3DM-GX5-25](crate::devices::GX5_25).
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS LLH Position (0x91,0x03); 3dm-cv7-gnss-ins: GNSS LLH Position
     /// (0x92,0x03); 3dm-cv7-gnss-ins: GNSS LLH Position (0x94,0x03).
@@ -1020,10 +1009,7 @@ record! {
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Also called `pos_ecef`. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CV7-INS](crate::devices::CV7_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-35](crate::devices::CX5_35),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GX5-35](crate::devices::GX5_35) and
-    /// [3DM-GX5-45](crate::devices::GX5_45).
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS ECEF Position (0x91,0x04); 3dm-cv7-gnss-ins: GNSS ECEF
     /// Position (0x92,0x04).
@@ -1074,17 +1060,9 @@ record! {
     /// GNSS velocity in the local level frame.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
-    /// gnss_external (0x94) and gnss_external_2 (0x95). Also called `vel_ned`. Probably changed by
-    /// [`mip_3dm::GpsDynamicsMode`](crate::mip_3dm::GpsDynamicsMode). Supported by
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Also called `vel_ned`. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CV7-INS](crate::devices::CV7_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-35](crate::devices::CX5_35),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GV7-INS](crate::devices::GV7_INS),
-    /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-35](crate::devices::GX5_35),
-    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Refused by [3DM-GX3-25](crate::devices::GX3_25).
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// Source: 3dm-cv7-gnss-ins: NED Velocity (0x91,0x05); 3dm-cv7-gnss-ins: NED Velocity
     /// (0x92,0x05); 3dm-cv7-gnss-ins: NED Velocity (0x94,0x05).
@@ -1169,9 +1147,7 @@ record! {
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Also called `vel_ecef`. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and [3DM-GX5-35](crate::devices::GX5_35). Probably
-    /// supported by [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-35](crate::devices::CX5_35),
-    /// [3DM-CX5-45](crate::devices::CX5_45) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and [3DM-GX5-35](crate::devices::GX5_35).
     ///
     /// Source: 3dm-gx5-35: 5.2.4 ECEF Velocity (0x81, 0x06); 3dm-cv7-gnss-ins: GNSS ECEF Velocity
     /// (0x91,0x06); 3dm-cv7-gnss-ins: GNSS ECEF Velocity (0x92,0x06).
@@ -1224,10 +1200,6 @@ record! {
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-CV7-INS](crate::devices::CV7_INS).
-    /// Probably supported by [3DM-CV5-45](crate::devices::CV5_45),
-    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-35](crate::devices::GX5_35) and
-    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: DOP (0x91,0x07); 3dm-cv7-gnss-ins: DOP (0x92,0x07).
     #[derive(Copy, Default)]
@@ -1313,11 +1285,6 @@ record! {
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-CV7-INS](crate::devices::CV7_INS).
-    /// Probably supported by [3DM-CV5-45](crate::devices::CV5_45),
-    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX5-35](crate::devices::GX5_35) and
-    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: UTC Time (0x91,0x08); 3dm-cv7-gnss-ins: UTC Time (0x92,0x08);
     /// 3dm-cv7-gnss-ins: UTC Time (0x94,0x08).
@@ -1401,16 +1368,8 @@ record! {
     /// GPS time as the receiver knows it.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
-    /// gnss_external (0x94) and gnss_external_2 (0x95). Flagged by
-    /// [`gps_time_fault`](types::Gq7ContinuousBuiltInTest::gps_time_fault) of
-    /// [`types::Gq7ContinuousBuiltInTest`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-35](crate::devices::CX5_35),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX3-35](crate::devices::GX3_35),
-    /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-GX5-45](crate::devices::GX5_45),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: GPS Time (0x91,0x09); 3dm-cv7-gnss-ins: GPS Time (0x92,0x09).
     #[derive(Copy, Default)]
@@ -1458,11 +1417,9 @@ record! {
     ///
     /// Bias and drift of the receiver clock.
     ///
-    /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
-    /// gnss_external (0x94) and gnss_external_2 (0x95). Probably supported by
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-35](crate::devices::CX5_35),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GX5-35](crate::devices::GX5_35) and
-    /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
+    /// No device is certain to support it. Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2
+    /// (0x92), gnss_corrections (0x93), gnss_external (0x94) and gnss_external_2 (0x95). Known only
+    /// from the MicroStrain MIP SDK.
     ///
     /// - Clock info 2 replaces it, with more detail.
     ///
@@ -1521,41 +1478,9 @@ record! {
     /// Type of the position fix and what it is based on.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
-    /// gnss_external (0x94) and gnss_external_2 (0x95). Probably changed by
-    /// [`mip_3dm::ConstellationSettings`](crate::mip_3dm::ConstellationSettings),
-    /// [`gnss::SignalConfig`](crate::gnss::SignalConfig) and
-    /// [`gnss::RtkConfig`](crate::gnss::RtkConfig). Flagged by
-    /// [`gnss_receiver_1_stall`](types::Cv7ContinuousBuiltInTest::gnss_receiver_1_stall) of
-    /// [`types::Cv7ContinuousBuiltInTest`],
-    /// [`gnss_receiver_2_stall`](types::Cv7ContinuousBuiltInTest::gnss_receiver_2_stall) of
-    /// [`types::Cv7ContinuousBuiltInTest`],
-    /// [`receiver_1_fault`](types::Cv7ContinuousBuiltInTest::receiver_1_fault) of
-    /// [`types::Cv7ContinuousBuiltInTest`],
-    /// [`receiver_1_no_solution`](types::Cv7ContinuousBuiltInTest::receiver_1_no_solution) of
-    /// [`types::Cv7ContinuousBuiltInTest`],
-    /// [`receiver_2_fault`](types::Cv7ContinuousBuiltInTest::receiver_2_fault) of
-    /// [`types::Cv7ContinuousBuiltInTest`],
-    /// [`receiver_2_no_solution`](types::Cv7ContinuousBuiltInTest::receiver_2_no_solution) of
-    /// [`types::Cv7ContinuousBuiltInTest`],
-    /// [`receiver_1_power_fault`](types::Gq7ContinuousBuiltInTest::receiver_1_power_fault) of
-    /// [`types::Gq7ContinuousBuiltInTest`],
-    /// [`receiver_1_fault`](types::Gq7ContinuousBuiltInTest::receiver_1_fault) of
-    /// [`types::Gq7ContinuousBuiltInTest`],
-    /// [`receiver_1_solution_fault`](types::Gq7ContinuousBuiltInTest::receiver_1_solution_fault) of
-    /// [`types::Gq7ContinuousBuiltInTest`],
-    /// [`receiver_2_power_fault`](types::Gq7ContinuousBuiltInTest::receiver_2_power_fault) of
-    /// [`types::Gq7ContinuousBuiltInTest`],
-    /// [`receiver_2_fault`](types::Gq7ContinuousBuiltInTest::receiver_2_fault) of
-    /// [`types::Gq7ContinuousBuiltInTest`] and
-    /// [`receiver_2_solution_fault`](types::Gq7ContinuousBuiltInTest::receiver_2_solution_fault) of
-    /// [`types::Gq7ContinuousBuiltInTest`]. Supported by
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CV7-INS](crate::devices::CV7_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-35](crate::devices::CX5_35),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX5-35](crate::devices::GX5_35) and
-    /// [3DM-GX5-45](crate::devices::GX5_45). Refused by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [3DM-GX3-25](crate::devices::GX3_25) and [3DM-GX5-25](crate::devices::GX5_25).
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// Source: 3dm-cv7-gnss-ins: Fix Info (0x91,0x0B); 3dm-cv7-gnss-ins: Fix Info (0x92,0x0B);
     /// 3dm-cv7-gnss-ins: Fix Info (0x94,0x0B).
@@ -1609,13 +1534,9 @@ record! {
     /// One satellite that is tracked.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
-    /// gnss_external (0x94) and gnss_external_2 (0x95). Probably changed by
-    /// [`mip_3dm::ConstellationSettings`](crate::mip_3dm::ConstellationSettings). Supported by
-    /// [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-35](crate::devices::CX5_35),
-    /// [3DM-CX5-45](crate::devices::CX5_45) and [3DM-GX5-35](crate::devices::GX5_35). Known only
-    /// from the MicroStrain MIP SDK. Uncertain: Whether a packet holds one of these fields or
-    /// several.
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
+    /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK. Uncertain:
+    /// Whether a packet holds one of these fields or several.
     ///
     /// - Each satellite is sent as one field, in packets separate from other GNSS data.
     ///
@@ -1690,19 +1611,9 @@ record! {
     /// State of the receiver and of its antenna.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
-    /// gnss_external (0x94) and gnss_external_2 (0x95). Also called `hw_status`. Flagged by
-    /// [`antenna_1_shorted`](types::Gq7ContinuousBuiltInTest::antenna_1_shorted) of
-    /// [`types::Gq7ContinuousBuiltInTest`],
-    /// [`antenna_1_open`](types::Gq7ContinuousBuiltInTest::antenna_1_open) of
-    /// [`types::Gq7ContinuousBuiltInTest`],
-    /// [`antenna_2_shorted`](types::Gq7ContinuousBuiltInTest::antenna_2_shorted) of
-    /// [`types::Gq7ContinuousBuiltInTest`] and
-    /// [`antenna_2_open`](types::Gq7ContinuousBuiltInTest::antenna_2_open) of
-    /// [`types::Gq7ContinuousBuiltInTest`]. Supported by
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Also called `hw_status`. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7)
-    /// and [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-35](crate::devices::CX5_35),
-    /// [3DM-CX5-45](crate::devices::CX5_45) and [3DM-GX5-35](crate::devices::GX5_35).
+    /// and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Hardware Status (0x91,0x0D); 3dm-cv7-gnss-ins: GNSS Hardware
     /// Status (0x92,0x0D).
@@ -1758,9 +1669,7 @@ record! {
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Distinguished from [`DgpsInfoSatellite`] by
     /// the size of its data. Supported by [3DM-GX5-35](crate::devices::GX5_35) and
-    /// [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-35](crate::devices::CX5_35) and
-    /// [3DM-CX5-45](crate::devices::CX5_45). Uncertain: Whether any device sends
+    /// [3DM-GX5-45](crate::devices::GX5_45). Uncertain: Whether any device sends
     /// [`DgpsInfoSatellite`], the layout of the SDK, instead. Only this one agrees with the valid
     /// flags, which are the same in all sources.
     ///
@@ -1900,10 +1809,8 @@ record! {
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
-    /// [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-35](crate::devices::CX5_35),
-    /// [3DM-CX5-45](crate::devices::CX5_45) and [3DM-GX5-35](crate::devices::GX5_35). Known only
-    /// from the MIP SDK of 2014, MicroStrain Communication Library and MicroStrain MIP SDK.
+    /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MIP SDK of 2014, MicroStrain
+    /// Communication Library and MicroStrain MIP SDK.
     ///
     /// - Each active satellite is sent as one field, all in one packet.
     ///
@@ -1972,7 +1879,6 @@ record! {
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-CV7-INS](crate::devices::CV7_INS).
-    /// Probably supported by [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// - It supersedes clock info.
     ///
@@ -2042,7 +1948,6 @@ record! {
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-CV7-INS](crate::devices::CV7_INS).
-    /// Probably supported by [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// Source: 3dm-cv7-gnss-ins: GPS Leap Seconds (0x91,0x11); 3dm-cv7-gnss-ins: GPS Leap Seconds
     /// (0x92,0x11).
@@ -2082,11 +1987,9 @@ record! {
     /// Status of the satellite based augmentation.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
-    /// gnss_external (0x94) and gnss_external_2 (0x95). Probably changed by
-    /// [`mip_3dm::GnssSbasSettings`](crate::mip_3dm::GnssSbasSettings). Supported by
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Refused by [3DM-CV7-AHRS](crate::devices::CV7_AHRS)
-    /// and [3DM-GX5-25](crate::devices::GX5_25).
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// Source: 3dm-cv7-gnss-ins: SBAS Info (0x91,0x12); 3dm-cv7-gnss-ins: SBAS Info (0x92,0x12).
     #[derive(Copy, Default)]
@@ -2159,9 +2062,8 @@ record! {
     /// SBAS correction for one satellite.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
-    /// gnss_external (0x94) and gnss_external_2 (0x95). Probably changed by
-    /// [`mip_3dm::GnssSbasSettings`](crate::mip_3dm::GnssSbasSettings). Not listed in any device
-    /// profile. Known only from the MicroStrain MIP SDK.
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Not listed in any device profile. Known
+    /// only from the MicroStrain MIP SDK.
     ///
     /// - An epoch is sent as one field for each satellite; `index` and `count` number the fields.
     /// - For `udrei` 0 to 13, the variances in m^2 are 0.0520, 0.0924, 0.1444, 0.2830, 0.4678,
@@ -2254,8 +2156,7 @@ record! {
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
-    /// [3DM-CV7-INS](crate::devices::CV7_INS) and [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Refused
-    /// by [3DM-CV7-AHRS](crate::devices::CV7_AHRS) and [3DM-GX5-25](crate::devices::GX5_25). Known
+    /// [3DM-CV7-INS](crate::devices::CV7_INS) and [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Known
     /// only from the MicroStrain MIP SDK.
     ///
     /// - Version 4.0.0 of the SDK reserves the two bytes of `frequency`. Firmware of that time
@@ -2382,12 +2283,8 @@ record! {
     /// Direction to one satellite, and its health.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
-    /// gnss_external (0x94) and gnss_external_2 (0x95). Probably changed by
-    /// [`mip_3dm::ConstellationSettings`](crate::mip_3dm::ConstellationSettings) and
-    /// [`gnss::SignalConfig`](crate::gnss::SignalConfig). Supported by
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-CV7-INS](crate::devices::CV7_INS).
-    /// Probably supported by [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// - An epoch is sent as one field for each satellite; `index` and `count` number the fields.
     ///
@@ -2481,10 +2378,8 @@ record! {
     /// Raw observation of one signal of one satellite.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
-    /// gnss_external (0x94) and gnss_external_2 (0x95). Probably changed by
-    /// [`gnss::SignalConfig`](crate::gnss::SignalConfig). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - An epoch is sent as one field for each signal; `index` and `count` number the fields.
     /// - The greatest lock time depends on the receiver.
@@ -2721,13 +2616,9 @@ record! {
     /// Received corrections and their age.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
-    /// gnss_external (0x94) and gnss_external_2 (0x95). Probably changed by
-    /// [`gnss::RtkDongleConfig`](crate::gnss::RtkDongleConfig) and
-    /// [`gnss::SpartnConfig`](crate::gnss::SpartnConfig). Flagged by
-    /// [`rtcm_comm_fault`](types::Gq7ContinuousBuiltInTest::rtcm_comm_fault) of
-    /// [`types::Gq7ContinuousBuiltInTest`]. Supported by
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Refused by [3DM-GX5-25](crate::devices::GX5_25).
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// Source: mip-sdk-4: Rtk Corrections Status (0x81,0x31); 3dm-cv7-gnss-ins: RTK Corrections
     /// Status (0x93,0x31).
@@ -2829,8 +2720,7 @@ record! {
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - `iodc` changes with the clock data; according to the manual, it rolls over at 4.
     ///
@@ -3091,8 +2981,7 @@ record! {
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Also called `glo_ephemeris`. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - The interface control document of GLONASS explains p and ft.
     /// - A period of four years has 1461 days; no source states how nt, a u8, counts them.
@@ -3279,8 +3168,7 @@ record! {
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - The layout is that of the GPS ephemeris. No source states what the two inter-signal
     ///   corrections mean here.
@@ -3543,8 +3431,7 @@ record! {
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - The layout is that of the GPS ephemeris. No source states what the two inter-signal
     ///   corrections mean here.

@@ -548,18 +548,6 @@ record! {
     /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
-    /// Probably supported by [3DM-CL5-10](crate::devices::CL5_10),
-    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
-    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-GX3-15](crate::devices::GX3_15), [3DM-GX3-25](crate::devices::GX3_25),
-    /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX4-IMU](crate::devices::GX4_IMU),
-    /// [3DM-GX5-10](crate::devices::GX5_10), [3DM-GX5-25](crate::devices::GX5_25),
-    /// [3DM-GX5-45](crate::devices::GX5_45) and [3DM-RQ1-IMU](crate::devices::RQ1_IMU).
     ///
     /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
     /// [`descriptors`](PollImuData::descriptors).
@@ -612,11 +600,7 @@ record! {
     /// [`suppress_ack`](PollGnssData::suppress_ack) is true. Supported by
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-45](crate::devices::GX5_45),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
-    /// Probably supported by [3DM-CV5-45](crate::devices::CV5_45),
-    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45),
-    /// [3DM-GX4-45](crate::devices::GX4_45) and [3DM-GX5-35](crate::devices::GX5_35). Known only
-    /// from the MicroStrain MIP SDK.
+    /// Known only from the MicroStrain MIP SDK.
     ///
     /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
     /// [`descriptors`](PollGnssData::descriptors). Range: 0 to 83.
@@ -670,13 +654,7 @@ record! {
     /// [`suppress_ack`](PollFilterData::suppress_ack) is true. Supported by
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
     /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Probably supported by
-    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-15](crate::devices::CX5_15),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45) and [3DM-GX5-25](crate::devices::GX5_25).
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
     /// [`descriptors`](PollFilterData::descriptors).
@@ -728,9 +706,7 @@ record! {
     /// Also called `nmea_poll_data`. Not acknowledged if
     /// [`suppress_ack`](PollNmeaData::suppress_ack) is true. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-INS](crate::devices::CX7_INS) and
-    /// [3DM-GV7-INS](crate::devices::GV7_INS).
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// The wire format also contains `count`: Number of sentences. The number of elements of
     /// [`format_entries`](PollNmeaData::format_entries).
@@ -782,18 +758,6 @@ record! {
     /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-45](crate::devices::GX5_45),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
-    /// Probably supported by [3DM-CL5-10](crate::devices::CL5_10),
-    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
-    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-GX3-15](crate::devices::GX3_15), [3DM-GX3-25](crate::devices::GX3_25),
-    /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX4-IMU](crate::devices::GX4_IMU),
-    /// [3DM-GX5-10](crate::devices::GX5_10), [3DM-GX5-25](crate::devices::GX5_25),
-    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-RQ1-IMU](crate::devices::RQ1_IMU).
     ///
     /// Source: 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06).
     #[derive(Copy, Default, Eq, Hash)]
@@ -825,11 +789,7 @@ record! {
     /// Also called `gnss_get_base_rate`. Answered by [`GetGnssBaseRateResponse`]. Supported by
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-35](crate::devices::GX5_35),
     /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Probably supported by
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-35](crate::devices::CX5_35),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GX3-35](crate::devices::GX3_35),
-    /// [3DM-GX3-45](crate::devices::GX3_45) and [3DM-GX4-45](crate::devices::GX4_45). Known only
-    /// from the MicroStrain MIP SDK.
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss Get Base Rate (0x0C,0x07).
     #[derive(Copy, Default, Eq, Hash)]
@@ -864,18 +824,7 @@ record! {
     /// Supported by [3DM-CX5-10](crate::devices::CX5_10), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
     /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Probably supported by
-    /// [3DM-CL5-10](crate::devices::CL5_10), [3DM-CL5-15](crate::devices::CL5_15),
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-10](crate::devices::CV5_10),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-15](crate::devices::CX5_15),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-35](crate::devices::CX5_35),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GX3-15](crate::devices::GX3_15),
-    /// [3DM-GX3-25](crate::devices::GX3_25), [3DM-GX3-35](crate::devices::GX3_35),
-    /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
-    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX4-IMU](crate::devices::GX4_IMU), [3DM-GX5-10](crate::devices::GX5_10),
-    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-RQ1-IMU](crate::devices::RQ1_IMU).
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
     /// [`descriptors`](ImuMessageFormat::descriptors). Required for
@@ -946,10 +895,7 @@ record! {
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`GnssMessageFormatResponse`].
     /// Supported by [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-35](crate::devices::GX5_35),
     /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Probably supported by
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-35](crate::devices::CX5_35),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GX3-35](crate::devices::GX3_35),
-    /// [3DM-GX3-45](crate::devices::GX3_45) and [3DM-GX4-45](crate::devices::GX4_45).
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
     /// [`descriptors`](GnssMessageFormat::descriptors). Range: 0 to 82. Required for
@@ -1019,14 +965,7 @@ record! {
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`FilterMessageFormatResponse`].
     /// Supported by [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
     /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Probably supported by
-    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-15](crate::devices::CX5_15),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
-    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45) and
-    /// [3DM-GX5-25](crate::devices::GX5_25).
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
     /// [`descriptors`](FilterMessageFormat::descriptors). Required for
@@ -1095,14 +1034,7 @@ record! {
     /// Also called `filter_get_base_rate`. Answered by [`GetFilterBaseRateResponse`]. Supported by
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
     /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Probably supported by
-    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-15](crate::devices::CX5_15),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
-    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45) and
-    /// [3DM-GX5-25](crate::devices::GX5_25).
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// Source: 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B).
     #[derive(Copy, Default, Eq, Hash)]
@@ -1134,10 +1066,7 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`NmeaMessageFormatResponse`].
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and [3DM-GV7-INS](crate::devices::GV7_INS). Refused
-    /// by [3DM-GX3-25](crate::devices::GX3_25).
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// The wire format also contains `count`: Number of sentences. The number of elements of
     /// [`format_entries`](NmeaMessageFormat::format_entries). Required for
@@ -1204,12 +1133,7 @@ record! {
     /// Requests one data packet of the descriptor set with the listed fields, in the listed order.
     ///
     /// Not acknowledged if [`suppress_ack`](PollData::suppress_ack) is true. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
     /// [`descriptors`](PollData::descriptors).
@@ -1270,11 +1194,7 @@ record! {
     ///
     /// Answered by [`GetBaseRateResponse`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
     /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR) and
-    /// [3DM-GV7-INS](crate::devices::GV7_INS).
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E).
     #[derive(Copy, Default, Eq, Hash)]
@@ -1311,12 +1231,7 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`MessageFormatResponse`].
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS).
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
     /// [`descriptors`](MessageFormat::descriptors). Required for
@@ -1386,12 +1301,7 @@ record! {
     ///
     /// Sets all message formats to those that technical support needs in a recording.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS).
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Factory Streaming (0x0C,0x10).
     #[derive(Copy, Default, Eq, Hash)]
@@ -1432,23 +1342,7 @@ record! {
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CX5-10](crate::devices::CX5_10),
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
     /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Probably supported by
-    /// [3DM-CL5-10](crate::devices::CL5_10), [3DM-CL5-15](crate::devices::CL5_15),
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-10](crate::devices::CV5_10),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
-    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-DH3](crate::devices::DH3),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS),
-    /// [3DM-GX3-15](crate::devices::GX3_15), [3DM-GX3-25](crate::devices::GX3_25),
-    /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10),
-    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-GX5-45](crate::devices::GX5_45) and
-    /// [3DM-MV5-AR](crate::devices::MV5_AR).
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// - Devices of the generations 3 to 5 identify the stream by a number ([`LegacyDataStream`]),
     ///   other devices by its descriptor set.
@@ -1601,9 +1495,7 @@ record! {
     /// Probably changes [`gnss_data::FixInfo`](crate::gnss_data::FixInfo),
     /// [`gnss_data::SvInfo`](crate::gnss_data::SvInfo) and
     /// [`gnss_data::SatelliteStatus`](crate::gnss_data::SatelliteStatus). Supported by
-    /// [3DM-GQ4-45](crate::devices::GQ4_45) and [3DM-GX5-35](crate::devices::GX5_35). Probably
-    /// supported by [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-35](crate::devices::CX5_35),
-    /// [3DM-CX5-45](crate::devices::CX5_45) and [3DM-GX5-45](crate::devices::GX5_45). Uncertain:
+    /// [3DM-GQ4-45](crate::devices::GQ4_45) and [3DM-GX5-35](crate::devices::GX5_35). Uncertain:
     /// The factory default. The SDK names only GPS and GLONASS as enabled, but gives channels for
     /// SBAS and QZSS too.
     ///
@@ -1688,10 +1580,7 @@ record! {
     /// Probably changes [`gnss_data::SbasInfo`](crate::gnss_data::SbasInfo) and
     /// [`gnss_data::SbasCorrection`](crate::gnss_data::SbasCorrection). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45) and
-    /// [3DM-GX5-35](crate::devices::GX5_35). Probably supported by
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-35](crate::devices::CX5_35),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and
-    /// [3DM-GX5-45](crate::devices::GX5_45). Refused by [3DM-GX3-25](crate::devices::GX3_25).
+    /// [3DM-GX5-35](crate::devices::GX5_35).
     ///
     /// The wire format also contains `num_included_prns`: Number of satellites listed; 0 searches
     /// for all. The number of elements of [`included_prns`](GnssSbasSettings::included_prns).
@@ -1774,10 +1663,7 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`GnssAssistedFixResponse`].
-    /// Supported by [3DM-GX5-35](crate::devices::GX5_35). Probably supported by
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-35](crate::devices::CX5_35),
-    /// [3DM-CX5-45](crate::devices::CX5_45) and [3DM-GX5-45](crate::devices::GX5_45). Known only
-    /// from the MicroStrain MIP SDK.
+    /// Supported by [3DM-GX5-35](crate::devices::GX5_35). Known only from the MicroStrain MIP SDK.
     ///
     /// - The last fix is kept in the flash memory and the FRAM of the receiver.
     /// - With the time of [`GnssTimeAssistance`] right after power-up, the first fix takes 1 s at
@@ -1846,10 +1732,7 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE) and
     /// [read](types::FunctionSelector::READ). Answered by [`GnssTimeAssistanceResponse`]. Supported
-    /// by [3DM-GX5-35](crate::devices::GX5_35). Probably supported by
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-35](crate::devices::CX5_35),
-    /// [3DM-CX5-45](crate::devices::CX5_45) and [3DM-GX5-45](crate::devices::GX5_45). Known only
-    /// from the MicroStrain MIP SDK.
+    /// by [3DM-GX5-35](crate::devices::GX5_35). Known only from the MicroStrain MIP SDK.
     ///
     /// - It is needed right after power-up if [`GnssAssistedFix`] was on at power-off.
     ///
@@ -1920,15 +1803,8 @@ record! {
     /// [`system_data::TimeSyncStatus`](crate::system_data::TimeSyncStatus). Probably changes
     /// [`shared::GpsTimestamp`](crate::shared::GpsTimestamp),
     /// [`shared::ExternalTimestamp`](crate::shared::ExternalTimestamp) and
-    /// [`sensor::GpsTimestamp`](crate::sensor::GpsTimestamp). Flagged by
-    /// [`time_sync_warning`](crate::filter_data::Cv7StatusFlags::time_sync_warning) of
-    /// [`filter_data::Cv7StatusFlags`](crate::filter_data::Cv7StatusFlags). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS).
+    /// [`sensor::GpsTimestamp`](crate::sensor::GpsTimestamp). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - The pins are configured separately, by [`GpioConfig`].
     /// - The filter needs a valid pulse; `disabled` and `generated` are rarely useful.
@@ -1996,12 +1872,7 @@ record! {
     /// Gets the types of event triggers or actions that the device has, and how many of each.
     ///
     /// Answered by [`GetEventSupportResponse`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A).
     #[derive(Copy, Default, Eq, Hash)]
@@ -2036,12 +1907,7 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`EventControlResponse`]. Supported
-    /// by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS).
+    /// by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - Triggers are disabled by default and after configuration.
     /// - A trigger of type none cannot be enabled.
@@ -2103,12 +1969,7 @@ record! {
     /// Gets the type and the state of event triggers.
     ///
     /// Answered by [`GetEventTriggerStatusResponse`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// The wire format also contains `requested_count`: Number of requested triggers; 0 requests
     /// all slots. The number of elements of
@@ -2149,12 +2010,7 @@ record! {
     /// Gets the type and the trigger of event actions.
     ///
     /// Answered by [`GetEventActionStatusResponse`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// The wire format also contains `requested_count`: Number of requested actions; 0 requests all
     /// slots. The number of elements of
@@ -2199,11 +2055,7 @@ record! {
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
     /// Answered by [`EventTriggerConfigResponse`]. Supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR) and
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - The trigger is disabled afterwards; [`EventControl`] enables it.
     /// - A GPIO trigger needs its pin configured by [`GpioConfig`].
@@ -2304,11 +2156,7 @@ record! {
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
     /// Answered by [`EventActionConfigResponse`]. Supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR) and
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - A packet holds one descriptor set; for several sets use several actions with the same
     ///   trigger.
@@ -2417,21 +2265,7 @@ record! {
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
     /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Probably supported by
-    /// [3DM-CL5-10](crate::devices::CL5_10), [3DM-CL5-15](crate::devices::CL5_15),
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-10](crate::devices::CV5_10),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-CX5-15](crate::devices::CX5_15),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-35](crate::devices::CX5_35),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10),
-    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-RTK](crate::devices::RTK).
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// - A save may disturb the data output for a short time.
     /// - A save may take up to 1 s. Use a reply time-out of at least 2 s.
@@ -2497,17 +2331,9 @@ record! {
     /// [`filter_data::CompAngularRate`](crate::filter_data::CompAngularRate) and
     /// [`filter_data::GravityVector`](crate::filter_data::GravityVector). Probably changes
     /// [`filter_data::CompAccel`](crate::filter_data::CompAccel) and
-    /// [`sensor::CompOrientationUpdateMatrix`](crate::sensor::CompOrientationUpdateMatrix). Flagged
-    /// by
-    /// [`mounting_transform_warning`](crate::filter_data::Cv7StatusFlags::mounting_transform_warning)
-    /// of [`filter_data::Cv7StatusFlags`](crate::filter_data::Cv7StatusFlags). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR) and
-    /// [3DM-GV7-INS](crate::devices::GV7_INS).
+    /// [`sensor::CompOrientationUpdateMatrix`](crate::sensor::CompOrientationUpdateMatrix).
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// - [`SensorToVehicleTransformQuaternion`] and [`SensorToVehicleTransformDcm`] set the same
     ///   transformation; the value read back may be another form of it.
@@ -2608,12 +2434,7 @@ record! {
     /// [`filter_data::GravityVector`](crate::filter_data::GravityVector). Probably changes
     /// [`filter_data::CompAccel`](crate::filter_data::CompAccel) and
     /// [`sensor::CompOrientationUpdateMatrix`](crate::sensor::CompOrientationUpdateMatrix).
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS).
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - [`SensorToVehicleTransformEuler`] and [`SensorToVehicleTransformDcm`] set the same
     ///   transformation; the value read back may be another form of it.
@@ -2696,16 +2517,8 @@ record! {
     /// [`filter_data::CompAngularRate`](crate::filter_data::CompAngularRate) and
     /// [`filter_data::GravityVector`](crate::filter_data::GravityVector). Probably changes
     /// [`filter_data::CompAccel`](crate::filter_data::CompAccel) and
-    /// [`sensor::CompOrientationUpdateMatrix`](crate::sensor::CompOrientationUpdateMatrix). Flagged
-    /// by
-    /// [`mounting_transform_warning`](crate::filter_data::Cv7StatusFlags::mounting_transform_warning)
-    /// of [`filter_data::Cv7StatusFlags`](crate::filter_data::Cv7StatusFlags). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS).
+    /// [`sensor::CompOrientationUpdateMatrix`](crate::sensor::CompOrientationUpdateMatrix).
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - [`SensorToVehicleTransformEuler`] and [`SensorToVehicleTransformQuaternion`] set the same
     ///   transformation; the value read back may be another form of it.
@@ -2768,14 +2581,14 @@ record! {
     ///
     /// Sets the dynamics that the GNSS receiver assumes of the vehicle.
     ///
-    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
-    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`GpsDynamicsModeResponse`].
-    /// Probably changes [`gnss_data::LlhPosition`](crate::gnss_data::LlhPosition) and
-    /// [`gnss_data::NedVelocity`](crate::gnss_data::NedVelocity). Probably supported by
-    /// [3DM-GX3-35](crate::devices::GX3_35). Known only from the MIP SDK of 2014 and MicroStrain
-    /// Communication Library. Uncertain: Which devices have it. The SDK of 2014 has it in its
-    /// example for the 3DM-GX3-35 only.
+    /// No device is certain to support it. Functions: [write](types::FunctionSelector::WRITE),
+    /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
+    /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
+    /// Answered by [`GpsDynamicsModeResponse`]. Probably changes
+    /// [`gnss_data::LlhPosition`](crate::gnss_data::LlhPosition) and
+    /// [`gnss_data::NedVelocity`](crate::gnss_data::NedVelocity). Known only from the MIP SDK of
+    /// 2014 and MicroStrain Communication Library. Uncertain: Which devices have it. The SDK of
+    /// 2014 has it in its example for the 3DM-GX3-35 only.
     ///
     /// Source: mip-sdk-2014: GPS dynamics mode (0x0C,0x34); mscl: GPS dynamics mode (0x0C,0x34).
     #[derive(Copy, Eq, Hash)]
@@ -2829,24 +2642,23 @@ record! {
     ///
     /// Configures the filters and the orientation algorithm of 3-series devices.
     ///
-    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
-    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`ImuSignalConditioningResponse`].
-    /// Changes [`sensor::ScaledAccel`](crate::sensor::ScaledAccel),
+    /// No device is certain to support it. Functions: [write](types::FunctionSelector::WRITE),
+    /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
+    /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
+    /// Answered by [`ImuSignalConditioningResponse`]. Changes
+    /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel),
     /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro),
     /// [`sensor::DeltaTheta`](crate::sensor::DeltaTheta),
     /// [`sensor::DeltaVelocity`](crate::sensor::DeltaVelocity),
     /// [`sensor::CompOrientationMatrix`](crate::sensor::CompOrientationMatrix),
     /// [`sensor::CompQuaternion`](crate::sensor::CompQuaternion) and
     /// [`sensor::CompEulerAngles`](crate::sensor::CompEulerAngles). Probably changes
-    /// [`sensor::ScaledMag`](crate::sensor::ScaledMag). Probably supported by
-    /// [3DM-GX3-15](crate::devices::GX3_15), [3DM-GX3-25](crate::devices::GX3_25),
-    /// [3DM-GX3-35](crate::devices::GX3_35) and [3DM-GX3-45](crate::devices::GX3_45). Known only
-    /// from the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: The ranges, the
-    /// defaults, and some of the flags. They are those of the single-byte protocol of the 3DM-GX3,
-    /// which has the same record. Uncertain: Which devices have it. The SDK of 2014 has it in its
-    /// example for the 3DM-GX3-35 only. Uncertain: Whether every device sends `reserved` in the
-    /// response. MSCL reads it without.
+    /// [`sensor::ScaledMag`](crate::sensor::ScaledMag). Known only from the MIP SDK of 2014 and
+    /// MicroStrain Communication Library. Uncertain: The ranges, the defaults, and some of the
+    /// flags. They are those of the single-byte protocol of the 3DM-GX3, which has the same record.
+    /// Uncertain: Which devices have it. The SDK of 2014 has it in its example for the 3DM-GX3-35
+    /// only. Uncertain: Whether every device sends `reserved` in the response. MSCL reads it
+    /// without.
     ///
     /// - The filters are moving averages; the first zero of their response is at 1000 Hz divided by
     ///   the width.
@@ -2949,13 +2761,11 @@ record! {
     ///
     /// Sets or reads a counter of the time of the sensor data.
     ///
-    /// Functions: [write](types::FunctionSelector::WRITE) and
-    /// [read](types::FunctionSelector::READ). Answered by [`ImuTimestampResponse`]. Probably
-    /// supported by [3DM-GX3-15](crate::devices::GX3_15), [3DM-GX3-25](crate::devices::GX3_25),
-    /// [3DM-GX3-35](crate::devices::GX3_35) and [3DM-GX3-45](crate::devices::GX3_45). Known only
-    /// from the MIP SDK of 2014. Uncertain: Which devices have it. The SDK of 2014 has it in its
-    /// example for the 3DM-GX3-35 only. Uncertain: Whether a read needs `time` and ignores it, or
-    /// leaves it out, as is assumed.
+    /// No device is certain to support it. Functions: [write](types::FunctionSelector::WRITE) and
+    /// [read](types::FunctionSelector::READ). Answered by [`ImuTimestampResponse`]. Known only from
+    /// the MIP SDK of 2014. Uncertain: Which devices have it. The SDK of 2014 has it in its example
+    /// for the 3DM-GX3-35 only. Uncertain: Whether a read needs `time` and ignores it, or leaves it
+    /// out, as is assumed.
     ///
     /// Source: mip-sdk-2014: IMU timestamp (0x0C,0x36).
     #[derive(Copy, Eq, Hash)]
@@ -3013,25 +2823,10 @@ record! {
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
-    /// Probably supported by [3DM-CL5-10](crate::devices::CL5_10),
-    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
-    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX5-10](crate::devices::CX5_10),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
-    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
-    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX4-15](crate::devices::GX4_15),
-    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX4-IMU](crate::devices::GX4_IMU), [3DM-GX5-10](crate::devices::GX5_10),
-    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-GX5-45](crate::devices::GX5_45) and
-    /// [3DM-RQ1-IMU](crate::devices::RQ1_IMU). On the
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): [write](types::FunctionSelector::WRITE),
-    /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
-    /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT) only.
+    /// On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS):
+    /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT) only.
     ///
     /// Source: 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37); 3dm-cv7-gnss-ins: Accelerometer Bias
     /// Configuration (0x0C,0x37).
@@ -3102,22 +2897,7 @@ record! {
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Probably supported by
-    /// [3DM-CL5-10](crate::devices::CL5_10), [3DM-CL5-15](crate::devices::CL5_15),
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-10](crate::devices::CV5_10),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-CX5-15](crate::devices::CX5_15),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-35](crate::devices::CX5_35),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX4-IMU](crate::devices::GX4_IMU),
-    /// [3DM-GX5-10](crate::devices::GX5_10), [3DM-GX5-25](crate::devices::GX5_25),
-    /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-GX5-45](crate::devices::GX5_45) and
-    /// [3DM-RQ1-IMU](crate::devices::RQ1_IMU). On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS):
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS):
     /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT) only. On the
@@ -3190,28 +2970,12 @@ record! {
     /// Answered by [`GyroBiasResponse`]. Changes [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
     /// Probably changes [`sensor::DeltaTheta`](crate::sensor::DeltaTheta),
     /// [`filter_data::GyroBias`](crate::filter_data::GyroBias) and
-    /// [`filter_data::Status`](crate::filter_data::Status). Flagged by
-    /// [`imu_bias_warning`](crate::filter_data::Cv7StatusFlags::imu_bias_warning) of
-    /// [`filter_data::Cv7StatusFlags`](crate::filter_data::Cv7StatusFlags). The device may take 31
-    /// s to answer. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
-    /// Probably supported by [3DM-CL5-10](crate::devices::CL5_10),
-    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
-    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX5-10](crate::devices::CX5_10),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
-    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX4-IMU](crate::devices::GX4_IMU),
-    /// [3DM-GX5-10](crate::devices::GX5_10), [3DM-GX5-25](crate::devices::GX5_25),
-    /// [3DM-GX5-45](crate::devices::GX5_45) and [3DM-RQ1-IMU](crate::devices::RQ1_IMU).
+    /// [`filter_data::Status`](crate::filter_data::Status). The device may take 31 s to answer.
+    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15),
+    /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// - The device must be at rest, with as little vibration as possible, for the whole time.
     /// - The reply arrives after the averaging time.
@@ -3260,17 +3024,7 @@ record! {
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Probably supported by
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-35](crate::devices::CX5_35),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS),
-    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX4-IMU](crate::devices::GX4_IMU), [3DM-GX5-25](crate::devices::GX5_25) and
-    /// [3DM-GX5-35](crate::devices::GX5_35). On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS):
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS):
     /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT) only. On the
@@ -3356,17 +3110,7 @@ record! {
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Probably supported by
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-35](crate::devices::CX5_35),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS),
-    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX4-IMU](crate::devices::GX4_IMU), [3DM-GX5-25](crate::devices::GX5_25) and
-    /// [3DM-GX5-45](crate::devices::GX5_45). On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS):
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS):
     /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT) only. On the
@@ -3450,17 +3194,6 @@ record! {
     /// [`sensor::DeltaVelocity`](crate::sensor::DeltaVelocity). Supported by
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
-    /// Probably supported by [3DM-CL5-10](crate::devices::CL5_10),
-    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
-    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
-    /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-CX5-15](crate::devices::CX5_15),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-35](crate::devices::CX5_35),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GX4-15](crate::devices::GX4_15),
-    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX4-IMU](crate::devices::GX4_IMU), [3DM-GX5-10](crate::devices::GX5_10),
-    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-GX5-35](crate::devices::GX5_35),
-    /// [3DM-GX5-45](crate::devices::GX5_45) and [3DM-RQ1-IMU](crate::devices::RQ1_IMU).
     ///
     /// Source: 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E).
     #[derive(Copy, Eq, Hash)]
@@ -3521,16 +3254,6 @@ record! {
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-45](crate::devices::GX5_45),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
-    /// Probably supported by [3DM-CL5-10](crate::devices::CL5_10),
-    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
-    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
-    /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-CX5-15](crate::devices::CX5_15),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-35](crate::devices::CX5_35),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GX4-15](crate::devices::GX4_15),
-    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX5-10](crate::devices::GX5_10), [3DM-GX5-25](crate::devices::GX5_25) and
-    /// [3DM-GX5-35](crate::devices::GX5_35).
     ///
     /// - The 3DM-GX5-15 replies at the old rate and accepts commands at the new rate 250 ms later.
     /// - The 3DM-CV7 applies the rate when the port is empty, after at most 250 ms; until then,
@@ -3599,12 +3322,7 @@ record! {
     /// changes [`system_data::GpioState`](crate::system_data::GpioState) and
     /// [`system_data::GpioAnalogValue`](crate::system_data::GpioAnalogValue). Supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR) and
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS). Refused by
-    /// [3DM-GX5-25](crate::devices::GX5_25).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - Not every pin has every feature.
     /// - For an output with another feature than gpio, set up what drives it first, then the pin;
@@ -3768,12 +3486,7 @@ record! {
     /// [read](types::FunctionSelector::READ). Answered by [`GpioStateResponse`]. Changes
     /// [`system_data::GpioState`](crate::system_data::GpioState). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR) and
-    /// [3DM-GV7-INS](crate::devices::GV7_INS).
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// - A read returns the level of the pin itself.
     /// - A write has an effect only on a pin that is configured as an output.
@@ -3835,8 +3548,7 @@ record! {
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
     /// Answered by [`OdometerConfigResponse`]. Changes
     /// [`sensor::Odometer`](crate::sensor::Odometer). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Refused by [3DM-GX3-25](crate::devices::GX3_25).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43).
     #[derive(Copy)]
@@ -3920,25 +3632,11 @@ record! {
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
-    /// Probably supported by [3DM-CL5-10](crate::devices::CL5_10),
-    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
-    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX5-10](crate::devices::CX5_10),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
-    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10),
-    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-GX5-35](crate::devices::GX5_35) and
-    /// [3DM-GX5-45](crate::devices::GX5_45). Deprecated on the
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS): use [`LowPassFilter`] instead. Deprecated on the
-    /// [3DM-CV7-AR](crate::devices::CV7_AR): use [`LowPassFilter`] instead. Deprecated on the
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): use [`LowPassFilter`] instead. Deprecated
-    /// on the [3DM-GQ7-GNSS/INS](crate::devices::GQ7): use [`LowPassFilter`] instead. On the
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS): firmware \<= 1.0.07. On the
+    /// Deprecated on the [3DM-CV7-AHRS](crate::devices::CV7_AHRS): use [`LowPassFilter`] instead.
+    /// Deprecated on the [3DM-CV7-AR](crate::devices::CV7_AR): use [`LowPassFilter`] instead.
+    /// Deprecated on the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): use [`LowPassFilter`]
+    /// instead. Deprecated on the [3DM-GQ7-GNSS/INS](crate::devices::GQ7): use [`LowPassFilter`]
+    /// instead. On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS): firmware \<= 1.0.07. On the
     /// [3DM-CV7-AR](crate::devices::CV7_AR): firmware \<= 1.0.07. On the
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7): firmware \<= 1.0.10.
     ///
@@ -4036,21 +3734,7 @@ record! {
     /// [`sensor::NorthVector`](crate::sensor::NorthVector) and
     /// [`sensor::UpVector`](crate::sensor::UpVector). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35). Probably
-    /// supported by [3DM-CL5-10](crate::devices::CL5_10), [3DM-CL5-15](crate::devices::CL5_15),
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-10](crate::devices::CV5_10),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-CX5-15](crate::devices::CX5_15),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-35](crate::devices::CX5_35),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10),
-    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35).
     ///
     /// - Pitch and roll follow the accelerometers, on the assumption that the mean acceleration is
     ///   zero.
@@ -4148,12 +3832,7 @@ record! {
     /// changes [`sensor::ScaledAccel`](crate::sensor::ScaledAccel),
     /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro) and
     /// [`sensor::OverrangeStatus`](crate::sensor::OverrangeStatus). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - [`GetCalibratedSensorRanges`] lists the settings. The device may reject other settings, or
     ///   measure incorrectly with them.
@@ -4214,12 +3893,7 @@ record! {
     /// Gets the ranges that a sensor supports.
     ///
     /// Also called `calibrated_sensor_ranges`. Answered by [`GetCalibratedSensorRangesResponse`].
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS).
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53).
     #[derive(Copy, Default, Eq, Hash)]
@@ -4264,11 +3938,7 @@ record! {
     /// [`filter_data::LinearAccel`](crate::filter_data::LinearAccel). Supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR) and
-    /// [3DM-GV7-INS](crate::devices::GV7_INS). On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS):
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS):
     /// firmware \> 1.0.07. On the [3DM-CV7-AR](crate::devices::CV7_AR): firmware \> 1.0.07. On the
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7): firmware \> 1.0.10.
     ///
@@ -4352,14 +4022,14 @@ record! {
     ///
     /// Selects MIP data or the raw data of a sensor for a stream.
     ///
-    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
-    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`DataStreamFormatResponse`].
-    /// Probably supported by [3DM-GX3-35](crate::devices::GX3_35). Known only from the MIP SDK of
-    /// 2014 and MicroStrain Communication Library. Uncertain: Which devices have it. A comment in
-    /// the SDK of 2014 restricts it to the 3DM-GX3-35. Uncertain: Whether functions other than
-    /// write require `format`. The SDK of 2014 sends both parameters with every function, and a 0
-    /// in place of `format`.
+    /// No device is certain to support it. Functions: [write](types::FunctionSelector::WRITE),
+    /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
+    /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
+    /// Answered by [`DataStreamFormatResponse`]. Known only from the MIP SDK of 2014 and
+    /// MicroStrain Communication Library. Uncertain: Which devices have it. A comment in the SDK of
+    /// 2014 restricts it to the 3DM-GX3-35. Uncertain: Whether functions other than write require
+    /// `format`. The SDK of 2014 sends both parameters with every function, and a 0 in place of
+    /// `format`.
     ///
     /// - In the wrapped format, packets of the sensor arrive in fields of the data sets:
     ///   `sensor.aspp` and `sensor.gxsb` for the IMU, `gnss_data.nmea` and `gnss_data.ubx` for the
@@ -4418,16 +4088,15 @@ record! {
     ///
     /// Sets the power state of an internal sensor.
     ///
-    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
-    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`DevicePowerStateResponse`]. The
-    /// device may take 5 s to answer. Probably supported by [3DM-GX3-15](crate::devices::GX3_15),
-    /// [3DM-GX3-25](crate::devices::GX3_25) and [3DM-GX3-35](crate::devices::GX3_35). Known only
-    /// from the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: Which devices
-    /// have it. A comment in the SDK of 2014 names the 3DM-GX3-25 and the 3DM-GX3-35. Uncertain:
-    /// The time-out. The SDK of 2014 uses a longer one than usual; 5 s is assumed. Uncertain:
-    /// Whether `state` may be left out with functions other than write. The SDK of 2014 sends
-    /// `device` with every function, and a 0 in place of `state`.
+    /// No device is certain to support it. Functions: [write](types::FunctionSelector::WRITE),
+    /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
+    /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
+    /// Answered by [`DevicePowerStateResponse`]. The device may take 5 s to answer. Known only from
+    /// the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: Which devices have it.
+    /// A comment in the SDK of 2014 names the 3DM-GX3-25 and the 3DM-GX3-35. Uncertain: The
+    /// time-out. The SDK of 2014 uses a longer one than usual; 5 s is assumed. Uncertain: Whether
+    /// `state` may be left out with functions other than write. The SDK of 2014 sends `device` with
+    /// every function, and a 0 in place of `state`.
     ///
     /// Source: mip-sdk-2014: Device power state (0x0C,0x61); mscl: Device power state (0x0C,0x61).
     #[derive(Copy, Eq, Hash)]
@@ -4485,11 +4154,11 @@ record! {
     ///
     /// Saves, loads or resets the settings of the GNSS receiver that were made in direct mode.
     ///
-    /// For advanced use. Functions: [save](types::FunctionSelector::SAVE),
-    /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Probably supported by [3DM-GX3-35](crate::devices::GX3_35). Known only from the MIP SDK of
-    /// 2014 and MicroStrain Communication Library. Uncertain: Which devices have it. A comment in
-    /// the SDK of 2014 names the 3DM-GX3-35.
+    /// No device is certain to support it. For advanced use. Functions:
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Known only from the MIP SDK of 2014 and
+    /// MicroStrain Communication Library. Uncertain: Which devices have it. A comment in the SDK of
+    /// 2014 names the 3DM-GX3-35.
     ///
     /// - In direct mode, your program configures the u-blox receiver with its own protocol; see
     ///   [`system::CommMode`](crate::system::CommMode).
@@ -4544,18 +4213,6 @@ record! {
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
     /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-GX5-45](crate::devices::GX5_45),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
-    /// Probably supported by [3DM-CL5-10](crate::devices::CL5_10),
-    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
-    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
-    /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-CX5-15](crate::devices::CX5_15),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-35](crate::devices::CX5_35),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GX3-15](crate::devices::GX3_15),
-    /// [3DM-GX3-25](crate::devices::GX3_25), [3DM-GX3-35](crate::devices::GX3_35),
-    /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
-    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX4-IMU](crate::devices::GX4_IMU), [3DM-GX5-10](crate::devices::GX5_10),
-    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-RQ1-IMU](crate::devices::RQ1_IMU).
     ///
     /// - The device expects its own model number, which
     ///   [`base::GetDeviceInfo`](crate::base::GetDeviceInfo) returns.
@@ -4648,18 +4305,6 @@ record! {
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
     /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-GX5-45](crate::devices::GX5_45),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
-    /// Probably supported by [3DM-CL5-10](crate::devices::CL5_10),
-    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
-    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-GX3-15](crate::devices::GX3_15), [3DM-GX3-25](crate::devices::GX3_25),
-    /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX4-IMU](crate::devices::GX4_IMU),
-    /// [3DM-GX5-10](crate::devices::GX5_10), [3DM-GX5-25](crate::devices::GX5_25) and
-    /// [3DM-RQ1-IMU](crate::devices::RQ1_IMU).
     ///
     /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
     /// [`descriptors`](ImuMessageFormatResponse::descriptors).
@@ -4697,10 +4342,6 @@ record! {
     /// Answers [`GnssMessageFormat`]. Supported by [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-GX5-45](crate::devices::GX5_45),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
-    /// Probably supported by [3DM-CV5-45](crate::devices::CV5_45),
-    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45) and
-    /// [3DM-GX4-45](crate::devices::GX4_45).
     ///
     /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
     /// [`descriptors`](GnssMessageFormatResponse::descriptors). Range: 0 to 82.
@@ -4739,13 +4380,6 @@ record! {
     /// Answers [`FilterMessageFormat`]. Supported by [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-45](crate::devices::GX5_45),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
-    /// Probably supported by [3DM-CL5-15](crate::devices::CL5_15),
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-15](crate::devices::CV5_15),
-    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GX3-45](crate::devices::GX3_45),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45) and [3DM-GX5-25](crate::devices::GX5_25).
     ///
     /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
     /// [`descriptors`](FilterMessageFormatResponse::descriptors).
@@ -4784,18 +4418,6 @@ record! {
     /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-45](crate::devices::GX5_45),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
-    /// Probably supported by [3DM-CL5-10](crate::devices::CL5_10),
-    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
-    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-GX3-15](crate::devices::GX3_15), [3DM-GX3-25](crate::devices::GX3_25),
-    /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX4-IMU](crate::devices::GX4_IMU),
-    /// [3DM-GX5-10](crate::devices::GX5_10), [3DM-GX5-25](crate::devices::GX5_25),
-    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-RQ1-IMU](crate::devices::RQ1_IMU).
     ///
     /// Source: 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06).
     #[derive(Copy, Default, Eq, Hash)]
@@ -4831,11 +4453,7 @@ record! {
     /// Also called `gnss_get_base_rate_response`. Answers [`GetGnssBaseRate`]. Supported by
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-35](crate::devices::GX5_35),
     /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Probably supported by
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-35](crate::devices::CX5_35),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GX3-35](crate::devices::GX3_35),
-    /// [3DM-GX3-45](crate::devices::GX3_45) and [3DM-GX4-45](crate::devices::GX4_45). Known only
-    /// from the MicroStrain MIP SDK.
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss Get Base Rate (0x0C,0x07).
     #[derive(Copy, Default, Eq, Hash)]
@@ -4873,23 +4491,7 @@ record! {
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CX5-10](crate::devices::CX5_10),
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
     /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Probably supported by
-    /// [3DM-CL5-10](crate::devices::CL5_10), [3DM-CL5-15](crate::devices::CL5_15),
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-10](crate::devices::CV5_10),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
-    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-DH3](crate::devices::DH3),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS),
-    /// [3DM-GX3-15](crate::devices::GX3_15), [3DM-GX3-25](crate::devices::GX3_25),
-    /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10),
-    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-GX5-45](crate::devices::GX5_45) and
-    /// [3DM-MV5-AR](crate::devices::MV5_AR).
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// Source: 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11);
     /// 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11).
@@ -4969,10 +4571,8 @@ field! {
 record! {
     /// IMU signal conditioning response (0x0C,0x86).
     ///
-    /// Answers [`ImuSignalConditioning`]. Probably supported by
-    /// [3DM-GX3-15](crate::devices::GX3_15), [3DM-GX3-25](crate::devices::GX3_25),
-    /// [3DM-GX3-35](crate::devices::GX3_35) and [3DM-GX3-45](crate::devices::GX3_45). Known only
-    /// from the MIP SDK of 2014 and MicroStrain Communication Library.
+    /// No device is certain to support it. Answers [`ImuSignalConditioning`]. Known only from the
+    /// MIP SDK of 2014 and MicroStrain Communication Library.
     ///
     /// Source: mip-sdk-2014: IMU signal conditioning (0x0C,0x35); mscl: IMU signal conditioning
     /// (0x0C,0x35).
@@ -5049,16 +4649,6 @@ record! {
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-45](crate::devices::GX5_45),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
-    /// Probably supported by [3DM-CL5-10](crate::devices::CL5_10),
-    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
-    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
-    /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-CX5-15](crate::devices::CX5_15),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-35](crate::devices::CX5_35),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GX4-15](crate::devices::GX4_15),
-    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX5-10](crate::devices::GX5_10), [3DM-GX5-25](crate::devices::GX5_25) and
-    /// [3DM-GX5-35](crate::devices::GX5_35).
     ///
     /// Source: 3dm-gx5-15: 4.2.13 UART Baud Rate (0x0C, 0x40); 3dm-cv7-gnss-ins: UART Baudrate
     /// (0x0C,0x40).
@@ -5092,8 +4682,8 @@ field! {
 record! {
     /// Data stream format response (0x0C,0x88).
     ///
-    /// Answers [`DataStreamFormat`]. Probably supported by [3DM-GX3-35](crate::devices::GX3_35).
-    /// Known only from the MIP SDK of 2014 and MicroStrain Communication Library.
+    /// No device is certain to support it. Answers [`DataStreamFormat`]. Known only from the MIP
+    /// SDK of 2014 and MicroStrain Communication Library.
     ///
     /// Source: mip-sdk-2014: Data stream format (0x0C,0x60); mscl: Data stream format (0x0C,0x60).
     #[derive(Copy, Default, Eq, Hash)]
@@ -5127,9 +4717,8 @@ field! {
 record! {
     /// Device power state response (0x0C,0x89).
     ///
-    /// Answers [`DevicePowerState`]. Probably supported by [3DM-GX3-15](crate::devices::GX3_15),
-    /// [3DM-GX3-25](crate::devices::GX3_25) and [3DM-GX3-35](crate::devices::GX3_35). Known only
-    /// from the MIP SDK of 2014 and MicroStrain Communication Library.
+    /// No device is certain to support it. Answers [`DevicePowerState`]. Known only from the MIP
+    /// SDK of 2014 and MicroStrain Communication Library.
     ///
     /// Source: mip-sdk-2014: Device power state (0x0C,0x61); mscl: Device power state (0x0C,0x61).
     #[derive(Copy, Default, Eq, Hash)]
@@ -5166,14 +4755,7 @@ record! {
     /// Also called `filter_get_base_rate_response`. Answers [`GetFilterBaseRate`]. Supported by
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
     /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Probably supported by
-    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-15](crate::devices::CX5_15),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
-    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45) and
-    /// [3DM-GX5-25](crate::devices::GX5_25).
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// Source: 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B).
     #[derive(Copy, Default, Eq, Hash)]
@@ -5211,20 +4793,6 @@ record! {
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
-    /// Probably supported by [3DM-CL5-10](crate::devices::CL5_10),
-    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
-    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX5-10](crate::devices::CX5_10),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
-    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10),
-    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-GX5-35](crate::devices::GX5_35) and
-    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-gx5-15: 4.2.14 Advanced Low-Pass Filter Settings (0x0C, 0x50); 3dm-cv7-gnss-ins:
     /// Advanced Low-Pass Filter Settings (0x0C,0x50).
@@ -5283,9 +4851,7 @@ record! {
     /// NMEA Message Format response (0x0C,0x8C).
     ///
     /// Answers [`NmeaMessageFormat`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and [3DM-GV7-INS](crate::devices::GV7_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// The wire format also contains `count`: Number of sentences. The number of elements of
     /// [`format_entries`](NmeaMessageFormatResponse::format_entries).
@@ -5320,11 +4886,7 @@ record! {
     ///
     /// Answers [`GetBaseRate`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
     /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR) and
-    /// [3DM-GV7-INS](crate::devices::GV7_INS).
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E).
     #[derive(Copy, Default, Eq, Hash)]
@@ -5361,12 +4923,6 @@ record! {
     /// Message Format response (0x0C,0x8F).
     ///
     /// Answers [`MessageFormat`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
-    /// Probably supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
-    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR) and
-    /// [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
     /// [`descriptors`](MessageFormatResponse::descriptors).
@@ -5406,10 +4962,10 @@ record! {
     ///
     /// Timer only, in microseconds.
     ///
-    /// Answers [`DeviceStatus`]. Sent if [`status_selector`](DeviceStatus::status_selector) is
-    /// [`DeviceStatusSelector::BASIC`]. Probably supported by
-    /// [3DM-RQ1-IMU](crate::devices::RQ1_IMU). Uncertain: The SDK of 2014 names the values and the
-    /// unit of the timer; the descriptions follow from the names.
+    /// No device is certain to support it. Answers [`DeviceStatus`]. Sent if
+    /// [`status_selector`](DeviceStatus::status_selector) is [`DeviceStatusSelector::BASIC`].
+    /// Uncertain: The SDK of 2014 names the values and the unit of the timer; the descriptions
+    /// follow from the names.
     ///
     /// The wire format also contains `model_number`: Model number of the inertial sensor. Always
     /// 6238.
@@ -5462,13 +5018,6 @@ record! {
     /// Supported by [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
     /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-GX5-45](crate::devices::GX5_45),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
-    /// Probably supported by [3DM-CL5-15](crate::devices::CL5_15),
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-15](crate::devices::CV5_15),
-    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-GX3-15](crate::devices::GX3_15), [3DM-GX3-25](crate::devices::GX3_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45) and [3DM-GX5-25](crate::devices::GX5_25).
     ///
     /// The wire format also contains `status_selector`: Basic status. Always 1.
     ///
@@ -5538,17 +5087,14 @@ record! {
     ///
     /// Timer only.
     ///
-    /// Answers [`DeviceStatus`]. Distinguished from [`DeviceStatusBasicResponse`] and
-    /// [`DeviceStatusBasicGx3Response`] by the size of its data. Sent if
-    /// [`status_selector`](DeviceStatus::status_selector) is [`DeviceStatusSelector::BASIC`].
-    /// Probably supported by [3DM-CL5-10](crate::devices::CL5_10),
-    /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CX5-10](crate::devices::CX5_10),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-IMU](crate::devices::GX4_IMU) and [3DM-GX5-10](crate::devices::GX5_10). Uncertain:
-    /// MSCL has it for the 3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10, the SDK
-    /// of 2014 for the 3DM-GX4-15, the 3DM-GX4-25 and the inertial sensor of the 3DM-GX4-45; that
-    /// the 3DM-CL5-10 has it is inferred. Uncertain: The manual of the 3DM-GX5-45 gives it too, but
-    /// for the model number of another device; MSCL has the layout with a state for that device.
+    /// No device is certain to support it. Answers [`DeviceStatus`]. Distinguished from
+    /// [`DeviceStatusBasicResponse`] and [`DeviceStatusBasicGx3Response`] by the size of its data.
+    /// Sent if [`status_selector`](DeviceStatus::status_selector) is
+    /// [`DeviceStatusSelector::BASIC`]. Uncertain: MSCL has it for the 3DM-GX4-15, 3DM-GX4-25,
+    /// 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10, the SDK of 2014 for the 3DM-GX4-15, the 3DM-GX4-25
+    /// and the inertial sensor of the 3DM-GX4-45; that the 3DM-CL5-10 has it is inferred.
+    /// Uncertain: The manual of the 3DM-GX5-45 gives it too, but for the model number of another
+    /// device; MSCL has the layout with a state for that device.
     ///
     /// The wire format also contains `status_selector`: Basic status. Always 1.
     ///
@@ -5604,12 +5150,7 @@ record! {
     /// [`DeviceStatusDiagnosticGx4ImuResponse`], [`DeviceStatusDiagnosticRq1ImuResponse`] and
     /// [`DeviceStatusDiagnosticGx3Response`] by the size of its data. Sent if
     /// [`status_selector`](DeviceStatus::status_selector) is [`DeviceStatusSelector::DIAGNOSTIC`].
-    /// Supported by [3DM-GX5-15](crate::devices::GX5_15). Probably supported by
-    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-GX3-15](crate::devices::GX3_15), [3DM-GX3-25](crate::devices::GX3_25) and
-    /// [3DM-GX5-25](crate::devices::GX5_25).
+    /// Supported by [3DM-GX5-15](crate::devices::GX5_15).
     ///
     /// The wire format also contains `status_selector`: Diagnostic status. Always 2.
     ///
@@ -5732,12 +5273,9 @@ record! {
     /// [`DeviceStatusDiagnosticGx3Response`] by the size of its data. Sent if
     /// [`status_selector`](DeviceStatus::status_selector) is [`DeviceStatusSelector::DIAGNOSTIC`].
     /// Supported by [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45).
-    /// Probably supported by [3DM-CV5-45](crate::devices::CV5_45),
-    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45) and
-    /// [3DM-GX4-45](crate::devices::GX4_45). Uncertain: MSCL has it for the 3DM-GX4-45 and the -35
-    /// and -45 of GX5 and CX5; its length is from a manual. Uncertain: MSCL only names the values;
-    /// the descriptions follow from the names, and the times are assumed to be in ms like the
-    /// system timer.
+    /// Uncertain: MSCL has it for the 3DM-GX4-45 and the -35 and -45 of GX5 and CX5; its length is
+    /// from a manual. Uncertain: MSCL only names the values; the descriptions follow from the
+    /// names, and the times are assumed to be in ms like the system timer.
     ///
     /// The wire format also contains `status_selector`: Diagnostic status. Always 2.
     ///
@@ -6263,14 +5801,13 @@ record! {
     ///
     /// Timer, and counters of pulses, streams, port and USB.
     ///
-    /// Answers [`DeviceStatus`]. Distinguished from [`DeviceStatusDiagnosticResponse`],
-    /// [`DeviceStatusDiagnosticGnssResponse`], [`DeviceStatusDiagnosticGq4_45Response`],
-    /// [`DeviceStatusDiagnosticRq1_45Response`], [`DeviceStatusDiagnosticImuResponse`],
-    /// [`DeviceStatusDiagnosticGx4ImuResponse`], [`DeviceStatusDiagnosticRq1ImuResponse`] and
-    /// [`DeviceStatusDiagnosticGx3Response`] by the size of its data. Sent if
-    /// [`status_selector`](DeviceStatus::status_selector) is [`DeviceStatusSelector::DIAGNOSTIC`].
-    /// Probably supported by [3DM-GX4-15](crate::devices::GX4_15) and
-    /// [3DM-GX4-25](crate::devices::GX4_25). Uncertain: No known manual documents it for these
+    /// No device is certain to support it. Answers [`DeviceStatus`]. Distinguished from
+    /// [`DeviceStatusDiagnosticResponse`], [`DeviceStatusDiagnosticGnssResponse`],
+    /// [`DeviceStatusDiagnosticGq4_45Response`], [`DeviceStatusDiagnosticRq1_45Response`],
+    /// [`DeviceStatusDiagnosticImuResponse`], [`DeviceStatusDiagnosticGx4ImuResponse`],
+    /// [`DeviceStatusDiagnosticRq1ImuResponse`] and [`DeviceStatusDiagnosticGx3Response`] by the
+    /// size of its data. Sent if [`status_selector`](DeviceStatus::status_selector) is
+    /// [`DeviceStatusSelector::DIAGNOSTIC`]. Uncertain: No known manual documents it for these
     /// devices; the offsets 49 to 69 in the manual of the 3DM-GX5-45 agree. Uncertain: MSCL only
     /// names the values; the descriptions follow from the names, and the times are assumed to be in
     /// ms like the system timer.
@@ -6421,15 +5958,13 @@ record! {
     ///
     /// Timer, available sensors, temperature, and the counters of pulses, stream and port.
     ///
-    /// Answers [`DeviceStatus`]. Distinguished from [`DeviceStatusDiagnosticResponse`],
-    /// [`DeviceStatusDiagnosticGnssResponse`], [`DeviceStatusDiagnosticGq4_45Response`],
-    /// [`DeviceStatusDiagnosticRq1_45Response`], [`DeviceStatusDiagnosticGx4Response`],
-    /// [`DeviceStatusDiagnosticGx4ImuResponse`], [`DeviceStatusDiagnosticRq1ImuResponse`] and
-    /// [`DeviceStatusDiagnosticGx3Response`] by the size of its data. Sent if
-    /// [`status_selector`](DeviceStatus::status_selector) is [`DeviceStatusSelector::DIAGNOSTIC`].
-    /// Probably supported by [3DM-CL5-10](crate::devices::CL5_10),
-    /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CX5-10](crate::devices::CX5_10) and
-    /// [3DM-GX5-10](crate::devices::GX5_10). Uncertain: MSCL has it for the 3DM-GX5-10, 3DM-CX5-10
+    /// No device is certain to support it. Answers [`DeviceStatus`]. Distinguished from
+    /// [`DeviceStatusDiagnosticResponse`], [`DeviceStatusDiagnosticGnssResponse`],
+    /// [`DeviceStatusDiagnosticGq4_45Response`], [`DeviceStatusDiagnosticRq1_45Response`],
+    /// [`DeviceStatusDiagnosticGx4Response`], [`DeviceStatusDiagnosticGx4ImuResponse`],
+    /// [`DeviceStatusDiagnosticRq1ImuResponse`] and [`DeviceStatusDiagnosticGx3Response`] by the
+    /// size of its data. Sent if [`status_selector`](DeviceStatus::status_selector) is
+    /// [`DeviceStatusSelector::DIAGNOSTIC`]. Uncertain: MSCL has it for the 3DM-GX5-10, 3DM-CX5-10
     /// and 3DM-CV5-10; no known manual documents it. Uncertain: MSCL only names the values; the
     /// descriptions follow from the names, and the times are assumed to be in ms like the system
     /// timer. Uncertain: The units of the ranges are not known.
@@ -6569,15 +6104,15 @@ record! {
     /// Timer, available sensors and their ranges, temperature, and the counters of pulses, stream
     /// and port.
     ///
-    /// Answers [`DeviceStatus`]. Distinguished from [`DeviceStatusDiagnosticResponse`],
-    /// [`DeviceStatusDiagnosticGnssResponse`], [`DeviceStatusDiagnosticGq4_45Response`],
-    /// [`DeviceStatusDiagnosticRq1_45Response`], [`DeviceStatusDiagnosticGx4Response`],
-    /// [`DeviceStatusDiagnosticImuResponse`], [`DeviceStatusDiagnosticRq1ImuResponse`] and
-    /// [`DeviceStatusDiagnosticGx3Response`] by the size of its data. Sent if
-    /// [`status_selector`](DeviceStatus::status_selector) is [`DeviceStatusSelector::DIAGNOSTIC`].
-    /// Probably supported by [3DM-GX4-IMU](crate::devices::GX4_IMU). Uncertain: The SDK of 2014
-    /// names the values and the units of temperature and times; the descriptions follow from the
-    /// names. Uncertain: The units of the ranges are not known.
+    /// No device is certain to support it. Answers [`DeviceStatus`]. Distinguished from
+    /// [`DeviceStatusDiagnosticResponse`], [`DeviceStatusDiagnosticGnssResponse`],
+    /// [`DeviceStatusDiagnosticGq4_45Response`], [`DeviceStatusDiagnosticRq1_45Response`],
+    /// [`DeviceStatusDiagnosticGx4Response`], [`DeviceStatusDiagnosticImuResponse`],
+    /// [`DeviceStatusDiagnosticRq1ImuResponse`] and [`DeviceStatusDiagnosticGx3Response`] by the
+    /// size of its data. Sent if [`status_selector`](DeviceStatus::status_selector) is
+    /// [`DeviceStatusSelector::DIAGNOSTIC`]. Uncertain: The SDK of 2014 names the values and the
+    /// units of temperature and times; the descriptions follow from the names. Uncertain: The units
+    /// of the ranges are not known.
     ///
     /// The wire format also contains `status_selector`: Diagnostic status. Always 2.
     ///
@@ -6716,15 +6251,14 @@ record! {
     ///
     /// Timer, temperature and supply, and the counters of pulses, stream and port.
     ///
-    /// Answers [`DeviceStatus`]. Distinguished from [`DeviceStatusDiagnosticResponse`],
-    /// [`DeviceStatusDiagnosticGnssResponse`], [`DeviceStatusDiagnosticGq4_45Response`],
-    /// [`DeviceStatusDiagnosticRq1_45Response`], [`DeviceStatusDiagnosticGx4Response`],
-    /// [`DeviceStatusDiagnosticImuResponse`], [`DeviceStatusDiagnosticGx4ImuResponse`] and
-    /// [`DeviceStatusDiagnosticGx3Response`] by the size of its data. Sent if
-    /// [`status_selector`](DeviceStatus::status_selector) is [`DeviceStatusSelector::DIAGNOSTIC`].
-    /// Probably supported by [3DM-RQ1-IMU](crate::devices::RQ1_IMU). Uncertain: The SDK of 2014
-    /// names the values and the units of temperature and times; the descriptions follow from the
-    /// names.
+    /// No device is certain to support it. Answers [`DeviceStatus`]. Distinguished from
+    /// [`DeviceStatusDiagnosticResponse`], [`DeviceStatusDiagnosticGnssResponse`],
+    /// [`DeviceStatusDiagnosticGq4_45Response`], [`DeviceStatusDiagnosticRq1_45Response`],
+    /// [`DeviceStatusDiagnosticGx4Response`], [`DeviceStatusDiagnosticImuResponse`],
+    /// [`DeviceStatusDiagnosticGx4ImuResponse`] and [`DeviceStatusDiagnosticGx3Response`] by the
+    /// size of its data. Sent if [`status_selector`](DeviceStatus::status_selector) is
+    /// [`DeviceStatusSelector::DIAGNOSTIC`]. Uncertain: The SDK of 2014 names the values and the
+    /// units of temperature and times; the descriptions follow from the names.
     ///
     /// The wire format also contains `status_selector`: Diagnostic status. Always 2.
     ///
@@ -6855,12 +6389,11 @@ record! {
     ///
     /// State of the port.
     ///
-    /// Answers [`DeviceStatus`]. Distinguished from [`DeviceStatusBasicResponse`] and
-    /// [`DeviceStatusBasicWithoutStateResponse`] by the size of its data. Sent if
-    /// [`status_selector`](DeviceStatus::status_selector) is [`DeviceStatusSelector::BASIC`].
-    /// Probably supported by [3DM-GX3-35](crate::devices::GX3_35) and
-    /// [3DM-GX3-45](crate::devices::GX3_45). Uncertain: Only the SDK of 2014 has it, which names
-    /// the values; the descriptions follow from the names.
+    /// No device is certain to support it. Answers [`DeviceStatus`]. Distinguished from
+    /// [`DeviceStatusBasicResponse`] and [`DeviceStatusBasicWithoutStateResponse`] by the size of
+    /// its data. Sent if [`status_selector`](DeviceStatus::status_selector) is
+    /// [`DeviceStatusSelector::BASIC`]. Uncertain: Only the SDK of 2014 has it, which names the
+    /// values; the descriptions follow from the names.
     ///
     /// The wire format also contains `status_selector`: Basic status. Always 1.
     ///
@@ -6922,14 +6455,13 @@ record! {
     ///
     /// State of the port with the counters of port, USB, receiver and IMU.
     ///
-    /// Answers [`DeviceStatus`]. Distinguished from [`DeviceStatusDiagnosticResponse`],
-    /// [`DeviceStatusDiagnosticGnssResponse`], [`DeviceStatusDiagnosticGq4_45Response`],
-    /// [`DeviceStatusDiagnosticRq1_45Response`], [`DeviceStatusDiagnosticGx4Response`],
-    /// [`DeviceStatusDiagnosticImuResponse`], [`DeviceStatusDiagnosticGx4ImuResponse`] and
-    /// [`DeviceStatusDiagnosticRq1ImuResponse`] by the size of its data. Sent if
-    /// [`status_selector`](DeviceStatus::status_selector) is [`DeviceStatusSelector::DIAGNOSTIC`].
-    /// Probably supported by [3DM-GX3-35](crate::devices::GX3_35) and
-    /// [3DM-GX3-45](crate::devices::GX3_45). Uncertain: Only the SDK of 2014 has it, which names
+    /// No device is certain to support it. Answers [`DeviceStatus`]. Distinguished from
+    /// [`DeviceStatusDiagnosticResponse`], [`DeviceStatusDiagnosticGnssResponse`],
+    /// [`DeviceStatusDiagnosticGq4_45Response`], [`DeviceStatusDiagnosticRq1_45Response`],
+    /// [`DeviceStatusDiagnosticGx4Response`], [`DeviceStatusDiagnosticImuResponse`],
+    /// [`DeviceStatusDiagnosticGx4ImuResponse`] and [`DeviceStatusDiagnosticRq1ImuResponse`] by the
+    /// size of its data. Sent if [`status_selector`](DeviceStatus::status_selector) is
+    /// [`DeviceStatusSelector::DIAGNOSTIC`]. Uncertain: Only the SDK of 2014 has it, which names
     /// the values; the descriptions follow from the names.
     ///
     /// The wire format also contains `status_selector`: Diagnostic status. Always 2.
@@ -7130,8 +6662,8 @@ field! {
 record! {
     /// GPS dynamics mode response (0x0C,0x92).
     ///
-    /// Answers [`GpsDynamicsMode`]. Probably supported by [3DM-GX3-35](crate::devices::GX3_35).
-    /// Known only from the MIP SDK of 2014 and MicroStrain Communication Library.
+    /// No device is certain to support it. Answers [`GpsDynamicsMode`]. Known only from the MIP SDK
+    /// of 2014 and MicroStrain Communication Library.
     ///
     /// Source: mip-sdk-2014: GPS dynamics mode (0x0C,0x34); mscl: GPS dynamics mode (0x0C,0x34).
     #[derive(Copy, Default, Eq, Hash)]
@@ -7162,9 +6694,8 @@ field! {
 record! {
     /// IMU timestamp response (0x0C,0x93).
     ///
-    /// Answers [`ImuTimestamp`]. Probably supported by [3DM-GX3-15](crate::devices::GX3_15),
-    /// [3DM-GX3-25](crate::devices::GX3_25), [3DM-GX3-35](crate::devices::GX3_35) and
-    /// [3DM-GX3-45](crate::devices::GX3_45). Known only from the MIP SDK of 2014.
+    /// No device is certain to support it. Answers [`ImuTimestamp`]. Known only from the MIP SDK of
+    /// 2014.
     ///
     /// Source: mip-sdk-2014: IMU timestamp (0x0C,0x36).
     #[derive(Copy, Default, Eq, Hash)]
@@ -7200,21 +6731,7 @@ record! {
     ///
     /// Answers [`ComplementaryFilter`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35). Probably
-    /// supported by [3DM-CL5-10](crate::devices::CL5_10), [3DM-CL5-15](crate::devices::CL5_15),
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-10](crate::devices::CV5_10),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-CX5-15](crate::devices::CX5_15),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-35](crate::devices::CX5_35),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10),
-    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35).
     ///
     /// Source: 3dm-gx5-15: 4.2.15 Complementary Filter Settings (0x0C, 0x51); 3dm-cv7-gnss-ins:
     /// Complementary Filter Configuration (0x0C,0x51).
@@ -7269,22 +6786,7 @@ record! {
     /// Answers [`AccelBias`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
     /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Probably supported by
-    /// [3DM-CL5-10](crate::devices::CL5_10), [3DM-CL5-15](crate::devices::CL5_15),
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-10](crate::devices::CV5_10),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-CX5-15](crate::devices::CX5_15),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-35](crate::devices::CX5_35),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX4-IMU](crate::devices::GX4_IMU),
-    /// [3DM-GX5-10](crate::devices::GX5_10), [3DM-GX5-25](crate::devices::GX5_25),
-    /// [3DM-GX5-45](crate::devices::GX5_45) and [3DM-RQ1-IMU](crate::devices::RQ1_IMU).
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// Source: 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37); 3dm-cv7-gnss-ins: Accelerometer Bias
     /// Configuration (0x0C,0x37).
@@ -7325,21 +6827,7 @@ record! {
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15),
     /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Probably supported by
-    /// [3DM-CL5-10](crate::devices::CL5_10), [3DM-CL5-15](crate::devices::CL5_15),
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-10](crate::devices::CV5_10),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-CX5-15](crate::devices::CX5_15),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-35](crate::devices::CX5_35),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
-    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX4-15](crate::devices::GX4_15),
-    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX4-IMU](crate::devices::GX4_IMU), [3DM-GX5-10](crate::devices::GX5_10),
-    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-GX5-45](crate::devices::GX5_45) and
-    /// [3DM-RQ1-IMU](crate::devices::RQ1_IMU).
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// Source: 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38); 3dm-cv7-gnss-ins: Gyroscope Bias
     /// Configuration (0x0C,0x38).
@@ -7377,16 +6865,6 @@ record! {
     /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-45](crate::devices::GX5_45),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
-    /// Probably supported by [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
-    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
-    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX4-IMU](crate::devices::GX4_IMU),
-    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-35](crate::devices::GX5_35).
     ///
     /// Source: 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A); 3dm-gx5-45: (0x0C,
     /// 0x3A).
@@ -7424,16 +6902,6 @@ record! {
     /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-35](crate::devices::GX5_35),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
-    /// Probably supported by [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
-    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
-    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX4-IMU](crate::devices::GX4_IMU),
-    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B); 3dm-gx5-35: (0x0C,
     /// 0x3B).
@@ -7469,18 +6937,7 @@ record! {
     ///
     /// Answers [`ConingScullingEnable`]. Supported by [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Probably supported by
-    /// [3DM-CL5-10](crate::devices::CL5_10), [3DM-CL5-15](crate::devices::CL5_15),
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-10](crate::devices::CV5_10),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-10](crate::devices::CX5_10),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX4-IMU](crate::devices::GX4_IMU),
-    /// [3DM-GX5-10](crate::devices::GX5_10), [3DM-GX5-25](crate::devices::GX5_25),
-    /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-GX5-45](crate::devices::GX5_45) and
-    /// [3DM-RQ1-IMU](crate::devices::RQ1_IMU).
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// Source: 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E).
     #[derive(Copy, Default, Eq, Hash)]
@@ -7516,9 +6973,7 @@ record! {
     /// Tracking channels of the receiver and the setting of each constellation.
     ///
     /// Answers [`ConstellationSettings`]. Supported by [3DM-GQ4-45](crate::devices::GQ4_45) and
-    /// [3DM-GX5-35](crate::devices::GX5_35). Probably supported by
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-35](crate::devices::CX5_35),
-    /// [3DM-CX5-45](crate::devices::CX5_45) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// [3DM-GX5-35](crate::devices::GX5_35).
     ///
     /// The wire format also contains `config_count`: Number of entries. The number of elements of
     /// [`settings`](ConstellationSettingsResponse::settings). Range: 0 to 41.
@@ -7567,10 +7022,7 @@ record! {
     /// GNSS SBAS Settings response (0x0C,0xA1).
     ///
     /// Answers [`GnssSbasSettings`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GQ4-45](crate::devices::GQ4_45) and [3DM-GX5-35](crate::devices::GX5_35). Probably
-    /// supported by [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-35](crate::devices::CX5_35),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and
-    /// [3DM-GX5-45](crate::devices::GX5_45).
+    /// [3DM-GQ4-45](crate::devices::GQ4_45) and [3DM-GX5-35](crate::devices::GX5_35).
     ///
     /// The wire format also contains `num_included_prns`: Number of satellites listed; 0 searches
     /// for all. The number of elements of
@@ -7616,9 +7068,7 @@ field! {
 record! {
     /// GNSS Assisted Fix response (0x0C,0xA2).
     ///
-    /// Answers [`GnssAssistedFix`]. Supported by [3DM-GX5-35](crate::devices::GX5_35). Probably
-    /// supported by [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-35](crate::devices::CX5_35),
-    /// [3DM-CX5-45](crate::devices::CX5_45) and [3DM-GX5-45](crate::devices::GX5_45). Known only
+    /// Answers [`GnssAssistedFix`]. Supported by [3DM-GX5-35](crate::devices::GX5_35). Known only
     /// from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: GNSS Assisted Fix (0x0C,0x23).
@@ -7665,10 +7115,8 @@ field! {
 record! {
     /// GNSS Time Assistance response (0x0C,0xA3).
     ///
-    /// Answers [`GnssTimeAssistance`]. Supported by [3DM-GX5-35](crate::devices::GX5_35). Probably
-    /// supported by [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-35](crate::devices::CX5_35),
-    /// [3DM-CX5-45](crate::devices::CX5_45) and [3DM-GX5-45](crate::devices::GX5_45). Known only
-    /// from the MicroStrain MIP SDK.
+    /// Answers [`GnssTimeAssistance`]. Supported by [3DM-GX5-35](crate::devices::GX5_35). Known
+    /// only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: GNSS Time Assistance (0x0C,0x24).
     #[derive(Copy, Default)]
@@ -7718,12 +7166,7 @@ record! {
     /// PPS Source Control response (0x0C,0xA8).
     ///
     /// Also called `pps_source_response`. Answers [`PpsSourceControl`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28).
     #[derive(Copy, Default, Eq, Hash)]
@@ -7757,12 +7200,7 @@ record! {
     /// Also called `sensor_2_vehicle_transform_euler_response`. Answers
     /// [`SensorToVehicleTransformEuler`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR) and
-    /// [3DM-GV7-INS](crate::devices::GV7_INS).
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// Source: 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31).
     #[derive(Copy, Default)]
@@ -7814,12 +7252,7 @@ record! {
     ///
     /// Also called `sensor_2_vehicle_transform_quaternion_response`. Answers
     /// [`SensorToVehicleTransformQuaternion`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32).
     #[derive(Copy, Default)]
@@ -7854,12 +7287,7 @@ record! {
     ///
     /// Also called `sensor_2_vehicle_transform_dcm_response`. Answers
     /// [`SensorToVehicleTransformDcm`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix
     /// (0x0C,0x33).
@@ -7894,12 +7322,6 @@ record! {
     /// Get Supported Events response (0x0C,0xB4).
     ///
     /// Answers [`GetEventSupport`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
-    /// Probably supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
-    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR) and
-    /// [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// The wire format also contains `num_entries`: Number of types. The number of elements of
     /// [`entries`](GetEventSupportResponse::entries).
@@ -7950,12 +7372,6 @@ record! {
     /// Event Control response (0x0C,0xB5).
     ///
     /// Answers [`EventControl`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
-    /// Probably supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
-    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR) and
-    /// [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Event Control (0x0C,0x2B).
     #[derive(Copy, Default, Eq, Hash)]
@@ -7992,12 +7408,7 @@ record! {
     /// Get Event Trigger Status response (0x0C,0xB6).
     ///
     /// Answers [`GetEventTriggerStatus`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// The wire format also contains `count`: Number of entries. The number of elements of
     /// [`triggers`](GetEventTriggerStatusResponse::triggers).
@@ -8031,12 +7442,7 @@ record! {
     /// Get Event Action Status response (0x0C,0xB7).
     ///
     /// Answers [`GetEventActionStatus`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// The wire format also contains `count`: Number of entries. The number of elements of
     /// [`actions`](GetEventActionStatusResponse::actions).
@@ -8071,11 +7477,7 @@ record! {
     ///
     /// Also called `event_trigger_response`. Answers [`EventTriggerConfig`]. Supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR) and
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E).
     #[derive(Copy, Default)]
@@ -8117,11 +7519,7 @@ record! {
     ///
     /// Also called `event_action_response`. Answers [`EventActionConfig`]. Supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR) and
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F); 3dm-cv7-gnss-ins: Event
     /// Cycle.
@@ -8171,11 +7569,6 @@ record! {
     ///
     /// Answers [`GpioConfig`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
     /// [3DM-CV7-AR](crate::devices::CV7_AR) and [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
-    /// Probably supported by [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
-    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR) and
-    /// [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41).
     #[derive(Copy, Default, Eq, Hash)]
@@ -8302,12 +7695,7 @@ record! {
     /// GPIO State response (0x0C,0xC2).
     ///
     /// Answers [`GpioState`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR) and
-    /// [3DM-GV7-INS](crate::devices::GV7_INS).
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// Source: 3dm-cv7-gnss-ins: GPIO State (0x0C,0x42).
     #[derive(Copy, Default, Eq, Hash)]
@@ -8344,8 +7732,7 @@ record! {
     /// Odometer Configuration response (0x0C,0xC3).
     ///
     /// Also called `odometer_response`. Answers [`OdometerConfig`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43).
     #[derive(Copy, Default)]
@@ -8395,12 +7782,6 @@ record! {
     /// Sensor Range response (0x0C,0xD2).
     ///
     /// Answers [`SensorRange`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
-    /// Probably supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
-    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR) and
-    /// [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52).
     #[derive(Copy, Default, Eq, Hash)]
@@ -8435,12 +7816,7 @@ record! {
     /// Get Calibrated Sensor Ranges response (0x0C,0xD3).
     ///
     /// Also called `calibrated_sensor_ranges_response`. Answers [`GetCalibratedSensorRanges`].
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS).
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// The wire format also contains `num_ranges`: Number of ranges. The number of elements of
     /// [`ranges`](GetCalibratedSensorRangesResponse::ranges).
@@ -8488,11 +7864,7 @@ record! {
     /// Also called `lowpass_filter_response`. Answers [`LowPassFilter`]. Supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR) and
-    /// [3DM-GV7-INS](crate::devices::GV7_INS).
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// Source: 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54).
     #[derive(Copy, Default)]

@@ -73,10 +73,8 @@ record! {
     ///
     /// Gets the state of the modem and of the corrections.
     ///
-    /// Answered by [`GetStatusFlagsResponse`]. Flagged by
-    /// [`rtk_dongle_fault`](types::Gq7ContinuousBuiltInTest::rtk_dongle_fault) of
-    /// [`types::Gq7ContinuousBuiltInTest`]. Probably supported by [3DM-RTK](crate::devices::RTK).
-    /// Known only from the MicroStrain MIP SDK.
+    /// No device is certain to support it. Answered by [`GetStatusFlagsResponse`]. Known only from
+    /// the MicroStrain MIP SDK.
     ///
     /// - The word of the response has two forms, [`types::RtkStatusFlags`] and
     ///   [`types::RtkStatusFlagsLegacy`].
@@ -285,8 +283,8 @@ record! {
     ///
     /// Reads the code with which the modem is activated for its service.
     ///
-    /// Also called `get_act_code`. Answered by [`GetActivationCodeResponse`]. Probably supported by
-    /// [3DM-RTK](crate::devices::RTK). Known only from the MicroStrain MIP SDK.
+    /// No device is certain to support it. Also called `get_act_code`. Answered by
+    /// [`GetActivationCodeResponse`]. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Get Act Code (0x0F,0x07).
     #[derive(Copy, Default, Eq, Hash)]
@@ -496,8 +494,8 @@ command! {
 record! {
     /// Get status flags response (0x0F,0x81).
     ///
-    /// Answers [`GetStatusFlags`]. Probably supported by [3DM-RTK](crate::devices::RTK). Known only
-    /// from the MicroStrain MIP SDK.
+    /// No device is certain to support it. Answers [`GetStatusFlags`]. Known only from the
+    /// MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Get status flags (0x0F,0x01).
     #[derive(Copy, Default, Eq, Hash)]
@@ -698,8 +696,8 @@ field! {
 record! {
     /// Get activation code response (0x0F,0x87).
     ///
-    /// Also called `get_act_code_response`. Answers [`GetActivationCode`]. Probably supported by
-    /// [3DM-RTK](crate::devices::RTK). Known only from the MicroStrain MIP SDK.
+    /// No device is certain to support it. Also called `get_act_code_response`. Answers
+    /// [`GetActivationCode`]. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Get Act Code (0x0F,0x07).
     #[derive(Copy, Default, Eq, Hash)]

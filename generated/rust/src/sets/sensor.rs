@@ -64,9 +64,8 @@ record! {
     ///
     /// Raw acceleration in counts of the sensor, temperature compensated.
     ///
-    /// Refused by [3DM-CV5-10](crate::devices::CV5_10), [3DM-GX5-15](crate::devices::GX5_15) and
-    /// [3DM-GX5-45](crate::devices::GX5_45). Not listed in any device profile. Known only from the
-    /// MIP SDK of 2014 and MicroStrain MIP SDK.
+    /// Not listed in any device profile. Known only from the MIP SDK of 2014 and MicroStrain MIP
+    /// SDK.
     ///
     /// Source: mip-sdk-4: Raw accel (0x80,0x01); mip-sdk-2014: Raw accel (0x80,0x01).
     #[derive(Copy, Default)]
@@ -100,8 +99,8 @@ record! {
     ///
     /// Raw angular rate in counts of the sensor, temperature compensated.
     ///
-    /// Refused by [3DM-GX5-15](crate::devices::GX5_15). Not listed in any device profile. Known
-    /// only from the MIP SDK of 2014 and MicroStrain MIP SDK.
+    /// Not listed in any device profile. Known only from the MIP SDK of 2014 and MicroStrain MIP
+    /// SDK.
     ///
     /// Source: mip-sdk-4: Raw gyro (0x80,0x02); mip-sdk-2014: Raw gyro (0x80,0x02).
     #[derive(Copy, Default)]
@@ -171,67 +170,10 @@ record! {
     ///
     /// Specific force, temperature compensated: about -1 g on z when level and at rest.
     ///
-    /// Changed by
-    /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
-    /// [`mip_3dm::SensorToVehicleTransformQuaternion`](crate::mip_3dm::SensorToVehicleTransformQuaternion),
-    /// [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm),
-    /// [`mip_3dm::ImuSignalConditioning`](crate::mip_3dm::ImuSignalConditioning),
-    /// [`mip_3dm::AccelBias`](crate::mip_3dm::AccelBias),
-    /// [`mip_3dm::ImuLowPassFilter`](crate::mip_3dm::ImuLowPassFilter),
-    /// [`mip_3dm::LowPassFilter`](crate::mip_3dm::LowPassFilter),
-    /// [`filter::SensorToVehicleRotationEuler`](crate::filter::SensorToVehicleRotationEuler),
-    /// [`filter::TareOrientation`](crate::filter::TareOrientation),
-    /// [`filter::SensorToVehicleRotationDcm`](crate::filter::SensorToVehicleRotationDcm) and
-    /// [`filter::SensorToVehicleRotationQuaternion`](crate::filter::SensorToVehicleRotationQuaternion).
-    /// Probably changed by [`mip_3dm::SensorRange`](crate::mip_3dm::SensorRange). Flagged by
-    /// [`accel_fault`](types::Cv7BuiltInTest::accel_fault) of [`types::Cv7BuiltInTest`],
-    /// [`imu_calibration_error_accel`](types::Cv7ContinuousBuiltInTest::imu_calibration_error_accel)
-    /// of [`types::Cv7ContinuousBuiltInTest`],
-    /// [`accel_general_fault`](types::Cv7ContinuousBuiltInTest::accel_general_fault) of
-    /// [`types::Cv7ContinuousBuiltInTest`],
-    /// [`accel_over_range`](types::Cv7ContinuousBuiltInTest::accel_over_range) of
-    /// [`types::Cv7ContinuousBuiltInTest`],
-    /// [`accel_self_test_fail`](types::Cv7ContinuousBuiltInTest::accel_self_test_fail) of
-    /// [`types::Cv7ContinuousBuiltInTest`],
-    /// [`imu_calibration_error_accel`](types::Cv7InertialContinuousBuiltInTest::imu_calibration_error_accel)
-    /// of [`types::Cv7InertialContinuousBuiltInTest`],
-    /// [`accel_general_fault`](types::Cv7InertialContinuousBuiltInTest::accel_general_fault) of
-    /// [`types::Cv7InertialContinuousBuiltInTest`],
-    /// [`accel_over_range`](types::Cv7InertialContinuousBuiltInTest::accel_over_range) of
-    /// [`types::Cv7InertialContinuousBuiltInTest`],
-    /// [`accel_self_test_fail`](types::Cv7InertialContinuousBuiltInTest::accel_self_test_fail) of
-    /// [`types::Cv7InertialContinuousBuiltInTest`],
-    /// [`imu_calibration_error_accel`](types::Gq7ContinuousBuiltInTest::imu_calibration_error_accel)
-    /// of [`types::Gq7ContinuousBuiltInTest`],
-    /// [`accel_general_fault`](types::Gq7ContinuousBuiltInTest::accel_general_fault) of
-    /// [`types::Gq7ContinuousBuiltInTest`],
-    /// [`accel_over_range`](types::Gq7ContinuousBuiltInTest::accel_over_range) of
-    /// [`types::Gq7ContinuousBuiltInTest`],
-    /// [`accel_self_test_fail`](types::Gq7ContinuousBuiltInTest::accel_self_test_fail) of
-    /// [`types::Gq7ContinuousBuiltInTest`], [`accel_x`](OverrangeFlags::accel_x) of
-    /// [`OverrangeFlags`], [`accel_y`](OverrangeFlags::accel_y) of [`OverrangeFlags`],
-    /// [`accel_z`](OverrangeFlags::accel_z) of [`OverrangeFlags`] and
-    /// [`run_imu_unavailable`](crate::filter_data::Gx5StatusFlags::run_imu_unavailable) of
-    /// [`filter_data::Gx5StatusFlags`](crate::filter_data::Gx5StatusFlags). Supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CX5-45](crate::devices::CX5_45),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15),
-    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45). Probably
-    /// supported by [3DM-CL5-10](crate::devices::CL5_10), [3DM-CL5-15](crate::devices::CL5_15),
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-10](crate::devices::CV5_10),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-CX5-15](crate::devices::CX5_15),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-35](crate::devices::CX5_35),
-    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
-    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
-    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX3-15](crate::devices::GX3_15),
-    /// [3DM-GX3-25](crate::devices::GX3_25), [3DM-GX3-35](crate::devices::GX3_35),
-    /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
-    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX5-10](crate::devices::GX5_10), [3DM-GX5-25](crate::devices::GX5_25),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - Level and at rest, z reads −1 g: the opposite of the gravity vector. In the packet that
     ///   both manuals show, z is −0.998 g (0xBF7F7FE5) once its exchanged halves are put in order.
@@ -269,68 +211,10 @@ record! {
     ///
     /// Measured angular rate, temperature compensated.
     ///
-    /// Changed by
-    /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
-    /// [`mip_3dm::SensorToVehicleTransformQuaternion`](crate::mip_3dm::SensorToVehicleTransformQuaternion),
-    /// [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm),
-    /// [`mip_3dm::ImuSignalConditioning`](crate::mip_3dm::ImuSignalConditioning),
-    /// [`mip_3dm::GyroBias`](crate::mip_3dm::GyroBias),
-    /// [`mip_3dm::CaptureGyroBias`](crate::mip_3dm::CaptureGyroBias),
-    /// [`mip_3dm::ImuLowPassFilter`](crate::mip_3dm::ImuLowPassFilter),
-    /// [`mip_3dm::LowPassFilter`](crate::mip_3dm::LowPassFilter),
-    /// [`filter::SensorToVehicleRotationEuler`](crate::filter::SensorToVehicleRotationEuler),
-    /// [`filter::TareOrientation`](crate::filter::TareOrientation),
-    /// [`filter::SensorToVehicleRotationDcm`](crate::filter::SensorToVehicleRotationDcm) and
-    /// [`filter::SensorToVehicleRotationQuaternion`](crate::filter::SensorToVehicleRotationQuaternion).
-    /// Probably changed by [`mip_3dm::SensorRange`](crate::mip_3dm::SensorRange). Flagged by
-    /// [`gyro_fault`](types::Cv7BuiltInTest::gyro_fault) of [`types::Cv7BuiltInTest`],
-    /// [`imu_calibration_error_gyro`](types::Cv7ContinuousBuiltInTest::imu_calibration_error_gyro)
-    /// of [`types::Cv7ContinuousBuiltInTest`],
-    /// [`gyro_general_fault`](types::Cv7ContinuousBuiltInTest::gyro_general_fault) of
-    /// [`types::Cv7ContinuousBuiltInTest`],
-    /// [`gyro_over_range`](types::Cv7ContinuousBuiltInTest::gyro_over_range) of
-    /// [`types::Cv7ContinuousBuiltInTest`],
-    /// [`gyro_self_test_fail`](types::Cv7ContinuousBuiltInTest::gyro_self_test_fail) of
-    /// [`types::Cv7ContinuousBuiltInTest`],
-    /// [`imu_calibration_error_gyro`](types::Cv7InertialContinuousBuiltInTest::imu_calibration_error_gyro)
-    /// of [`types::Cv7InertialContinuousBuiltInTest`],
-    /// [`gyro_general_fault`](types::Cv7InertialContinuousBuiltInTest::gyro_general_fault) of
-    /// [`types::Cv7InertialContinuousBuiltInTest`],
-    /// [`gyro_over_range`](types::Cv7InertialContinuousBuiltInTest::gyro_over_range) of
-    /// [`types::Cv7InertialContinuousBuiltInTest`],
-    /// [`gyro_self_test_fail`](types::Cv7InertialContinuousBuiltInTest::gyro_self_test_fail) of
-    /// [`types::Cv7InertialContinuousBuiltInTest`],
-    /// [`imu_calibration_error_gyro`](types::Gq7ContinuousBuiltInTest::imu_calibration_error_gyro)
-    /// of [`types::Gq7ContinuousBuiltInTest`],
-    /// [`gyro_general_fault`](types::Gq7ContinuousBuiltInTest::gyro_general_fault) of
-    /// [`types::Gq7ContinuousBuiltInTest`],
-    /// [`gyro_over_range`](types::Gq7ContinuousBuiltInTest::gyro_over_range) of
-    /// [`types::Gq7ContinuousBuiltInTest`],
-    /// [`gyro_self_test_fail`](types::Gq7ContinuousBuiltInTest::gyro_self_test_fail) of
-    /// [`types::Gq7ContinuousBuiltInTest`], [`gyro_x`](OverrangeFlags::gyro_x) of
-    /// [`OverrangeFlags`], [`gyro_y`](OverrangeFlags::gyro_y) of [`OverrangeFlags`],
-    /// [`gyro_z`](OverrangeFlags::gyro_z) of [`OverrangeFlags`] and
-    /// [`run_imu_unavailable`](crate::filter_data::Gx5StatusFlags::run_imu_unavailable) of
-    /// [`filter_data::Gx5StatusFlags`](crate::filter_data::Gx5StatusFlags). Supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CX5-45](crate::devices::CX5_45),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15),
-    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45). Probably
-    /// supported by [3DM-CL5-10](crate::devices::CL5_10), [3DM-CL5-15](crate::devices::CL5_15),
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-10](crate::devices::CV5_10),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-CX5-15](crate::devices::CX5_15),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-35](crate::devices::CX5_35),
-    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
-    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
-    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX3-15](crate::devices::GX3_15),
-    /// [3DM-GX3-25](crate::devices::GX3_25), [3DM-GX3-35](crate::devices::GX3_35),
-    /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
-    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX5-10](crate::devices::GX5_10), [3DM-GX5-25](crate::devices::GX5_25),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-gx5-15: 5.1.2 Scaled Gyro Vector (0x80, 0x05); 3dm-cv7-gnss-ins: Scaled Gyro
     /// (0x80,0x05).
@@ -366,64 +250,10 @@ record! {
     ///
     /// Measured magnetic field, temperature compensated.
     ///
-    /// Changed by
-    /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
-    /// [`mip_3dm::SensorToVehicleTransformQuaternion`](crate::mip_3dm::SensorToVehicleTransformQuaternion),
-    /// [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm),
-    /// [`mip_3dm::MagHardIronOffset`](crate::mip_3dm::MagHardIronOffset),
-    /// [`mip_3dm::MagSoftIronMatrix`](crate::mip_3dm::MagSoftIronMatrix),
-    /// [`mip_3dm::ImuLowPassFilter`](crate::mip_3dm::ImuLowPassFilter),
-    /// [`mip_3dm::LowPassFilter`](crate::mip_3dm::LowPassFilter),
-    /// [`filter::SensorToVehicleRotationEuler`](crate::filter::SensorToVehicleRotationEuler),
-    /// [`filter::TareOrientation`](crate::filter::TareOrientation),
-    /// [`filter::MagCaptureAutoCalibration`](crate::filter::MagCaptureAutoCalibration),
-    /// [`filter::SensorToVehicleRotationDcm`](crate::filter::SensorToVehicleRotationDcm) and
-    /// [`filter::SensorToVehicleRotationQuaternion`](crate::filter::SensorToVehicleRotationQuaternion).
-    /// Probably changed by
-    /// [`mip_3dm::ImuSignalConditioning`](crate::mip_3dm::ImuSignalConditioning). Flagged by
-    /// [`mag_fault`](types::Gx5BuiltInTest::mag_fault) of [`types::Gx5BuiltInTest`],
-    /// [`mag_fault`](types::Cv7BuiltInTest::mag_fault) of [`types::Cv7BuiltInTest`],
-    /// [`imu_calibration_error_mag`](types::Cv7ContinuousBuiltInTest::imu_calibration_error_mag) of
-    /// [`types::Cv7ContinuousBuiltInTest`],
-    /// [`mag_general_fault`](types::Cv7ContinuousBuiltInTest::mag_general_fault) of
-    /// [`types::Cv7ContinuousBuiltInTest`],
-    /// [`mag_over_range`](types::Cv7ContinuousBuiltInTest::mag_over_range) of
-    /// [`types::Cv7ContinuousBuiltInTest`],
-    /// [`mag_self_test_fail`](types::Cv7ContinuousBuiltInTest::mag_self_test_fail) of
-    /// [`types::Cv7ContinuousBuiltInTest`],
-    /// [`imu_calibration_error_mag`](types::Cv7InertialContinuousBuiltInTest::imu_calibration_error_mag)
-    /// of [`types::Cv7InertialContinuousBuiltInTest`],
-    /// [`mag_general_fault`](types::Cv7InertialContinuousBuiltInTest::mag_general_fault) of
-    /// [`types::Cv7InertialContinuousBuiltInTest`],
-    /// [`mag_over_range`](types::Cv7InertialContinuousBuiltInTest::mag_over_range) of
-    /// [`types::Cv7InertialContinuousBuiltInTest`],
-    /// [`mag_self_test_fail`](types::Cv7InertialContinuousBuiltInTest::mag_self_test_fail) of
-    /// [`types::Cv7InertialContinuousBuiltInTest`],
-    /// [`imu_calibration_error_mag`](types::Gq7ContinuousBuiltInTest::imu_calibration_error_mag) of
-    /// [`types::Gq7ContinuousBuiltInTest`],
-    /// [`mag_general_fault`](types::Gq7ContinuousBuiltInTest::mag_general_fault) of
-    /// [`types::Gq7ContinuousBuiltInTest`],
-    /// [`mag_over_range`](types::Gq7ContinuousBuiltInTest::mag_over_range) of
-    /// [`types::Gq7ContinuousBuiltInTest`],
-    /// [`mag_self_test_fail`](types::Gq7ContinuousBuiltInTest::mag_self_test_fail) of
-    /// [`types::Gq7ContinuousBuiltInTest`], [`mag_x`](OverrangeFlags::mag_x) of [`OverrangeFlags`],
-    /// [`mag_y`](OverrangeFlags::mag_y) of [`OverrangeFlags`] and [`mag_z`](OverrangeFlags::mag_z)
-    /// of [`OverrangeFlags`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45). Probably
-    /// supported by [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-35](crate::devices::CX5_35),
-    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
-    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
-    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX3-15](crate::devices::GX3_15),
-    /// [3DM-GX3-25](crate::devices::GX3_25), [3DM-GX3-35](crate::devices::GX3_35),
-    /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
-    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-35](crate::devices::GX5_35) and
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: Scaled Mag (0x80,0x06).
     #[derive(Copy, Default)]
@@ -457,34 +287,9 @@ record! {
     ///
     /// Time integral of the angular rate over the period that the message format sets.
     ///
-    /// Changed by
-    /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
-    /// [`mip_3dm::SensorToVehicleTransformQuaternion`](crate::mip_3dm::SensorToVehicleTransformQuaternion),
-    /// [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm),
-    /// [`mip_3dm::ImuSignalConditioning`](crate::mip_3dm::ImuSignalConditioning),
-    /// [`filter::SensorToVehicleRotationEuler`](crate::filter::SensorToVehicleRotationEuler),
-    /// [`filter::TareOrientation`](crate::filter::TareOrientation),
-    /// [`filter::SensorToVehicleRotationDcm`](crate::filter::SensorToVehicleRotationDcm) and
-    /// [`filter::SensorToVehicleRotationQuaternion`](crate::filter::SensorToVehicleRotationQuaternion).
-    /// Probably changed by [`mip_3dm::GyroBias`](crate::mip_3dm::GyroBias),
-    /// [`mip_3dm::CaptureGyroBias`](crate::mip_3dm::CaptureGyroBias) and
-    /// [`mip_3dm::ConingScullingEnable`](crate::mip_3dm::ConingScullingEnable). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35). Probably
-    /// supported by [3DM-CL5-10](crate::devices::CL5_10), [3DM-CL5-15](crate::devices::CL5_15),
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-10](crate::devices::CV5_10),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-CX5-15](crate::devices::CX5_15),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-35](crate::devices::CX5_35),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
-    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX4-15](crate::devices::GX4_15),
-    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX5-10](crate::devices::GX5_10), [3DM-GX5-25](crate::devices::GX5_25) and
-    /// [3DM-GX5-45](crate::devices::GX5_45).
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15) and
+    /// [3DM-GX5-35](crate::devices::GX5_35).
     ///
     /// Source: 3dm-gx5-15: 5.1.4 Delta Theta Vector (0x80, 0x07); 3dm-cv7-gnss-ins: Delta Theta
     /// (0x80,0x07).
@@ -520,33 +325,8 @@ record! {
     ///
     /// Time integral of the acceleration over the period that the message format sets.
     ///
-    /// Changed by
-    /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
-    /// [`mip_3dm::SensorToVehicleTransformQuaternion`](crate::mip_3dm::SensorToVehicleTransformQuaternion),
-    /// [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm),
-    /// [`mip_3dm::ImuSignalConditioning`](crate::mip_3dm::ImuSignalConditioning),
-    /// [`filter::SensorToVehicleRotationEuler`](crate::filter::SensorToVehicleRotationEuler),
-    /// [`filter::TareOrientation`](crate::filter::TareOrientation),
-    /// [`filter::SensorToVehicleRotationDcm`](crate::filter::SensorToVehicleRotationDcm) and
-    /// [`filter::SensorToVehicleRotationQuaternion`](crate::filter::SensorToVehicleRotationQuaternion).
-    /// Probably changed by [`mip_3dm::AccelBias`](crate::mip_3dm::AccelBias) and
-    /// [`mip_3dm::ConingScullingEnable`](crate::mip_3dm::ConingScullingEnable). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7)
-    /// and [3DM-GX5-15](crate::devices::GX5_15). Probably supported by
-    /// [3DM-CL5-10](crate::devices::CL5_10), [3DM-CL5-15](crate::devices::CL5_15),
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-10](crate::devices::CV5_10),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-CX5-15](crate::devices::CX5_15),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-35](crate::devices::CX5_35),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
-    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX4-15](crate::devices::GX4_15),
-    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX5-10](crate::devices::GX5_10), [3DM-GX5-25](crate::devices::GX5_25),
-    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and [3DM-GX5-15](crate::devices::GX5_15).
     ///
     /// - Multiply by 9.80665 m/s^2 for a change of velocity in metres per second.
     /// - It includes gravity. Divided by the period, z is -1 g on a device that is level and at
@@ -586,26 +366,8 @@ record! {
     /// Attitude from the complementary filter as a direction cosine matrix, relative to the NED
     /// frame.
     ///
-    /// Changed by
-    /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
-    /// [`mip_3dm::SensorToVehicleTransformQuaternion`](crate::mip_3dm::SensorToVehicleTransformQuaternion),
-    /// [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm),
-    /// [`mip_3dm::ImuSignalConditioning`](crate::mip_3dm::ImuSignalConditioning) and
-    /// [`mip_3dm::ComplementaryFilter`](crate::mip_3dm::ComplementaryFilter). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-GX5-15](crate::devices::GX5_15).
-    /// Probably supported by [3DM-CL5-15](crate::devices::CL5_15),
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-15](crate::devices::CV5_15),
-    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX5-15](crate::devices::CX5_15),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-35](crate::devices::CX5_35),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25),
-    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GX5-15](crate::devices::GX5_15).
     ///
     /// - `v_vehicle = m * v_ned`; the 3DM-GX5-15 uses the sensor frame in place of the vehicle
     ///   frame.
@@ -645,26 +407,9 @@ record! {
     ///
     /// Attitude from the complementary filter as a quaternion, relative to the NED frame.
     ///
-    /// Changed by
-    /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
-    /// [`mip_3dm::SensorToVehicleTransformQuaternion`](crate::mip_3dm::SensorToVehicleTransformQuaternion),
-    /// [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm),
-    /// [`mip_3dm::ImuSignalConditioning`](crate::mip_3dm::ImuSignalConditioning) and
-    /// [`mip_3dm::ComplementaryFilter`](crate::mip_3dm::ComplementaryFilter). Supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7)
-    /// and [3DM-GX5-15](crate::devices::GX5_15). Probably supported by
-    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
-    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25),
-    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// and [3DM-GX5-15](crate::devices::GX5_15).
     ///
     /// - `v_vehicle = q^-1 * v_ned * q`; the 3DM-GX5-15 uses the sensor frame in place of the
     ///   vehicle frame.
@@ -703,13 +448,10 @@ record! {
     ///
     /// Change of the attitude from the complementary filter as a matrix.
     ///
-    /// Deprecated: the SDK marks it as deprecated and names no replacement. Probably changed by
-    /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
-    /// [`mip_3dm::SensorToVehicleTransformQuaternion`](crate::mip_3dm::SensorToVehicleTransformQuaternion)
-    /// and [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm).
-    /// Not listed in any device profile. Known only from the MIP SDK of 2014 and MicroStrain MIP
-    /// SDK. Uncertain: The interval of the change and the frames. The SDK and the SDK of 2014 state
-    /// the name and the layout only.
+    /// Deprecated: the SDK marks it as deprecated and names no replacement. Not listed in any
+    /// device profile. Known only from the MIP SDK of 2014 and MicroStrain MIP SDK. Uncertain: The
+    /// interval of the change and the frames. The SDK and the SDK of 2014 state the name and the
+    /// layout only.
     ///
     /// Source: mip-sdk-4: Comp Orientation Update Matrix (0x80,0x0B); mip-sdk-2014: Orientation
     /// Update Matrix (0x80,0x0B).
@@ -745,27 +487,9 @@ record! {
     ///
     /// Attitude from the complementary filter as Euler angles, relative to the NED frame.
     ///
-    /// Changed by
-    /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
-    /// [`mip_3dm::SensorToVehicleTransformQuaternion`](crate::mip_3dm::SensorToVehicleTransformQuaternion),
-    /// [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm),
-    /// [`mip_3dm::ImuSignalConditioning`](crate::mip_3dm::ImuSignalConditioning) and
-    /// [`mip_3dm::ComplementaryFilter`](crate::mip_3dm::ComplementaryFilter). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-GX5-15](crate::devices::GX5_15).
-    /// Probably supported by [3DM-CL5-15](crate::devices::CL5_15),
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-15](crate::devices::CV5_15),
-    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX5-15](crate::devices::CX5_15),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-35](crate::devices::CX5_35),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25),
-    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45). Uncertain:
-    /// The ranges of the angles. Uncertain: which no source states.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GX5-15](crate::devices::GX5_15). Uncertain: The ranges of the angles. Uncertain: which
+    /// no source states.
     ///
     /// - The rotations are in the order yaw, pitch, roll (3-2-1).
     ///
@@ -1004,16 +728,7 @@ record! {
     ///
     /// Estimate of the geomagnetic field by the complementary filter, free of short disturbances.
     ///
-    /// Probably changed by [`mip_3dm::ComplementaryFilter`](crate::mip_3dm::ComplementaryFilter).
-    /// Supported by [3DM-GX5-15](crate::devices::GX5_15). Probably supported by
-    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-15](crate::devices::CX5_15),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-35](crate::devices::CX5_35),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GX4-15](crate::devices::GX4_15),
-    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-GX5-35](crate::devices::GX5_35) and
-    /// [3DM-GX5-45](crate::devices::GX5_45).
+    /// Supported by [3DM-GX5-15](crate::devices::GX5_15).
     ///
     /// - Without magnetic disturbance it equals the measured magnetic field, as long as that is in
     ///   the sensor frame, too, which a sensor-to-vehicle transformation changes.
@@ -1053,16 +768,7 @@ record! {
     ///
     /// Estimate of the vertical (up) by the complementary filter, free of linear acceleration.
     ///
-    /// Probably changed by [`mip_3dm::ComplementaryFilter`](crate::mip_3dm::ComplementaryFilter).
     /// Supported by [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35).
-    /// Probably supported by [3DM-CL5-15](crate::devices::CL5_15),
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-15](crate::devices::CV5_15),
-    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25) and
-    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - At rest it equals the measured acceleration, as long as that is in the sensor frame, too,
     ///   which a sensor-to-vehicle transformation changes.
@@ -1102,19 +808,9 @@ record! {
     ///
     /// GPS time of the sensor data.
     ///
-    /// Changed by [`base::GpsTimeUpdate`](crate::base::GpsTimeUpdate). Probably changed by
-    /// [`mip_3dm::PpsSourceControl`](crate::mip_3dm::PpsSourceControl). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35). Probably
-    /// supported by [3DM-CL5-10](crate::devices::CL5_10), [3DM-CL5-15](crate::devices::CL5_15),
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-10](crate::devices::CV5_10),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-10](crate::devices::CX5_10),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10),
-    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15) and
+    /// [3DM-GX5-35](crate::devices::GX5_35).
     ///
     /// - Without a PPS the time runs on the internal clock and jumps when the PPS returns.
     /// - The fraction of the time of week is the time since the last pulse.
@@ -1194,12 +890,7 @@ record! {
     /// Temperatures since the last power-on or reset.
     ///
     /// Also called `temperature_abs`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS)
-    /// and [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR) and
-    /// [3DM-GV7-INS](crate::devices::GV7_INS).
+    /// and [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// - The values come from the inertial sensors, alone or together with sensors on the board.
     ///
@@ -1287,45 +978,9 @@ record! {
     ///
     /// Measured ambient pressure, temperature compensated.
     ///
-    /// Changed by [`mip_3dm::ImuLowPassFilter`](crate::mip_3dm::ImuLowPassFilter) and
-    /// [`mip_3dm::LowPassFilter`](crate::mip_3dm::LowPassFilter). Flagged by
-    /// [`pressure_sensor_fault`](types::Gx5BuiltInTest::pressure_sensor_fault) of
-    /// [`types::Gx5BuiltInTest`],
-    /// [`pressure_sensor_fault`](types::Cv7BuiltInTest::pressure_sensor_fault) of
-    /// [`types::Cv7BuiltInTest`],
-    /// [`pressure_sensor_general_fault`](types::Cv7ContinuousBuiltInTest::pressure_sensor_general_fault)
-    /// of [`types::Cv7ContinuousBuiltInTest`],
-    /// [`pressure_sensor_over_range`](types::Cv7ContinuousBuiltInTest::pressure_sensor_over_range)
-    /// of [`types::Cv7ContinuousBuiltInTest`],
-    /// [`pressure_sensor_self_test_fail`](types::Cv7ContinuousBuiltInTest::pressure_sensor_self_test_fail)
-    /// of [`types::Cv7ContinuousBuiltInTest`],
-    /// [`pressure_sensor_general_fault`](types::Cv7InertialContinuousBuiltInTest::pressure_sensor_general_fault)
-    /// of [`types::Cv7InertialContinuousBuiltInTest`],
-    /// [`pressure_sensor_over_range`](types::Cv7InertialContinuousBuiltInTest::pressure_sensor_over_range)
-    /// of [`types::Cv7InertialContinuousBuiltInTest`],
-    /// [`pressure_sensor_self_test_fail`](types::Cv7InertialContinuousBuiltInTest::pressure_sensor_self_test_fail)
-    /// of [`types::Cv7InertialContinuousBuiltInTest`],
-    /// [`pressure_sensor_general_fault`](types::Gq7ContinuousBuiltInTest::pressure_sensor_general_fault)
-    /// of [`types::Gq7ContinuousBuiltInTest`],
-    /// [`pressure_sensor_over_range`](types::Gq7ContinuousBuiltInTest::pressure_sensor_over_range)
-    /// of [`types::Gq7ContinuousBuiltInTest`],
-    /// [`pressure_sensor_self_test_fail`](types::Gq7ContinuousBuiltInTest::pressure_sensor_self_test_fail)
-    /// of [`types::Gq7ContinuousBuiltInTest`] and [`pressure`](OverrangeFlags::pressure) of
-    /// [`OverrangeFlags`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15) and
-    /// [3DM-GX5-35](crate::devices::GX5_35). Probably supported by
-    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
-    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25) and
-    /// [3DM-GX5-45](crate::devices::GX5_45).
+    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35).
     ///
     /// Source: 3dm-gx5-15: 5.1.3 Scaled Ambient Pressure (0x80, 0x17); 3dm-cv7-gnss-ins: Scaled
     /// Pressure (0x80,0x17).
@@ -1361,14 +1016,9 @@ record! {
     ///
     /// Sensor axes that are near or outside their range.
     ///
-    /// Probably changed by [`mip_3dm::SensorRange`](crate::mip_3dm::SensorRange). Supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR) and
-    /// [3DM-GV7-INS](crate::devices::GV7_INS). Refused by [3DM-GX5-25](crate::devices::GX5_25).
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// Source: 3dm-cv7-gnss-ins: Overrange Status (0x80,0x18).
     #[derive(Copy, Default, Eq, Hash)]
@@ -1400,10 +1050,8 @@ record! {
     ///
     /// Speed measured by the wheel encoder.
     ///
-    /// Also called `odometer_data`. Changed by
-    /// [`mip_3dm::OdometerConfig`](crate::mip_3dm::OdometerConfig). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
+    /// Also called `odometer_data`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS)
+    /// and [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// Source: 3dm-cv7-gnss-ins: Odometer Data (0x80,0x40).
     #[derive(Copy, Default)]

@@ -50,11 +50,7 @@ record! {
     /// The event trigger that caused the packet.
     ///
     /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR)
-    /// and [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS).
+    /// and [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - Put it first in the format of event messages, to distinguish their packets from scheduled
     ///   ones.
@@ -165,15 +161,9 @@ record! {
     ///
     /// External time of the data as GPS time of week and week number.
     ///
-    /// Changed by [`base::GpsTimeUpdate`](crate::base::GpsTimeUpdate). Probably changed by
-    /// [`mip_3dm::PpsSourceControl`](crate::mip_3dm::PpsSourceControl). Supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR) and
-    /// [3DM-GV7-INS](crate::devices::GV7_INS).
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// - In event messages it is the time of the trigger.
     /// - It becomes valid after the PPS is locked and
@@ -232,12 +222,7 @@ record! {
     /// External time since this field was last sent in the same set and event instance.
     ///
     /// Supported by [3DM-CV7-AR](crate::devices::CV7_AR) and
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
-    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR) and
-    /// [3DM-GV7-INS](crate::devices::GV7_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - It is the same as [`ExternalTimeDelta`], in other units.
     /// - Sending either restarts the counter that both share, so use only one of them.
@@ -276,12 +261,7 @@ record! {
     /// Time of the data by the internal reference clock.
     ///
     /// Supported by [3DM-CV7-AR](crate::devices::CV7_AR) and
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
-    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR) and
-    /// [3DM-GV7-INS](crate::devices::GV7_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - The clock starts at power-on, only moves forward and never jumps; the value is always
     ///   valid.
@@ -320,12 +300,7 @@ record! {
     /// Reference time since this field was last sent in the same set and event instance.
     ///
     /// Supported by [3DM-CV7-AR](crate::devices::CV7_AR) and
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
-    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR) and
-    /// [3DM-GV7-INS](crate::devices::GV7_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - The value is always valid.
     ///
@@ -361,14 +336,8 @@ record! {
     ///
     /// Time of the data in the external clock domain.
     ///
-    /// Changed by [`base::GpsTimeUpdate`](crate::base::GpsTimeUpdate). Probably changed by
-    /// [`mip_3dm::PpsSourceControl`](crate::mip_3dm::PpsSourceControl). Supported by
-    /// [3DM-CV7-AR](crate::devices::CV7_AR) and [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
-    /// Probably supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS).
+    /// Supported by [3DM-CV7-AR](crate::devices::CV7_AR) and
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - It is [`GpsTimestamp`] in nanoseconds.
     /// - In event messages it is the time of the trigger.
@@ -418,12 +387,7 @@ record! {
     /// External time since this field was last sent in the same set and event instance.
     ///
     /// Supported by [3DM-CV7-AR](crate::devices::CV7_AR) and
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
-    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR) and
-    /// [3DM-GV7-INS](crate::devices::GV7_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - It is the same as [`DeltaTime`], in other units.
     /// - Sending either restarts the counter that both share, so use only one of them.

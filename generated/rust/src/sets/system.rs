@@ -137,18 +137,7 @@ record! {
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
     /// Answered by [`CommModeResponse`]. Supported by [3DM-GX5-15](crate::devices::GX5_15),
-    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45). Probably
-    /// supported by [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-15](crate::devices::CX5_15),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-35](crate::devices::CX5_35),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX4-IMU](crate::devices::GX4_IMU),
-    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT),
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST), [3DM-RQ1-IMU](crate::devices::RQ1_IMU) and
-    /// [3DM-RTK](crate::devices::RTK).
+    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - The acknowledge is sent in the old mode, just before the switch.
     /// - In a direct mode only this command and
@@ -250,18 +239,7 @@ record! {
     /// Communication mode response (0x7F,0x90).
     ///
     /// Answers [`CommMode`]. Supported by [3DM-GX5-15](crate::devices::GX5_15),
-    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45). Probably
-    /// supported by [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-15](crate::devices::CX5_15),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-35](crate::devices::CX5_35),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX4-IMU](crate::devices::GX4_IMU),
-    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT),
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST), [3DM-RQ1-IMU](crate::devices::RQ1_IMU) and
-    /// [3DM-RTK](crate::devices::RTK).
+    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10).
     #[derive(Copy, Default, Eq, Hash)]

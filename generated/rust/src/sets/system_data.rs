@@ -38,12 +38,8 @@ record! {
     ///
     /// Supported by [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
-    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS). On the
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7): firmware \> 1.0.10.
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). On the [3DM-GQ7-GNSS/INS](crate::devices::GQ7):
+    /// firmware \> 1.0.10.
     ///
     /// - The field is long; stream it at a low rate or poll it.
     /// - A fault is reported even if it has passed by the time of the next message, because its
@@ -119,13 +115,8 @@ record! {
     ///
     /// Synchronization of the device time with the pulse per second.
     ///
-    /// Changed by [`mip_3dm::PpsSourceControl`](crate::mip_3dm::PpsSourceControl). Supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR) and
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS). On the
+    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR)
+    /// and [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). On the
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7): firmware \> 1.0.10.
     ///
     /// Source: 3dm-cv7-gnss-ins: Time Sync Status (0xA0,0x02).
@@ -163,14 +154,8 @@ record! {
     ///
     /// Levels of all user GPIO pins.
     ///
-    /// Changed by [`mip_3dm::GpioState`](crate::mip_3dm::GpioState). Probably changed by
-    /// [`mip_3dm::GpioConfig`](crate::mip_3dm::GpioConfig). Supported by
-    /// [3DM-CV7-AR](crate::devices::CV7_AR) and [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
-    /// Probably supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS). On the
+    /// Supported by [3DM-CV7-AR](crate::devices::CV7_AR) and
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). On the
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7): firmware \> 1.0.10.
     ///
     /// - A pulse that is shorter than the period at which the field is sent is missed.
@@ -209,8 +194,7 @@ record! {
     ///
     /// Voltage at one GPIO pin.
     ///
-    /// Probably changed by [`mip_3dm::GpioConfig`](crate::mip_3dm::GpioConfig). Not listed in any
-    /// device profile. Known only from the MicroStrain MIP SDK.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// - Only for pins that are configured as analog inputs.
     ///

@@ -7,20 +7,27 @@ from collections.abc import Iterator
 from typing import Any
 
 from mipgen import model as m
-from mipgen.emit.symbols import Symbols, others, parameters, things
+from mipgen.emit.symbols import Symbols, constants, others, parameters, things
 
-from . import calls, names
+from . import calls, cpp, names
 from .cpp_snippets import Programs as CppPrograms
 from .identifiers import of_field, of_type
 from .members import constructors
 from .snippets import Programs
 
-__all__ = ["CppPrograms", "Programs", "symbol", "symbols", "writing"]
+__all__ = ["CppPrograms", "Programs", "cpp_symbol", "cpp_writing", "symbol", "symbols", "writing"]
 
 
 def symbol(thing: m.Type | m.Field) -> str:
     """The type of a field, or a type."""
     return names.field_name(thing) if isinstance(thing, m.Field) else names.type_name(thing)
+
+
+def cpp_symbol(thing: m.Type | m.Field) -> str:
+    """The type of a field, or a type, in C++; nothing for what has none there: arrays, and commands."""
+    if isinstance(thing, m.Vector) or (isinstance(thing, m.Field) and thing.role == m.COMMAND):
+        return ""
+    return cpp.qualified(thing)
 
 
 def symbols(model: m.Model) -> Iterator[Symbols]:
@@ -49,14 +56,25 @@ def writing(model: m.Model) -> dict[str, Any]:
     }
 
 
+def cpp_writing(model: m.Model) -> dict[str, Any]:
+    """The same for C++, besides what it shares with C."""
+    return {
+        "members": others(parameters(model), cpp.word),
+        "constants": others(constants(model), cpp.word),
+    }
+
+
 def _calls(f: m.Field, model: m.Model) -> Iterator[dict[str, Any]]:
-    """The functions that call a command: the function selector, what they take, and the response that they decode.
+    """The functions that call a command, with the structures of C++: the function selector, what they take, and the
+    response that they decode.
     One that takes nothing of a command with reserved values alone takes the whole structure."""
     made = constructors(f)
     for call in calls.calls(f, model):
         if call.whole and made:
             continue  # with optional parameters
         row: dict[str, Any] = {"name": call.name}
+        if not call.whole:
+            row["cpp"] = f"mip::{cpp.namespace(f.family)}::{cpp.command_name(f, call)}"
         if call.way is not None and call.way.function is not None:
             row["function"] = call.way.function.name
         if call.way is not None:

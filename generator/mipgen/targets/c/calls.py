@@ -134,35 +134,35 @@ class Session:
 
 def session(model: m.Model) -> Session | None:
     """None if the specification, or the part of it, does not have all of these commands."""
-    found = lower.session(model)
-    if found is None:
+    start = lower.session(model)
+    if start is None:
         return None
 
     def call(f: m.Field) -> str:
         return next(iter(calls(f, model))).name
 
-    (identity,) = model.responses(found.identify)
-    item = found.entries.item.struct
+    (identity,) = model.responses(start.identify)
+    item = start.entries.item.struct
     assert item
     descriptor, decimation = item.parameters
     return Session(
-        headers=tuple(sorted({f"{module(f.family)}_commands" for f in found.commands})),
-        bauds=found.bauds,
-        ping=call(found.ping),
-        idle=call(found.idle),
-        resume=call(found.resume),
-        identify=call(found.identify),
+        headers=tuple(sorted({f"{module(f.family)}_commands" for f in start.commands})),
+        bauds=start.bauds,
+        ping=call(start.ping),
+        idle=call(start.idle),
+        resume=call(start.resume),
+        identify=call(start.identify),
         identity=field_name(identity),
-        model_numbers=tuple(".".join(map(member, path.split("."))) for path in found.model_numbers),
-        base_rate=call(found.base_rate.command),
-        base_rates=field_name(found.base_rate.response),
-        rate=member(found.base_rate.parameter.name),
-        format=call(found.format),
+        model_numbers=tuple(".".join(map(member, path.split("."))) for path in start.model_numbers),
+        base_rate=call(start.base_rate.command),
+        base_rates=field_name(start.base_rate.response),
+        rate=member(start.base_rate.parameter.name),
+        format=call(start.format),
         item=type_name(item),
         descriptor=member(descriptor.name),
         decimation=member(decimation.name),
-        capacity=found.entries.capacity,
-        stream=call(found.stream),
+        capacity=start.entries.capacity,
+        stream=call(start.stream),
         older=tuple(
             Older(
                 set=x.set,
@@ -172,7 +172,7 @@ def session(model: m.Model) -> Session | None:
                 format=call(x.format),
                 stream=x.stream,
             )
-            for x in found.older
+            for x in start.older
         ),
     )
 

@@ -20,8 +20,6 @@ WIDTH = 100
 
 #: There are many devices that may support a field. Headers leave them to the profiles.
 ELSEWHERE = "Devices that may support a field, but are not certain to, are listed only in mip/profiles.h."
-#: Of a field that no device is certain to support, though some may.
-UNSURE = "No device is certain to support it."
 
 
 def comment(paragraphs: Sequence[str], indent: int = 0) -> str:
@@ -100,13 +98,11 @@ class Comments:
     def field(self, f: m.Field) -> list[str]:
         one = f.set and len(f.occurrences) == 1
         place = f"({hexadecimal(f.set)},{hexadecimal(f.descriptor)})" if one else hexadecimal(f.descriptor)
-        facts = [x for x in describe.field(f, self.model) if x.topic not in ("perhaps", "refused", "affected", "flags")]
-        unsure = [UNSURE] if self.model.devices_of(f, certain=False) and not self.model.devices_of(f) else []
         return [
             f"{f.title}: {f.role} {place}.",
             *self._prose(f.description),
             *_in_full(f),
-            *_paragraphs(unsure, facts),
+            *_paragraphs([], describe.in_code(f, self.model)),
             *self._without_member(f),
             *_cited(f),
         ]

@@ -69,6 +69,7 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "block": blocks.block,
         "hex": "0x{:02x}".format,
         "more": lambda f: blocks.more(f, model),
+        "needs": lambda family: blocks.needs(family, model),
         "scalar_of": blocks.scalar_of,
         "sets": blocks.sets,
         # declarations

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from mipgen import model as m
 
-from .names import constant, home, reference
+from .names import class_name, constant, home, namespace, reference
 
 
 def block(p: m.Parameter, record: m.Record) -> str:
@@ -21,8 +21,8 @@ def block(p: m.Parameter, record: m.Record) -> str:
             cases = (f"[{c.tag.value}, {json.dumps(c.parameter.name)}, {block(c.parameter, record)}]"
                      for c in p.cases if c.parameter)  # fmt: skip
             return call("union", json.dumps(p.tag), f"[{', '.join(cases)}]")
-    found = _several(p, record) if p.several and not p.vector else _one(p, record)
-    return found if p.reserved is None else call("reserved", found, _initial(p))
+    way = _several(p, record) if p.several and not p.vector else _one(p, record)
+    return way if p.reserved is None else call("reserved", way, _initial(p))
 
 
 def call(function: str, *arguments: str) -> str:
@@ -107,10 +107,29 @@ def _more(f: m.Field, model: m.Model) -> Iterator[str]:
         yield f"SILENT: [{silent}, {_conditions(f.silent_when)}]"
     if f.timeout:
         yield f"TIMEOUT: {f.timeout:g}"
-    settings = [(c, model.field(c.command or "")) for c in f.silenced_by]
+    settings = list(_silenced_by(f, model))
     if settings:
-        found = (f"[() => {reference(s, home(f))}, {json.dumps(c.parameter)}, {c.value}]" for c, s in settings if s)
-        yield f"SILENCED_BY: [{', '.join(found)}]"
+        silencers = (f"[() => {_elsewhere(s, f)}, {json.dumps(c.parameter)}, {c.value}]" for c, s in settings)
+        yield f"SILENCED_BY: [{', '.join(silencers)}]"
+
+
+def _silenced_by(f: m.Field, model: m.Model) -> Iterator[tuple[m.Condition, m.Field]]:
+    for c in f.silenced_by:
+        setting = model.field(c.command or "")
+        if setting is not None:
+            yield c, setting
+
+
+def _elsewhere(other: m.Field, f: m.Field) -> str:
+    """A class that may be in the module of another family."""
+    name = class_name(other)
+    return name if other.family == f.family else f"{namespace(other.family)}.{name}"
+
+
+def needs(family: m.Family, model: m.Model) -> list[str]:
+    """The other families whose modules that of a family imports."""
+    families = {s.family for f in family.fields if f.role == m.COMMAND for _, s in _silenced_by(f, model)}
+    return sorted(families - {family.name})
 
 
 def _reply(r: m.Reply, f: m.Field) -> str:

@@ -49,7 +49,7 @@ def _set(s: m.Set, where: str, model: m.Model) -> str:
 
 
 def of_field(f: m.Field, model: m.Model) -> str:
-    facts, where = describe.field(f, model), home(f)
+    facts, where = describe.in_code(f, model), home(f)
     notes = describe.topics(facts, "note")
     several = len(f.occurrences) > 1
     place = f"0x{f.descriptor:02X}" if several else f"0x{f.set:02X},0x{f.descriptor:02X}"

@@ -33,9 +33,9 @@ def camel(words: str) -> str:
     ('scaledAccel', 'gnss1', 'port2_3', 'ping')
     """
 
-    def joint(found: re.Match[str]) -> str:
-        before, following = words[found.start() - 1], found[1]
-        return found[0] if before.isdigit() and following.isdigit() else following.upper()
+    def joint(match: re.Match[str]) -> str:
+        before, following = words[match.start() - 1], match[1]
+        return match[0] if before.isdigit() and following.isdigit() else following.upper()
 
     return re.sub(r"(?<!^)_(.)", joint, words)
 

@@ -44,28 +44,28 @@ class Session:
 
 def of(model: m.Model) -> Session | None:
     """None if the specification, or the part of it, does not have all of these commands."""
-    found = lower.session(model)
-    if found is None:
+    start = lower.session(model)
+    if start is None:
         return None
-    used = [*found.commands, *(f for x in found.older for f in (x.base_rate.command, x.format))]
+    used = [*start.commands, *(f for x in start.older for f in (x.base_rate.command, x.format))]
     modules = {names.namespace(f.family): names.module(f.family) for f in used}
-    (identity,) = model.responses(found.identify)
-    item = found.entries.item.struct
+    (identity,) = model.responses(start.identify)
+    item = start.entries.item.struct
     assert item is not None
     descriptor, decimation = (names.member(p.name) for p in item.parameters)
     return Session(
         modules=tuple(sorted(modules.items())),
-        bauds=found.bauds,
-        ping=_call(found.ping),
-        idle=_call(found.idle),
-        resume=_call(found.resume),
-        identify=_call(found.identify),
+        bauds=start.bauds,
+        ping=_call(start.ping),
+        idle=_call(start.idle),
+        resume=_call(start.resume),
+        identify=_call(start.identify),
         identity=(names.module(identity.family), names.class_name(identity)),
-        base_rate=_rate(found.base_rate, "set"),
-        format=_call(found.format, "set", "items"),
+        base_rate=_rate(start.base_rate, "set"),
+        format=_call(start.format, "set", "items"),
         item=(descriptor, decimation),
-        stream=_call(found.stream, "set", "true"),
-        older=tuple(Older(x.set, _rate(x.base_rate), _call(x.format, "items"), x.stream) for x in found.older),
+        stream=_call(start.stream, "set", "true"),
+        older=tuple(Older(x.set, _rate(x.base_rate), _call(x.format, "items"), x.stream) for x in start.older),
     )
 
 

@@ -7,10 +7,10 @@ from typing import Any
 
 from mipgen import model as m
 from mipgen.emit import package
-from mipgen.emit.target import File, Identifier, Target
+from mipgen.emit.target import File, Target
 from mipgen.facts.sample_values import SampleValues
 
-from . import document, names
+from . import document
 
 
 def files(model: m.Model) -> Iterator[File]:
@@ -24,16 +24,6 @@ def shown(model: m.Model) -> m.Field:
     return min(commands or model.fields, key=lambda f: len(f.parameters))
 
 
-def identifiers(model: m.Model) -> Iterator[Identifier]:
-    """Fields and types are referred to by name. Scalars are types too."""
-    for f in (model.protocol.acknowledge, *model.fields):
-        yield Identifier("fields", f.full_name, f"field {f.full_name}", f.position)
-    for name in m.SCALARS:
-        yield Identifier("types", name, f"scalar {name}", None)
-    for t in document.types(model):
-        yield Identifier("types", names.type_name(t), f"type {t.name}", getattr(t, "position", None))
-
-
 def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
     return {"document": document.text, "lines": lambda f: document.lines(f, model.derived(SampleValues))}
 
@@ -42,7 +32,7 @@ TARGET = Target(
     title="the specification as JSON, with a JSON Schema",
     files=files,
     filters=filters,
-    identifiers=identifiers,
+    identifiers=document.identifiers,
     rename=package.in_source,
     conformance=("decode", "encode"),
 )

@@ -8,13 +8,17 @@ from __future__ import annotations
 
 import dataclasses
 import json
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass
 from operator import attrgetter
 from typing import Any
 
 from mipgen import model as m
+from mipgen.emit import slices
+from mipgen.emit.target import Identifier
 from mipgen.facts import describe
 from mipgen.facts.sample_values import SampleValues
+from mipgen.lower.session import Rate, session
 from mipgen.model import guides, simulation
 from mipgen.model.simulation import Quantity
 
@@ -49,11 +53,13 @@ def text(model: m.Model) -> str:
 
 
 def _text(model: m.Model) -> str:
-    parts = ",\n".join(f"{json.dumps(key)}: {_laid_out(value)}" for key, value in document(model).items())
+    parts = ",\n".join(f"{json.dumps(key)}: {_laid_out(value)}" for key, value in _parts(model).items())
     return f"{{\n{parts}\n}}"
 
 
 def _laid_out(value: Any) -> str:
+    if isinstance(value, (_Each, _Whole)):
+        return value.text()
     if isinstance(value, list) and value:
         return "[\n" + ",\n".join(map(line, value)) + "\n]"
     if isinstance(value, dict) and value and all(isinstance(v, (dict, list)) for v in value.values()):
@@ -71,7 +77,33 @@ def lines(f: m.Field, samples: SampleValues) -> str:
 line = json.JSONEncoder(ensure_ascii=False, separators=(",", ":")).encode
 
 
-def document(model: m.Model) -> dict[str, Any]:
+@dataclass(frozen=True, slots=True)
+class _Each:
+    """A value for each of many objects, in one line each."""
+
+    things: Sequence[Any]
+    value: Callable[[Any], Any]
+
+    def text(self) -> str:
+        lines = [slices.piece("line", self.line, thing) for thing in self.things]
+        return "[\n" + ",\n".join(lines) + "\n]" if lines else "[]"
+
+    def line(self, thing: Any) -> str:
+        return line(self.value(thing))
+
+
+@dataclass(frozen=True, slots=True)
+class _Whole:
+    """A value that is made of one object, in several lines."""
+
+    thing: Any
+    value: Callable[[Any], Any]
+
+    def text(self) -> str:
+        return slices.piece("whole", lambda thing: _laid_out(self.value(thing)), self.thing)
+
+
+def _parts(model: m.Model) -> dict[str, Any]:
     p, samples = model.protocol, model.derived(SampleValues)
     return {
         "$schema": "mip.schema.json",
@@ -85,6 +117,7 @@ def document(model: m.Model) -> dict[str, Any]:
         "barrier": dict(zip(("set", "descriptor"), p.barrier, strict=True)),
         "ack_code": type_name(p.ack_code),
         "function_selector": type_name(p.function_selector),
+        **_session(model),
         "scalars": {s.name: {"size": s.size, "kind": s.kind} for s in m.SCALARS.values()},
         "functions": [_attributes(f) for f in p.functions],
         "units": plain(p.units),
@@ -92,16 +125,37 @@ def document(model: m.Model) -> dict[str, Any]:
         "manuals": plain(p.manuals),
         "notes": plain(p.notes),
         "vocabulary": plain(p.vocabulary),
-        "types": [_attributes(t) for t in types(model)],
-        "sets": [_set(s, model) for s in model.sets],
-        "fields": [_with_samples(f, samples) for f in (p.acknowledge, *model.fields)],
-        "devices": [_device(d, model) for d in model.devices],
-        "examples": plain(model.examples),
-        "errata": plain(model.errata),
-        "simulation": _attributes(model.simulation),
-        "guides": plain(model.guides),
-        "programs": programs(model),
+        "clocks": [_clock(c, model) for c in p.clocks],
+        "leap_seconds": dict(p.leap_seconds),
+        "types": _Each(types(model), _attributes),
+        "sets": _Each(model.sets, lambda s: _set(s, model)),
+        "fields": _Each((p.acknowledge, *model.fields), lambda f: _with_samples(f, samples)),
+        "devices": _Each(model.devices, lambda d: _device(d, model)),
+        "examples": _Each(model.examples, _attributes),
+        "errata": _Each(model.errata, _attributes),
+        "simulation": _Whole(model.simulation, _attributes),
+        "guides": _Each(model.guides, _attributes),
+        "programs": _Whole(p, lambda _: programs(model)),
     }
+
+
+def _session(model: m.Model) -> dict[str, Any]:
+    """The commands that start data, if the specification names them."""
+    start = session(model)
+    if start is None:
+        return {}
+    item = start.entries.item.struct
+    assert item is not None
+    older = [
+        {"set": x.set, **_rate(x.base_rate), "format": x.format.full_name, "stream": x.stream} for x in start.older
+    ]
+    commands = {"format": start.format, "stream": start.stream, "resume": start.resume}
+    names = {key: f.full_name for key, f in commands.items()}
+    return {"session": {**_rate(start.base_rate), **names, "item": type_name(item), "older": older}}
+
+
+def _rate(r: Rate) -> dict[str, str]:
+    return {"base_rate": r.command.full_name, "rate": r.parameter.name}
 
 
 def types(model: m.Model) -> list[m.Type]:
@@ -109,6 +163,16 @@ def types(model: m.Model) -> list[m.Type]:
     selector, *rest = model.protocol.function_selector, *model.all_types
     codes = [] if model.protocol.ack_code in rest else [model.protocol.ack_code]
     return [selector, *codes, *rest]
+
+
+def identifiers(model: m.Model) -> Iterator[Identifier]:
+    """Fields and types are referred to by name. Scalars are types too."""
+    for f in (model.protocol.acknowledge, *model.fields):
+        yield Identifier("fields", f.full_name, f"field {f.full_name}", f.position)
+    for name in m.SCALARS:
+        yield Identifier("types", name, f"scalar {name}", None)
+    for t in types(model):
+        yield Identifier("types", type_name(t), f"type {t.name}", getattr(t, "position", None))
 
 
 # --------------------------------------------------------------------------- values
@@ -231,6 +295,11 @@ _MORE: dict[type, Callable[[Any, dict[str, Any]], dict[str, Any]]] = {
     m.Enum: _type,
     m.Bitfield: _type,
 }
+
+
+def _clock(c: m.Clock, model: m.Model) -> dict[str, Any]:
+    """A clock with its timestamps, as far as a part of a specification has them."""
+    return _attributes(c) | {"timestamps": [name for name in c.timestamps if model.field(name)]}
 
 
 def _set(s: m.Set, model: m.Model) -> dict[str, Any]:

@@ -6,6 +6,7 @@ from typing import Any
 
 from mipgen import model as m
 from mipgen.targets.c import api as c
+from mipgen.targets.javascript import api as javascript
 from mipgen.targets.python import api as python
 from mipgen.targets.rust import api as rust
 
@@ -17,13 +18,22 @@ def type_name(t: m.Scalar | m.Type) -> str:
 
 
 def symbols(thing: m.Type | m.Field) -> dict[str, str]:
-    """What C, Python and Rust call the type of a field, or a type of the specification."""
-    return {"c": c.symbol(thing), "python": python.symbol(thing), "rust": rust.symbol(thing)}
+    """What the bindings call the type of a field, or a type of the specification. C++ has no type for a command: each
+    way to send it has one."""
+    names = {"c": c.symbol(thing), "cpp": c.cpp_symbol(thing), "python": python.symbol(thing)}
+    names |= {"rust": rust.symbol(thing), "javascript": javascript.symbol(thing)}
+    return {language: name for language, name in names.items() if name}
 
 
 def programs(model: m.Model) -> dict[str, dict[str, Any]]:
-    """What programs in C, Python and Rust need besides `symbols`, so that a tool can write calls of the bindings.
+    """What programs need besides `symbols`, so that a tool can write calls of the bindings.
 
     A table has the names that a language writes in another way than the specification; all others stay as they are.
     """
-    return {"c": c.writing(model), "python": python.writing(model), "rust": rust.writing(model)}
+    return {
+        "c": c.writing(model),
+        "cpp": c.cpp_writing(model),
+        "python": python.writing(model),
+        "rust": rust.writing(model),
+        "javascript": javascript.writing(model),
+    }

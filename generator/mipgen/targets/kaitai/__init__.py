@@ -42,6 +42,7 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "layouts": expressions.layouts,
         "segments": expressions.segments,
         "alias": expressions.alias,
+        "number": expressions.number,
         "text": text,
         "hex": "0x{:02x}".format,
         "hex2": "0x{:04x}".format,
@@ -193,6 +194,8 @@ def _members(t: m.Type | m.Field, place: m.Position | None) -> Iterator[Named]:
             for b in t.bits:
                 if b.alias:
                     yield scope, member(b.name), b.name, b.position or place
+            if t.scalar is not None:
+                yield scope, expressions.NUMBER, "the number of all bits", place
         case m.Vector():
             for e in t.elements:
                 yield scope, member(e), e, place

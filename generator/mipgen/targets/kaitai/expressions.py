@@ -195,6 +195,10 @@ class Segment:
     bits: m.Bits | None
 
 
+#: The attribute of a bitfield in a number that is this number.
+NUMBER = "number"
+
+
 def segments(t: m.Bitfield) -> list[Segment]:
     """All bits of a bitfield in the order in which they are read: the most significant first in a number, the least
     significant first in bytes."""
@@ -213,19 +217,29 @@ def _unused(first: int, end: int) -> Iterator[Segment]:
         first += width
 
 
+def number(t: m.Bitfield) -> str:
+    """The number that the bits are parts of."""
+    return _together(t, 0, 8 * t.size - 1)
+
+
 def alias(b: m.Bits, t: m.Bitfield) -> str:
     """A number made of bits that have other names too."""
+    return _together(t, b.first, b.last)
+
+
+def _together(t: m.Bitfield, first: int, last: int) -> str:
+    """Bits as a number. It multiplies: a shift would make negative numbers of 32 bits in some languages."""
     terms = []
     for s in sorted(segments(t), key=lambda s: s.first):
-        low, high = max(s.first, b.first), min(s.first + s.width, b.last + 1)
+        low, high = max(s.first, first), min(s.first + s.width, last + 1)
         if low >= high:
             continue
         if s.width == 1 and not (s.bits and s.bits.enum):
-            term = f"({s.name} ? {1 << (low - b.first)} : 0)" if b.width > 1 else s.name
+            term = f"({s.name} ? {1 << (low - first)} : 0)" if last > first else s.name
         else:
-            number = f"{s.name}.to_i" if s.bits and s.bits.enum else s.name
-            term = f"({number} >> {low - s.first})" if low > s.first else number
+            value = f"{s.name}.to_i" if s.bits and s.bits.enum else s.name
+            term = f"({value} >> {low - s.first})" if low > s.first else value
             term = f"({term} & {(1 << (high - low)) - 1})" if high < s.first + s.width else term
-            term = f"({term} << {low - b.first})" if low > b.first else term
+            term = f"({term} * {1 << (low - first)})" if low > first else term
         terms.append(term)
     return " + ".join(terms)

@@ -209,10 +209,10 @@ def _named(page: Page, limit: m.Limit) -> str:
 
 
 def _limit(page: Page, d: m.Device, name: str) -> str:
-    found = next((x for x in d.limits if x.name == name), None)
-    if found is None:
+    known = next((x for x in d.limits if x.name == name), None)
+    if known is None:
         return UNKNOWN if d.incomplete else NOT_GIVEN
-    return limit(page, found)
+    return limit(page, known)
 
 
 # --------------------------------------------------------------------------- the meaning of values

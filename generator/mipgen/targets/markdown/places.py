@@ -42,6 +42,7 @@ INDEXES = {
     "c": "Symbols in C",
     "python": "Symbols in Python",
     "rust": "Symbols in Rust",
+    "javascript": "Symbols in JavaScript",
 }
 
 #: What has a place in the manual; a string is the path of a page, maybe with an anchor.

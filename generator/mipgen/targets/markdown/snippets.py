@@ -10,6 +10,7 @@ from mipgen import model as m
 from mipgen.emit.symbols import Symbols
 from mipgen.facts.sample_values import GivenValues, SampleValues
 from mipgen.targets.c import api as c
+from mipgen.targets.javascript import api as javascript
 from mipgen.targets.python import api as python
 from mipgen.targets.rust import api as rust
 
@@ -37,6 +38,7 @@ LANGUAGES = (
     Language("C++", "cpp", c.CppPrograms),
     Language("Python", "python", python.Programs, python.symbols),
     Language("Rust", "rust", rust.Programs, rust.symbols),
+    Language("JavaScript", "javascript", javascript.Programs, javascript.symbols),
 )
 
 

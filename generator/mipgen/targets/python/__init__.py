@@ -12,7 +12,7 @@ from mipgen.emit.target import File, Identifier, Target
 from mipgen.facts import describe
 from mipgen.lower import calls
 
-from . import docs, info, members, names, session, simulation, steps, tables
+from . import docs, info, members, names, session, simulation, tables
 
 PACKAGE = "mip_protocol"
 
@@ -74,22 +74,19 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "kept": members.kept,
         "vectors": members.vector_members,
         "layout": members.layout,
+        "always": members.always,
         "columns": members.columns,
         "is_shared": members.is_shared,
         "sets": members.sets,
-        "decoded": members.decoded,
         "constructors": calls.constructors,
         "parameters": members.parameters,
         "arguments": members.arguments,
-        "groups": members.groups,
         "answered": members.answered,
         "expected": lambda f: members.expected(f, model),
         "answer": lambda way, f: members.answer(way.function, f, model),
         "answers": lambda f: members.answers(f, model),
         "silencers": lambda f: members.silencers(f, model),
         "matches": lambda f: members.matches(f, model),
-        # codecs
-        "plan": steps.plan,
         # docstrings and comments
         "family_doc": partial(docs.of_family, model=model),
         "field_doc": partial(docs.of_field, model=model),

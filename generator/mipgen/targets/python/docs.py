@@ -52,7 +52,7 @@ def _set(s: m.Set, where: str, model: m.Model) -> str:
 
 
 def of_field(f: m.Field, model: m.Model) -> str:
-    facts, where = describe.field(f, model), home(f)
+    facts, where = describe.in_code(f, model), home(f)
     notes = describe.topics(facts, "note")
     return literal(
         [

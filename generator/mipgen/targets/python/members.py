@@ -159,30 +159,60 @@ def columns(v: m.Vector) -> int:
 
 
 def layout(record: m.Record) -> list[tuple[str, str, str]]:
-    """Member, letters of `struct`, and what makes the value from the numbers, if all of a record are numbers at
-    fixed places; else nothing."""
-    rows = []
-    if not isinstance(record, m.Field) or record.optional or record.selector:
-        return []
-    for p in record.parameters:
-        numbers = run(p)
-        if numbers is None or p.kind not in ("scalar", "array"):
-            return []
-        letter, truth, named = SCALARS[numbers.scalar.name][0], numbers.scalar.kind == "bool", p.leaf.named
-        if numbers.count is None:
-            made = reference(named, home(record)) if named else "codec.truth" if truth else ""
-        elif truth or named:
-            return []
-        else:
-            made = reference(p.vector, home(record)) if p.vector else "tuple"
-        rows.append((member(p.name), letter * (numbers.count or 1), made))
-    return rows
+    """The rows of a layout, as `wire` of the package has them: name, letters of `struct`, and what makes the value."""
+    return [_row(p, record) for p in record.parameters]
 
 
-def decoded(record: m.Record) -> list[str]:
-    """What a decoder hands to the constructor: by place, then by name."""
-    names = [(member(p.name), keyword_only(p, record)) for p in members(record)]
-    return [n for n, by_name in names if not by_name] + [f"{n}={n}" for n, by_name in names if by_name]
+def always(record: m.Record) -> int | None:
+    """How many parameters are always there, if not all are."""
+    return len(record.always) if record.optional else None
+
+
+def _row(p: m.Parameter, record: m.Record) -> tuple[str, str, str]:
+    name, where = member(p.name), home(record)
+    numbers = None if p.kind == "text" else run(p)
+    if numbers:
+        letters = SCALARS[numbers.scalar.name][0] * (numbers.count or 1)
+        return name, letters, _made(p, numbers.count is not None, record, where)
+    if p.struct:
+        return name, "", reference(p.struct, where)
+    if p.union:
+        cases = {c.tag.value: _row(c.parameter, record) for c in p.cases if c.parameter}
+        rows = ", ".join(f'{n}: ("{name}", "{letters}", {what})' for n, (name, letters, what) in cases.items())
+        return name, "", f'wire.Union("{member(p.union.tag)}", {{{rows}}})'
+    item = p.item
+    length = f'"{member(p.counter)}"' if p.counter else p.count
+    if item.struct:
+        return name, "", f"wire.Items({reference(item.struct, where)}, {length}, {p.capacity})"
+    if item.vector:
+        letters = SCALARS[item.scalar.name][0] * item.capacity
+        return name, letters, f"wire.Items({reference(item.vector, where)}, {length}, {p.capacity})"
+    if p.kind == "array":
+        letters = SCALARS[item.scalar.name][0]
+        return name, letters, f"wire.Items({_convert(item, where)}, {length}, {p.capacity})"
+    return name, "", f"wire.Text({length}, {p.capacity})"
+
+
+def _made(p: m.Parameter, several: bool, record: m.Record, where: str) -> str:
+    """What makes the value of plain numbers."""
+    if p.constant is not None:
+        return str(p.constant)
+    if p.counts is not None:
+        (array,) = (q for q in record.parameters if q.name == p.counts)
+        return f'wire.Counts("{member(p.counts)}", {array.capacity})'
+    if p.vector:
+        return reference(p.vector, where)
+    one = _convert(p.leaf, where)
+    if p.kind == "bits":
+        return f"wire.Bits({one})"
+    return one if not several else "tuple" if one == "None" else f"wire.Each({one})"
+
+
+def _convert(p: m.Parameter, where: str) -> str:
+    """What makes a value from a number."""
+    if p.named is not None:
+        return reference(p.named, where)
+    return "codec.truth" if p.kind == "scalar" and p.scalar.kind == "bool" else "None"
 
 
 # --------------------------------------------------------------------------- constructors
@@ -210,19 +240,6 @@ def arguments(way: m.Call) -> list[str]:
 
 
 # --------------------------------------------------------------------------- presence and acknowledges
-
-
-def groups(f: m.Field) -> tuple[tuple[int, tuple[str, ...], bool], ...]:
-    """As `codec.present` takes them: number of the last parameter, members, is it a union?"""
-    held = {p.name for p in members(f)}
-    return tuple(
-        (
-            group.last,
-            tuple(member(p.name) for p in group.parameters if p.name in held),
-            any(p.kind == "switch" for p in group.parameters),
-        )
-        for group in f.groups
-    )
 
 
 def holding(c: m.Condition, negated: bool = False) -> str:

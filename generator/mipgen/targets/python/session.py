@@ -35,26 +35,26 @@ class Session:
 
 def of(model: m.Model) -> Session | None:
     """None if the specification, or the part of it, does not have all of these commands."""
-    found = lower.session(model)
-    if found is None:
+    start = lower.session(model)
+    if start is None:
         return None
-    item = found.entries.item.struct
+    item = start.entries.item.struct
     assert item is not None
-    used: list[m.Type | m.Field] = [found.base_rate.command, found.format, item, found.stream, found.resume]
-    used += [f for x in found.older for f in (x.base_rate.command, x.format)]
+    used: list[m.Type | m.Field] = [start.base_rate.command, start.format, item, start.stream, start.resume]
+    used += [f for x in start.older for f in (x.base_rate.command, x.format)]
     return Session(
         modules=tuple(sorted({names.home(thing) for thing in used})),
-        base_rate=_call(found.base_rate.command),
-        rate=names.member(found.base_rate.parameter.name),
-        format=_call(found.format),
+        base_rate=_call(start.base_rate.command),
+        rate=names.member(start.base_rate.parameter.name),
+        format=_call(start.format),
         item=names.qualified(item),
-        stream=_call(found.stream),
-        resume=_call(found.resume),
+        stream=_call(start.stream),
+        resume=_call(start.resume),
         older=tuple(
             Older(
                 x.set, _call(x.base_rate.command), names.member(x.base_rate.parameter.name), _call(x.format), x.stream
             )
-            for x in found.older
+            for x in start.older
         ),
     )
 

@@ -26,7 +26,7 @@ def of_record(record: m.Record, model: m.Model) -> list[Member]:
 
     What may be absent is an array, which is empty then.
     """
-    found = []
+    members = []
     for p in record.parameters:
         if p.derived:
             continue
@@ -36,25 +36,25 @@ def of_record(record: m.Record, model: m.Model) -> list[Member]:
             absent = bool(p.union) or optional
             if absent and q.kind != "text":
                 comment.append("Empty if absent.")
-            found.append(Member(_type(q, absent), names.member(q.name), comment, list(_constants(q))))
-    return found
+            members.append(Member(_type(q, absent), names.member(q.name), comment, list(_constants(q))))
+    return members
 
 
 def nested(records: list[m.Field]) -> list[m.Struct]:
     """The structures that messages contain, each of which is a message, too."""
-    found: dict[str, m.Struct] = {}
+    messages: dict[str, m.Struct] = {}
 
     def collect(record: m.Record) -> None:
         for p in record.parameters:
             for q in p.alternatives if p.union else (p,):
                 t = q.leaf.element
-                if isinstance(t, m.Struct) and names.message(t) not in found:
-                    found[names.message(t)] = t
+                if isinstance(t, m.Struct) and names.message(t) not in messages:
+                    messages[names.message(t)] = t
                     collect(t)
 
     for f in records:
         collect(f)
-    return list(found.values())
+    return list(messages.values())
 
 
 def _type(p: m.Parameter, absent: bool) -> str:

@@ -38,8 +38,8 @@ def files(model: m.Model) -> Iterable[File]:
         "bench": model.program("bench_rust.md").rstrip(),
     }
     examples = {name: needed for name, needed in EXAMPLES.items() if model.program(f"{name}.rs")}
-    found = session.of(model)
-    given = {"examples": examples, "session": found, "embassy": model.program("embassy.rs")}
+    start = session.of(model)
+    given = {"examples": examples, "session": start, "embassy": model.program("embassy.rs")}
     yield File("Cargo.toml", "Cargo.toml.j2", {**given, "oldest": OLDEST, "keywords": keywords(model)})
     yield File("README.md", "README.md.j2", {**given, **shown})
     for name in examples:
@@ -49,9 +49,9 @@ def files(model: m.Model) -> Iterable[File]:
             yield File(f"examples/embassy/{path}", "verbatim.j2", {"text": text})
     for page in ("map", "sets"):
         yield File(f"src/{page}.md", f"{page}.md.j2")
-    yield File("src/sets.rs", "sets.rs.j2", {"session": found})
-    if found:
-        yield File("src/sets/session.rs", "session.rs.j2", {"session": found})
+    yield File("src/sets.rs", "sets.rs.j2", {"session": start})
+    if start:
+        yield File("src/sets/session.rs", "session.rs.j2", {"session": start})
     for path in ("types", "protocol", "devices/known", "registry/fields"):
         yield File(f"src/{path}.rs", f"{path}.rs.j2")
     for family in model.families:

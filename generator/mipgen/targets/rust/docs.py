@@ -40,7 +40,7 @@ class Docs:
         return self._facts(describe.uncertain(of, self.model), here)[0]
 
     def field(self, f: m.Field) -> list[Block]:
-        said, notes = self._facts(describe.field(f, self.model), home(f))
+        said, notes = self._facts(describe.in_code(f, self.model), home(f))
         return [f"{title(f)}.", self._prose(f.description, home(f)), said, *self._unheld(f), notes, sources(f)]
 
     def parameter(self, p: m.Parameter, record: m.Record) -> tuple[str, str, list[str]]:

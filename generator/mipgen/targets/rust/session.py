@@ -61,8 +61,8 @@ class Session:
 
 def of(model: m.Model) -> Session | None:
     """None if the specification, or the part of it, does not have all of these commands."""
-    found = lower.session(model)
-    if found is None:
+    start = lower.session(model)
+    if start is None:
         return None
     records = model.derived(Records)
 
@@ -72,21 +72,21 @@ def of(model: m.Model) -> Session | None:
     def listed(f: m.Field) -> str:
         return records.rust(next(p for p in f.calls[0].required if p.kind == "array"), "")
 
-    item = found.entries.item.struct
+    item = start.entries.item.struct
     assert item is not None
-    used = [*found.commands, *(f for x in found.older for f in (x.base_rate.command, x.format))]
+    used = [*start.commands, *(f for x in start.older for f in (x.base_rate.command, x.format))]
     families = {f.family for f in used}
     return Session(
         families=tuple(sorted(map(names.module, families))),
-        bauds=found.bauds,
-        ping=called(found.ping),
-        idle=called(found.idle),
-        resume=called(found.resume),
-        base_rate=BaseRate(called(found.base_rate.command, "set"), names.member(found.base_rate.parameter.name)),
-        format=_way(found.format, records),
-        list=listed(found.format),
+        bauds=start.bauds,
+        ping=called(start.ping),
+        idle=called(start.idle),
+        resume=called(start.resume),
+        base_rate=BaseRate(called(start.base_rate.command, "set"), names.member(start.base_rate.parameter.name)),
+        format=_way(start.format, records),
+        list=listed(start.format),
         item=_path(item),
-        stream=called(found.stream, "set", "true"),
+        stream=called(start.stream, "set", "true"),
         older=tuple(
             Older(
                 set=x.set,
@@ -94,9 +94,9 @@ def of(model: m.Model) -> Session | None:
                 rate=names.member(x.base_rate.parameter.name),
                 format=_way(x.format, records),
                 list=listed(x.format),
-                stream=called(found.stream, f"{x.stream}", "true"),
+                stream=called(start.stream, f"{x.stream}", "true"),
             )
-            for x in found.older
+            for x in start.older
         ),
         baud_changes=tuple(_baud_changes(model, records, families)),
     )

@@ -30,6 +30,10 @@ struct mip_line {
     struct mip_port port;
     /** The file, the handle, or the socket of the system. */
     intptr_t handle;
+    /** What mip_line_open was called with, for mip_line_reopen. */
+    const char *name;
+    /** The baud rate that it has. */
+    uint32_t baud;
     /** Is it a TCP connection? */
     bool is_tcp;
     /** Why it could not be opened; NULL if it is open. */
@@ -39,9 +43,22 @@ struct mip_line {
 /**
  * Opens a port: a TCP connection if the name is HOST:PORT, else a serial port, such as
  * /dev/ttyACM0 or COM3, with 8 data bits, no parity and no flow control. The program is its only
- * user as long as it is open. False if that failed: see `error`.
+ * user as long as it is open. The name stays where it is. False if that failed: see `error`.
  */
 bool mip_line_open(struct mip_line *line, const char *name, uint32_t baud);
+
+/**
+ * Opens a port again that was lost, as when mip_device_poll has returned false: closes it, and
+ * tries to open it every 100 ms, for `within` milliseconds. The device goes on with it, at the same
+ * baud rate:
+ *
+ *     while (mip_device_poll(&device) || mip_line_reopen(&line, 30000)) { ... }
+ *
+ * The command that waited was not answered: its outcome was MIP_CLOSED. The device may have
+ * restarted, and then sends nothing until mip_device_stream starts its data again. False if the
+ * port could not be opened: see `error`.
+ */
+bool mip_line_reopen(struct mip_line *line, uint32_t within);
 
 /** Changes the baud rate of a serial port, and discards what has arrived; for mip_device_connect.
  * False if the system or the port does not have the rate, and for a TCP connection. */

@@ -4,11 +4,11 @@ use std::fs::File;
 use std::io::{self, ErrorKind, Read, Write};
 use std::net::TcpStream;
 use std::time::{Duration, Instant};
-use std::{boxed::Box, format};
+use std::{borrow::ToOwned, boxed::Box, format, string::String};
 
 use serialport::SerialPort;
 
-use super::Port;
+use super::{Device, DeviceError, Port};
 
 /// While nothing arrives, a read returns after this time, so that commands can time out.
 const READ: Duration = Duration::from_millis(10);
@@ -16,6 +16,8 @@ const READ: Duration = Duration::from_millis(10);
 const WRITE: Duration = Duration::from_secs(5);
 /// The rate of a port whose place names none.
 const USUAL: u32 = 115_200;
+/// Until a port that was lost is tried again.
+const PAUSE: Duration = Duration::from_millis(100);
 /// How far the clock of a log jumps at its end.
 const END: u32 = 1 << 30;
 
@@ -27,6 +29,7 @@ const END: u32 = 1 << 30;
 ///   [`Device::next_packet`](super::Device::next_packet) returns `None` at once.
 pub struct Line {
     way: Way,
+    place: String,
     baud: Option<u32>,
     start: Instant,
     /// What the clock of a log shows.
@@ -37,6 +40,24 @@ enum Way {
     Serial(Box<dyn SerialPort>),
     Tcp(TcpStream),
     Log(File),
+    /// It could not be opened again.
+    Lost,
+}
+
+impl<const N: usize, const Q: usize> Device<Line, N, Q> {
+    /// Opens the port again, after a call has failed with [`DeviceError::Port`]: tries to every
+    /// 100 ms, for this time. Data that was kept is still there.
+    ///
+    /// The command that waited was not answered. The device may have restarted, and then sends
+    /// nothing until `stream` starts its data again.
+    ///
+    /// # Errors
+    ///
+    /// The port cannot be opened.
+    pub fn reopen(&mut self, within: Duration) -> Result<(), DeviceError<io::Error>> {
+        self.core.restart();
+        self.port.reopen(within).map_err(DeviceError::Port)
+    }
 }
 
 impl Line {
@@ -46,8 +67,13 @@ impl Line {
     ///
     /// The place is not one of these ([`ErrorKind::InvalidInput`]), or the port cannot be opened.
     pub fn open(place: &str) -> io::Result<Self> {
+        let (way, baud) = Self::way(place)?;
+        Ok(Self { way, place: place.to_owned(), baud, start: Instant::now(), log_ms: 0 })
+    }
+
+    fn way(place: &str) -> io::Result<(Way, Option<u32>)> {
         let named = |error: io::Error| io::Error::new(error.kind(), format!("{place}: {error}"));
-        let (way, baud) = match place.split_once(':') {
+        Ok(match place.split_once(':') {
             Some(("serial", rest)) => serial(rest).map_err(named)?,
             Some(("tcp", rest)) => (Way::Tcp(connected(rest).map_err(named)?), None),
             Some(("file", path)) => (Way::Log(File::open(path).map_err(named)?), None),
@@ -55,8 +81,28 @@ impl Line {
                 let known = "expected serial:NAME, serial:NAME:BAUD, tcp:HOST:PORT or file:PATH";
                 return Err(io::Error::new(ErrorKind::InvalidInput, format!("{place}: {known}")));
             }
-        };
-        Ok(Self { way, baud, start: Instant::now(), log_ms: 0 })
+        })
+    }
+
+    /// Opens the port again, after it was lost, at the baud rate that it had: tries to every 100 ms,
+    /// for this time. [`Device::reopen`] calls it.
+    ///
+    /// # Errors
+    ///
+    /// That of the last attempt.
+    pub fn reopen(&mut self, within: Duration) -> io::Result<()> {
+        let (end, rate) = (Instant::now() + within, self.baud());
+        self.way = Way::Lost; // it is closed first
+        loop {
+            match Self::way(&self.place) {
+                Ok((way, _)) => {
+                    self.way = way;
+                    return rate.map_or(Ok(()), |rate| self.set_baud(rate).map(drop));
+                }
+                Err(error) if Instant::now() >= end => return Err(error),
+                Err(_) => std::thread::sleep(PAUSE),
+            }
+        }
     }
 
     /// The baud rate that the place names.
@@ -78,6 +124,7 @@ impl core::fmt::Debug for Line {
             Way::Serial(port) => write!(f, "Line(serial {:?})", port.name()),
             Way::Tcp(stream) => write!(f, "Line({stream:?})"),
             Way::Log(file) => write!(f, "Line({file:?})"),
+            Way::Lost => f.write_str("Line(lost)"),
         }
     }
 }
@@ -134,6 +181,7 @@ impl Port for Line {
                 }
                 Ok(count)
             }
+            Way::Lost => Err(closed()),
         }
     }
 
@@ -143,6 +191,7 @@ impl Port for Line {
             Way::Serial(port) => port.write_all(bytes),
             Way::Tcp(stream) => stream.write_all(bytes),
             Way::Log(_) => Err(io::Error::new(ErrorKind::Unsupported, "a log accepts no commands")),
+            Way::Lost => Err(closed()),
         }
     }
 

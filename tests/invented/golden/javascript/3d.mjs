@@ -3,6 +3,7 @@
 import * as codec from "./mip/codec.mjs";
 import * as field from "./mip/field.mjs";
 import { FunctionSelector } from "./protocol.mjs";
+import * as tools_ from "./tools_.mjs";
 import * as types from "./types.mjs";
 
 export const Default = /* @__PURE__ */ field.command("3d.default", 0x0c, 0x10, {

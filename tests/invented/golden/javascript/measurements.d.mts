@@ -16,9 +16,8 @@ import type * as types from "./types.mjs";
  *
  * A vector whose elements are valid together.
  *
- * Occurs in measurements (0x80), more (0x81) and copy (0x92). Changed by `tools_.Bias`. Probably changed by
- * `tools_.CaptureBias`. Flagged by `tools_.ModelAFaults.SENSOR` of `tools_.ModelAFaults`. Maximum rate: 100 Hz.
- * Supported by Model A, Model B and Model C. On the Model C: firmware > 1.0.07.
+ * Occurs in measurements (0x80), more (0x81) and copy (0x92). Maximum rate: 100 Hz. Supported by Model A, Model B and
+ * Model C. On the Model C: firmware > 1.0.07.
  *
  * - guide: Acceleration
  * - leaflet: Acceleration
@@ -50,8 +49,7 @@ export declare class Accel extends Data {
  *
  * One of each.
  *
- * Occurs in measurements (0x80) and copy (0x92). Supported by Model A and Model C. Probably supported by Old 1 and Old
- * 2.
+ * Occurs in measurements (0x80) and copy (0x92). Supported by Model A and Model C.
  *
  * - guide: Numbers
  */
@@ -232,7 +230,7 @@ export declare class Cloud extends Data {
  *
  * One valid flag for all values but one; `Breeze` has the same place.
  *
- * Occurs in measurements (0x80) and copy (0x92). Changed by `tools_.Bias`. Not listed in any device profile.
+ * Occurs in measurements (0x80) and copy (0x92). Not listed in any device profile.
  *
  * `speed * 3.6` is in km/h, and `valid_flags` tells whether `speed` counts; see `types.Mode` and `tools_.Shape`.
  *

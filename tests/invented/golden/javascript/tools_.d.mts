@@ -238,8 +238,8 @@ export declare class PinResponse extends Response {
 /**
  * Hello response (0x01,0x8C).
  *
- * Also called `keep_alive_response` and `welcome`. Answers `Hello`. Probably supported by Model C. Known only from the
- * Kit of names. Uncertain: When it comes.
+ * No device is certain to support it. Also called `keep_alive_response` and `welcome`. Answers `Hello`. Known only from
+ * the Kit of names. Uncertain: When it comes.
  *
  * - sheet: Hello
  */
@@ -398,7 +398,7 @@ export declare class BiasVector extends Response {
  *
  * Tests the line.
  *
- * Supported by Model A, Model B, Model C and Old 1. Probably supported by Old 2.
+ * Supported by Model A, Model B, Model C and Old 1.
  *
  * - guide: Ping
  * - leaflet: Ping
@@ -538,9 +538,8 @@ export declare class Bias<R extends Response | undefined = undefined | BiasVecto
  *
  * Measures the bias.
  *
- * Answered by `BiasVector`. Probably changes `measurements.Accel`. Flagged by `ModelAFaults.SENSOR` of `ModelAFaults`.
- * Supported by Model A and Model C. Deprecated on the Model C: use `Bias` instead. On the Model C: firmware >= 1.0, <
- * 1.1.
+ * Answered by `BiasVector`. Probably changes `measurements.Accel`. Supported by Model A and Model C. Deprecated on the
+ * Model C: use `Bias` instead. On the Model C: firmware >= 1.0, < 1.1.
  *
  * - guide: Capture bias
  */
@@ -575,7 +574,7 @@ export declare class Formats extends Command<undefined> {
  *
  * A tagged union with an empty variant, nested unions, arrays and strings in it.
  *
- * Functions: `write` and `read`. Answered by `ChoiceResponse`. Supported by Model A. Refused by Model C.
+ * Functions: `write` and `read`. Answered by `ChoiceResponse`. Supported by Model A.
  *
  * - guide: Choice
  */
@@ -673,8 +672,8 @@ export declare class Pin<R extends Response | undefined = undefined | PinRespons
  *
  * The device asks and a host answers.
  *
- * Also called `keep_alive`. Answered by `HelloResponse`. Sent by the device; the host answers. Probably supported by
- * Model C. Known only from the Kit of names.
+ * No device is certain to support it. Also called `keep_alive`. Answered by `HelloResponse`. Sent by the device; the
+ * host answers. Known only from the Kit of names.
  *
  * - sheet: Hello
  */

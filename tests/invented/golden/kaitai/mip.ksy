@@ -260,6 +260,9 @@ types:
         type: b1
         doc: Ready to measure.
     instances:
+      number:
+        value: "(ready ? 1 : 0) + (hot ? 2 : 0) + (unused_2 * 4) + (level * 16) + (unused_7 ? 128 : 0) + (mode.to_i * 256) + (unused_10 * 1024)"
+        doc: All bits as a number.
       any:
         value: "(ready ? 1 : 0) + (hot ? 2 : 0)"
         doc: Ready or hot.
@@ -317,6 +320,10 @@ types:
         type: b7
       - id: clock
         type: b1
+    instances:
+      number:
+        value: "(clock ? 1 : 0) + (unused_1 * 2) + (sensor ? 256 : 0) + (unused_9 * 512) + (solution ? 16777216 : 0) + (unused_25 * 33554432)"
+        doc: All bits as a number.
   tools_model_b_faults:
     -kind: bits
     doc: Of the model B.
@@ -331,6 +338,10 @@ types:
         type: b1
       - id: general
         type: b1
+    instances:
+      number:
+        value: "(general ? 1 : 0) + (overload ? 2 : 0) + (unused_2 * 4) + (accel ? 4096 : 0) + (unused_13 * 8192)"
+        doc: All bits as a number.
   point:
     doc: A place in a plane.
     seq:

@@ -11,11 +11,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from . import codec, types
-from .errors import Truncated
+from . import codec, types, wire
 from .field import Data, Field, Shared
-
-_ACCEL_0 = codec.Block("fffH", *["scaled_accel"] * 3, "valid_flags")
 
 
 class Accel(Shared, Data):
@@ -23,10 +20,8 @@ class Accel(Shared, Data):
 
     A vector whose elements are valid together.
 
-    Occurs in measurements (0x80), more (0x81) and copy (0x92). Changed by `tools.Bias`. Probably
-    changed by `tools.CaptureBias`. Flagged by `tools.ModelAFaults.SENSOR` of `tools.ModelAFaults`.
-    Maximum rate: 100 Hz. Supported by Model A, Model B and Model C. On the Model C: firmware >
-    1.0.07.
+    Occurs in measurements (0x80), more (0x81) and copy (0x92). Maximum rate: 100 Hz. Supported by
+    Model A, Model B and Model C. On the Model C: firmware > 1.0.07.
 
     - guide: Acceleration
     - leaflet: Acceleration
@@ -42,6 +37,7 @@ class Accel(Shared, Data):
     NAME = "measurements.accel"
     ROLE = "data"
     _LAYOUT = (("scaled_accel", "fff", types.Vector3f), ("valid_flags", "H", types.StateFlags))
+
     _VECTORS = {"scaled_accel": (types.Vector3f,)}
 
     scaled_accel: types.Vector3f
@@ -67,45 +63,13 @@ class Accel(Shared, Data):
         self.scaled_accel = codec.vector(scaled_accel, types.Vector3f)
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[Accel, int]:
-        v = _ACCEL_0.read(raw, at)
-        at += 14
-        scaled_accel = types.Vector3f._make(v[0:3])
-        valid_flags = types.StateFlags(v[3])
-        return cls(scaled_accel, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _ACCEL_0.write(
-            *codec.elements("scaled_accel", self.scaled_accel, 3), self.valid_flags
-        )
-        return codec.finished(out)
-
-
-_NUMBERS_0 = codec.Block(
-    "BHIQbhiqfdBB",
-    "u8",
-    "u16",
-    "u32",
-    "u64",
-    "s8",
-    "s16",
-    "s32",
-    "s64",
-    "float_",
-    "double",
-    "bool_",
-    "char",
-)
-
 
 class Numbers(Shared, Data):
     """Numbers (0x02).
 
     One of each.
 
-    Occurs in measurements (0x80) and copy (0x92). Supported by Model A and Model C. Probably
-    supported by Old 1 and Old 2.
+    Occurs in measurements (0x80) and copy (0x92). Supported by Model A and Model C.
 
     - guide: Numbers
     """
@@ -211,44 +175,6 @@ class Numbers(Shared, Data):
         self.bool_ = bool_
         self.char = char
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[Numbers, int]:
-        v = _NUMBERS_0.read(raw, at)
-        at += 44
-        u8 = v[0]
-        u16 = v[1]
-        u32 = v[2]
-        u64 = v[3]
-        s8 = v[4]
-        s16 = v[5]
-        s32 = v[6]
-        s64 = v[7]
-        float_ = v[8]
-        double = v[9]
-        bool_ = codec.truth(v[10])
-        char = v[11]
-        return cls(u8, u16, u32, u64, s8, s16, s32, s64, float_, double, bool_, char), at
-
-    def _write(self) -> bytes:
-        out = _NUMBERS_0.write(
-            self.u8,
-            self.u16,
-            self.u32,
-            self.u64,
-            self.s8,
-            self.s16,
-            self.s32,
-            self.s64,
-            self.float_,
-            self.double,
-            self.bool_,
-            self.char,
-        )
-        return codec.finished(out)
-
-
-_STRINGS_0 = codec.Block("B", "length")
-
 
 class Strings(Shared, Data):
     """Strings (0x03).
@@ -268,6 +194,12 @@ class Strings(Shared, Data):
     DESCRIPTOR = 0x03
     NAME = "measurements.strings"
     ROLE = "data"
+    _LAYOUT = (
+        ("model", "", wire.Text(16, 16)),
+        ("length", "B", wire.Counts("name", 236)),
+        ("name", "", wire.Text("length", 236)),
+        ("rest", "", wire.Text(None, 236)),
+    )
 
     model: str
     """Padded with spaces."""
@@ -281,33 +213,6 @@ class Strings(Shared, Data):
         self.model = model
         self.name = name
         self.rest = rest
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[Strings, int]:
-        model = codec.take(raw, at, 16).decode("latin-1")
-        at += 16
-        v = _STRINGS_0.read(raw, at)
-        at += 1
-        length = v[0]
-        n = codec.counted(raw, at, length, 1, 236)
-        name = codec.take(raw, at, n).decode("latin-1")
-        at += n
-        n = codec.remaining(raw, at, 1)
-        rest = codec.take(raw, at, n).decode("latin-1")
-        at += n
-        return cls(model, name, rest), at
-
-    def _write(self) -> bytes:
-        out = codec.padded("model", self.model, 16)
-        out += _STRINGS_0.write(codec.count("name", self.name, 236))
-        codec.at_most("name", self.name, 236)
-        out += codec.text("name", self.name)
-        codec.at_most("rest", self.rest, 236)
-        out += codec.text("rest", self.rest)
-        return codec.finished(out)
-
-
-_HEALTH_0 = codec.Block("BBBBBBBBBBBBBBBBI", *["result"] * 16, "code")
 
 
 class Health(Shared, Data):
@@ -328,6 +233,10 @@ class Health(Shared, Data):
     DESCRIPTOR = 0x04
     NAME = "measurements.health"
     ROLE = "data"
+    _LAYOUT = (
+        ("result", "BBBBBBBBBBBBBBBB", wire.Bits(types.Health)),
+        ("code", "I", types.WideCode),
+    )
 
     result: types.Health
     """The bits."""
@@ -337,22 +246,6 @@ class Health(Shared, Data):
     def __init__(self, result: types.Health, code: types.WideCode) -> None:
         self.result = result
         self.code = code
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[Health, int]:
-        v = _HEALTH_0.read(raw, at)
-        at += 20
-        result = types.Health(int.from_bytes(bytes(v[0:16]), "little"))
-        code = types.WideCode(v[16])
-        return cls(result, code), at
-
-    def _write(self) -> bytes:
-        out = _HEALTH_0.write(*codec.little("result", self.result, 16), self.code)
-        return codec.finished(out)
-
-
-_ARRAYS_0 = codec.Block("BBBHH", *["modes"] * 3, *["flags"] * 2)
-_ARRAYS_1 = codec.Block("bbbb", *["offsets"] * 4)
 
 
 class Arrays(Shared, Data):
@@ -372,6 +265,14 @@ class Arrays(Shared, Data):
     DESCRIPTOR = 0x05
     NAME = "measurements.arrays"
     ROLE = "data"
+    _LAYOUT = (
+        ("modes", "BBB", wire.Each(types.Mode)),
+        ("flags", "HH", wire.Each(types.StateFlags)),
+        ("vectors", "fff", wire.Items(types.Vector3f, 2, 2)),
+        ("points", "", wire.Items(types.Point, 2, 2)),
+        ("track", "", types.Segment),
+        ("offsets", "bbbb", tuple),
+    )
 
     modes: tuple[types.Mode, ...]
     """Enumerations."""
@@ -402,39 +303,6 @@ class Arrays(Shared, Data):
         self.track = track
         self.offsets = codec.several(offsets)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[Arrays, int]:
-        v = _ARRAYS_0.read(raw, at)
-        at += 7
-        modes = tuple(map(types.Mode, v[0:3]))
-        flags = tuple(map(types.StateFlags, v[3:5]))
-        vectors = codec.read_vectors(types.Vector3f, "f", 3, raw, at, 2)
-        at += 2 * 12
-        points, at = codec.read_structures(types.Point, raw, at, 2)
-        track, at = types.Segment._read(raw, at)
-        v = _ARRAYS_1.read(raw, at)
-        at += 4
-        offsets = v[0:4]
-        return cls(modes, flags, vectors, points, track, offsets), at
-
-    def _write(self) -> bytes:
-        out = _ARRAYS_0.write(
-            *codec.exactly("modes", self.modes, 3), *codec.exactly("flags", self.flags, 2)
-        )
-        out += codec.write_vectors("vectors", "f", 3, codec.exactly("vectors", self.vectors, 2))
-        out += codec.write_structures(
-            "points", codec.exactly("points", self.points, 2), types.Point
-        )
-        out += codec.structure("track", self.track, types.Segment)
-        out += _ARRAYS_1.write(*codec.exactly("offsets", self.offsets, 4))
-        return codec.finished(out)
-
-
-_GROWING_0 = codec.Block("H", "first")
-_GROWING_1 = codec.Block("H", "second")
-_GROWING_2 = codec.Block("f", "third")
-_GROWING_GROUPS = ((2, ("second",), False), (3, ("third",), False))
-
 
 class Growing(Shared, Data):
     """Growing (0x06).
@@ -453,6 +321,8 @@ class Growing(Shared, Data):
     DESCRIPTOR = 0x06
     NAME = "measurements.growing"
     ROLE = "data"
+    _LAYOUT = (("first", "H", None), ("second", "H", None), ("third", "f", None))
+    _ALWAYS = 1
 
     first: int
     """Always there."""
@@ -465,47 +335,6 @@ class Growing(Shared, Data):
         self.first = first
         self.second = second
         self.third = third
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[Growing, int]:
-        second: int | None = None
-        third: float | None = None
-        v = _GROWING_0.read(raw, at)
-        at += 2
-        first = v[0]
-        required = 1
-        done, end = 1, at
-        try:
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _GROWING_1.read(raw, at)
-            at += 2
-            second = v[0]
-            done, end = 2, at
-            if at == len(raw) and required < 3:
-                raise Truncated(1, 0)
-            v = _GROWING_2.read(raw, at)
-            at += 4
-            third = v[0]
-            done, end = 3, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(first, second, third), at
-
-    def _write(self) -> bytes:
-        out = _GROWING_0.write(self.first)
-        required = 1
-        there = codec.present(self, required, _GROWING_GROUPS)
-        if there >= 2:
-            out += _GROWING_1.write(self.second)
-        if there >= 3:
-            out += _GROWING_2.write(self.third)
-        return codec.finished(out)
-
-
-_RADIO_0 = codec.Block("Biffdd", "connected", "strength", "noise", "gap", *["gaps"] * 2)
 
 
 class Radio(Shared, Data):
@@ -563,30 +392,6 @@ class Radio(Shared, Data):
         self.gap = gap
         self.gaps = codec.several(gaps)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[Radio, int]:
-        v = _RADIO_0.read(raw, at)
-        at += 29
-        connected = codec.truth(v[0])
-        strength = v[1]
-        noise = v[2]
-        gap = v[3]
-        gaps = v[4:6]
-        return cls(connected, strength, noise, gap, gaps), at
-
-    def _write(self) -> bytes:
-        out = _RADIO_0.write(
-            self.connected,
-            self.strength,
-            self.noise,
-            self.gap,
-            *codec.exactly("gaps", self.gaps, 2),
-        )
-        return codec.finished(out)
-
-
-_OWN_0 = codec.Block("B", "mode")
-
 
 class Own(Data):
     """Own (0x81,0x07).
@@ -614,21 +419,6 @@ class Own(Data):
     def __init__(self, mode: types.Mode) -> None:
         self.mode = mode
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[Own, int]:
-        v = _OWN_0.read(raw, at)
-        at += 1
-        mode = types.Mode(v[0])
-        return cls(mode), at
-
-    def _write(self) -> bytes:
-        out = _OWN_0.write(self.mode)
-        return codec.finished(out)
-
-
-_CLOUD_0 = codec.Block("B", "num_points")
-_CLOUD_1 = codec.Block("Q", "stamp")
-
 
 class Cloud(Shared, Data):
     """Cloud (0x08).
@@ -647,6 +437,11 @@ class Cloud(Shared, Data):
     DESCRIPTOR = 0x08
     NAME = "measurements.cloud"
     ROLE = "data"
+    _LAYOUT = (
+        ("num_points", "B", wire.Counts("points", 61)),
+        ("points", "", wire.Items(types.Point, "num_points", 61)),
+        ("stamp", "Q", None),
+    )
 
     # On the wire only: num_points. Number of points. The number of elements of `points`.
     points: tuple[types.Point, ...]
@@ -658,39 +453,13 @@ class Cloud(Shared, Data):
         self.points = codec.several(points)
         self.stamp = stamp
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[Cloud, int]:
-        v = _CLOUD_0.read(raw, at)
-        at += 1
-        num_points = v[0]
-        n = codec.counted(raw, at, num_points, 4, 61)
-        points, at = codec.read_structures(types.Point, raw, at, n)
-        v = _CLOUD_1.read(raw, at)
-        at += 8
-        stamp = v[0]
-        return cls(points, stamp), at
-
-    def _write(self) -> bytes:
-        out = _CLOUD_0.write(codec.count("points", self.points, 61))
-        out += codec.write_structures(
-            "points", codec.at_most("points", self.points, 61), types.Point
-        )
-        out += _CLOUD_1.write(self.stamp)
-        return codec.finished(out)
-
-
-_GUST_0 = codec.Block("B", "station")
-_GUST_1 = codec.Block("ffffB", "height", *["speed"] * 3, "gap")
-_GUST_2 = codec.Block("H", "valid_flags")
-
 
 class Gust(Shared, Data):
     """Gust (0x09).
 
     One valid flag for all values but one; `Breeze` has the same place.
 
-    Occurs in measurements (0x80) and copy (0x92). Changed by `tools.Bias`. Not listed in any device
-    profile.
+    Occurs in measurements (0x80) and copy (0x92). Not listed in any device profile.
 
     `speed * 3.6` is in km/h, and `valid_flags` tells whether `speed` counts; see `types.Mode` and
     `tools.Shape`.
@@ -705,6 +474,15 @@ class Gust(Shared, Data):
     DESCRIPTOR = 0x09
     NAME = "measurements.gust"
     ROLE = "data"
+    _LAYOUT = (
+        ("station", "B", None),
+        ("place", "", types.Point),
+        ("height", "f", None),
+        ("speed", "fff", types.Vector3f),
+        ("gap", "B", 7),
+        ("valid_flags", "H", types.StateFlags),
+    )
+
     _VECTORS = {"speed": (types.Vector3f,)}
 
     station: int
@@ -735,32 +513,6 @@ class Gust(Shared, Data):
         self.speed = codec.vector(speed, types.Vector3f)
         self.valid_flags = valid_flags
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[Gust, int]:
-        v = _GUST_0.read(raw, at)
-        at += 1
-        station = v[0]
-        place, at = types.Point._read(raw, at)
-        v = _GUST_1.read(raw, at)
-        at += 17
-        height = v[0]
-        speed = types.Vector3f._make(v[1:4])
-        codec.constant(v[4], 7)
-        v = _GUST_2.read(raw, at)
-        at += 2
-        valid_flags = types.StateFlags(v[0])
-        return cls(station, place, height, speed, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _GUST_0.write(self.station)
-        out += codec.structure("place", self.place, types.Point)
-        out += _GUST_1.write(self.height, *codec.elements("speed", self.speed, 3), 7)
-        out += _GUST_2.write(self.valid_flags)
-        return codec.finished(out)
-
-
-_BREEZE_0 = codec.Block("fffff", "height", *["turn"] * 4)
-
 
 class Breeze(Shared, Data):
     """Breeze (0x0A).
@@ -779,6 +531,8 @@ class Breeze(Shared, Data):
     DESCRIPTOR = 0x0A
     NAME = "measurements.breeze"
     ROLE = "data"
+    _LAYOUT = (("place", "", types.Point), ("height", "f", None), ("turn", "ffff", types.Quatf))
+
     _VECTORS = {"turn": (types.Quatf,)}
 
     place: types.Point
@@ -796,20 +550,6 @@ class Breeze(Shared, Data):
         self.place = place
         self.height = height
         self.turn = codec.vector(turn, types.Quatf)
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[Breeze, int]:
-        place, at = types.Point._read(raw, at)
-        v = _BREEZE_0.read(raw, at)
-        at += 20
-        height = v[0]
-        turn = types.Quatf._make(v[1:5])
-        return cls(place, height, turn), at
-
-    def _write(self) -> bytes:
-        out = codec.structure("place", self.place, types.Point)
-        out += _BREEZE_0.write(self.height, *codec.elements("turn", self.turn, 4))
-        return codec.finished(out)
 
 
 #: The types of each descriptor; several if constants or the size of the data distinguish layouts.

@@ -5,10 +5,7 @@ Names that are keywords or begin with a digit.
 
 from __future__ import annotations
 
-from . import codec
 from .field import Command, Field
-
-_DEFAULT_0 = codec.Block("BBBBB", "class_", "type", "register", "self_", "present")
 
 
 class Default(Command[None]):
@@ -55,21 +52,6 @@ class Default(Command[None]):
         self.register = register
         self.self_ = self_
         self.present = present
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[Default, int]:
-        v = _DEFAULT_0.read(raw, at)
-        at += 5
-        class_ = v[0]
-        type = v[1]
-        register = v[2]
-        self_ = v[3]
-        present = v[4]
-        return cls(class_, type, register, self_, present), at
-
-    def _write(self) -> bytes:
-        out = _DEFAULT_0.write(self.class_, self.type, self.register, self.self_, self.present)
-        return codec.finished(out)
 
 
 #: The types of each descriptor; several if constants or the size of the data distinguish layouts.

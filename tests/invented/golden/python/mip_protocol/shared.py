@@ -5,10 +5,8 @@ Valid in every data set.
 
 from __future__ import annotations
 
-from . import codec, types
+from . import types
 from .field import Data, Field, Shared
-
-_TIMESTAMP_0 = codec.Block("dH", "tow", "valid_flags")
 
 
 class Timestamp(Shared, Data):
@@ -39,18 +37,6 @@ class Timestamp(Shared, Data):
     def __init__(self, tow: float, valid_flags: types.StateFlags) -> None:
         self.tow = tow
         self.valid_flags = valid_flags
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[Timestamp, int]:
-        v = _TIMESTAMP_0.read(raw, at)
-        at += 10
-        tow = v[0]
-        valid_flags = types.StateFlags(v[1])
-        return cls(tow, valid_flags), at
-
-    def _write(self) -> bytes:
-        out = _TIMESTAMP_0.write(self.tow, self.valid_flags)
-        return codec.finished(out)
 
 
 #: The types of each descriptor; several if constants or the size of the data distinguish layouts.

@@ -9,8 +9,7 @@ from collections.abc import Sequence
 from enum import IntFlag
 from typing import Any
 
-from . import codec, types
-from .errors import Truncated
+from . import codec, types, wire
 from .field import ClassOf, Command, Field, R, Response, ResponseClasses, Structure
 from .protocol import FunctionSelector
 
@@ -33,14 +32,13 @@ class Fill(codec.OpenEnum):
     STRIPED = 2
 
 
-_STRIPES_0 = codec.Block("df", "width", "angle")
-
-
 class Stripes(Structure):
     """Two numbers."""
 
     __slots__ = ("width", "angle")
     __match_args__ = ("width", "angle")
+
+    _LAYOUT = (("width", "d", None), ("angle", "f", None))
 
     width: float
     """Of a stripe. Unit: m."""
@@ -51,28 +49,18 @@ class Stripes(Structure):
         self.width = width
         self.angle = angle
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[Stripes, int]:
-        v = _STRIPES_0.read(raw, at)
-        at += 12
-        width = v[0]
-        angle = v[1]
-        return cls(width, angle), at
-
-    def _write(self) -> bytes:
-        out = _STRIPES_0.write(self.width, self.angle)
-        return out
-
-
-_CIRCLE_0 = codec.Block("B", "fill")
-_CIRCLE_1 = codec.Block("I", "filling")
-
 
 class Circle(Structure):
     """Ends in a union of its own."""
 
     __slots__ = ("center", "fill", "filling")
     __match_args__ = ("center", "fill", "filling")
+
+    _LAYOUT = (
+        ("center", "", types.Point),
+        ("fill", "B", Fill),
+        ("filling", "", wire.Union("fill", {1: ("solid", "I", None), 2: ("striped", "", Stripes)})),
+    )
 
     center: types.Point
     """The middle."""
@@ -93,45 +81,18 @@ class Circle(Structure):
         self.fill = fill
         self.filling = filling
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[Circle, int]:
-        filling: int | Stripes | None = None
-        center, at = types.Point._read(raw, at)
-        v = _CIRCLE_0.read(raw, at)
-        at += 1
-        fill = Fill(v[0])
-        if fill == 1:
-            v = _CIRCLE_1.read(raw, at)
-            at += 4
-            filling = v[0]
-        elif fill == 2:
-            filling, at = Stripes._read(raw, at)
-        return cls(center, fill, filling), at
-
-    def _write(self) -> bytes:
-        out = codec.structure("center", self.center, types.Point)
-        out += _CIRCLE_0.write(self.fill)
-        if self.fill == 1:
-            if self.filling is None or isinstance(self.filling, Structure):
-                raise codec.mismatch("filling", self.fill)
-            out += _CIRCLE_1.write(self.filling)
-        elif self.fill == 2:
-            if not isinstance(self.filling, Stripes):
-                raise codec.mismatch("filling", self.fill)
-            out += codec.structure("filling", self.filling, Stripes)
-        elif self.filling is not None:
-            raise codec.mismatch("filling", self.fill)
-        return out
-
-
-_PATH_0 = codec.Block("BB", "closed", "num_points")
-
 
 class Path(Structure):
     """A counted array at its end."""
 
     __slots__ = ("closed", "points")
     __match_args__ = ("closed", "points")
+
+    _LAYOUT = (
+        ("closed", "B", codec.truth),
+        ("num_points", "B", wire.Counts("points", 62)),
+        ("points", "", wire.Items(types.Point, "num_points", 62)),
+    )
 
     closed: bool
     """Does it return to its start?"""
@@ -142,23 +103,6 @@ class Path(Structure):
     def __init__(self, closed: bool, points: Sequence[types.Point]) -> None:
         self.closed = closed
         self.points = codec.several(points)
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[Path, int]:
-        v = _PATH_0.read(raw, at)
-        at += 2
-        closed = codec.truth(v[0])
-        num_points = v[1]
-        n = codec.counted(raw, at, num_points, 4, 62)
-        points, at = codec.read_structures(types.Point, raw, at, n)
-        return cls(closed, points), at
-
-    def _write(self) -> bytes:
-        out = _PATH_0.write(self.closed, codec.count("points", self.points, 62))
-        out += codec.write_structures(
-            "points", codec.at_most("points", self.points, 62), types.Point
-        )
-        return out
 
 
 class Drive(codec.OpenEnum):
@@ -183,14 +127,13 @@ class SerialUse(codec.OpenEnum):
     TRANSMIT = 33
 
 
-_READING_0 = codec.Block("Bf", "kind", "value")
-
-
 class Reading(Structure):
     """One of a list; what it is depends on what was asked for."""
 
     __slots__ = ("kind", "value")
     __match_args__ = ("kind", "value")
+
+    _LAYOUT = (("kind", "B", None), ("value", "f", None))
 
     kind: int
     """Of the reading."""
@@ -200,18 +143,6 @@ class Reading(Structure):
     def __init__(self, kind: int, value: float) -> None:
         self.kind = kind
         self.value = value
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[Reading, int]:
-        v = _READING_0.read(raw, at)
-        at += 5
-        kind = v[0]
-        value = v[1]
-        return cls(kind, value), at
-
-    def _write(self) -> bytes:
-        out = _READING_0.write(self.kind, self.value)
-        return out
 
 
 @codec.open_flag(32)
@@ -236,9 +167,6 @@ class ModelBFaults(IntFlag):
     """Bit 1."""
     ACCEL = 1 << 12
     """Bit 12."""
-
-
-_SETTINGS_RESPONSE_0 = codec.Block("BBIHB", "port", "mode", "baud", "limit", "reserved")
 
 
 class SettingsResponse(Response):
@@ -290,24 +218,6 @@ class SettingsResponse(Response):
         self.limit = limit
         self.reserved = reserved
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SettingsResponse, int]:
-        v = _SETTINGS_RESPONSE_0.read(raw, at)
-        at += 9
-        port = v[0]
-        mode = types.Mode(v[1])
-        baud = v[2]
-        limit = v[3]
-        reserved = v[4]
-        return cls(port, mode, baud, limit, reserved), at
-
-    def _write(self) -> bytes:
-        out = _SETTINGS_RESPONSE_0.write(self.port, self.mode, self.baud, self.limit, self.reserved)
-        return codec.finished(out)
-
-
-_SET_TIME_FAST_RESPONSE_0 = codec.Block("I", "value")
-
 
 class SetTimeFastResponse(Response):
     """Set time response (0x01,0x83).
@@ -332,20 +242,6 @@ class SetTimeFastResponse(Response):
 
     def __init__(self, value: int) -> None:
         self.value = value
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SetTimeFastResponse, int]:
-        v = _SET_TIME_FAST_RESPONSE_0.read(raw, at)
-        at += 4
-        value = v[0]
-        return cls(value), at
-
-    def _write(self) -> bytes:
-        out = _SET_TIME_FAST_RESPONSE_0.write(self.value)
-        return codec.finished(out)
-
-
-_SET_TIME_SLOW_RESPONSE_0 = codec.Block("I", "value")
 
 
 class SetTimeSlowResponse(Response):
@@ -372,21 +268,6 @@ class SetTimeSlowResponse(Response):
     def __init__(self, value: int) -> None:
         self.value = value
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SetTimeSlowResponse, int]:
-        v = _SET_TIME_SLOW_RESPONSE_0.read(raw, at)
-        at += 4
-        value = v[0]
-        return cls(value), at
-
-    def _write(self) -> bytes:
-        out = _SET_TIME_SLOW_RESPONSE_0.write(self.value)
-        return codec.finished(out)
-
-
-_CHOICE_RESPONSE_0 = codec.Block("BB", "instance", "shape")
-_CHOICE_RESPONSE_1 = codec.Block("ffff", *["parameters"] * 4)
-
 
 class ChoiceResponse(Response):
     """Choice response (0x01,0x88).
@@ -404,6 +285,24 @@ class ChoiceResponse(Response):
     DESCRIPTOR = 0x88
     NAME = "tools.choice_response"
     ROLE = "response"
+    _LAYOUT = (
+        ("instance", "B", None),
+        ("shape", "B", Shape),
+        (
+            "parameters",
+            "",
+            wire.Union(
+                "shape",
+                {
+                    1: ("circle", "", Circle),
+                    2: ("path", "", Path),
+                    3: ("rotation", "ffff", types.Quatf),
+                    4: ("label", "", wire.Text(8, 8)),
+                },
+            ),
+        ),
+    )
+
     _VECTORS = {"parameters": (types.Quatf,)}
 
     instance: int
@@ -430,51 +329,6 @@ class ChoiceResponse(Response):
         self.shape = shape
         self.parameters = codec.vector(parameters, types.Quatf)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ChoiceResponse, int]:
-        parameters: Circle | Path | types.Quatf | str | None = None
-        v = _CHOICE_RESPONSE_0.read(raw, at)
-        at += 2
-        instance = v[0]
-        shape = Shape(v[1])
-        if shape == 1:
-            parameters, at = Circle._read(raw, at)
-        elif shape == 2:
-            parameters, at = Path._read(raw, at)
-        elif shape == 3:
-            v = _CHOICE_RESPONSE_1.read(raw, at)
-            at += 16
-            parameters = types.Quatf._make(v[0:4])
-        elif shape == 4:
-            parameters = codec.take(raw, at, 8).decode("latin-1")
-            at += 8
-        return cls(instance, shape, parameters), at
-
-    def _write(self) -> bytes:
-        out = _CHOICE_RESPONSE_0.write(self.instance, self.shape)
-        if self.shape == 1:
-            if not isinstance(self.parameters, Circle):
-                raise codec.mismatch("parameters", self.shape)
-            out += codec.structure("parameters", self.parameters, Circle)
-        elif self.shape == 2:
-            if not isinstance(self.parameters, Path):
-                raise codec.mismatch("parameters", self.shape)
-            out += codec.structure("parameters", self.parameters, Path)
-        elif self.shape == 3:
-            if self.parameters is None or isinstance(self.parameters, Structure):
-                raise codec.mismatch("parameters", self.shape)
-            out += _CHOICE_RESPONSE_1.write(*codec.elements("parameters", self.parameters, 4))
-        elif self.shape == 4:
-            if self.parameters is None or isinstance(self.parameters, Structure):
-                raise codec.mismatch("parameters", self.shape)
-            out += codec.padded("parameters", self.parameters, 8)
-        elif self.parameters is not None:
-            raise codec.mismatch("parameters", self.shape)
-        return codec.finished(out)
-
-
-_LIST_RESPONSE_0 = codec.Block("B", "count")
-
 
 class ListResponse(Response):
     """List response (0x01,0x89).
@@ -492,6 +346,10 @@ class ListResponse(Response):
     DESCRIPTOR = 0x89
     NAME = "tools.list_response"
     ROLE = "response"
+    _LAYOUT = (
+        ("count", "B", wire.Counts("items", 126)),
+        ("items", "H", wire.Items(None, "count", 126)),
+    )
 
     # On the wire only: count. Number of items. The number of elements of `items`.
     items: tuple[int, ...]
@@ -499,21 +357,6 @@ class ListResponse(Response):
 
     def __init__(self, items: Sequence[int]) -> None:
         self.items = codec.several(items)
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ListResponse, int]:
-        v = _LIST_RESPONSE_0.read(raw, at)
-        at += 1
-        count = v[0]
-        n = codec.counted(raw, at, count, 2, 126)
-        items = codec.read_numbers("H", raw, at, n)
-        at += n * 2
-        return cls(items), at
-
-    def _write(self) -> bytes:
-        out = _LIST_RESPONSE_0.write(codec.count("items", self.items, 126))
-        out += codec.write_numbers("items", "H", codec.at_most("items", self.items, 126))
-        return codec.finished(out)
 
 
 class InventoryResponse(Response):
@@ -532,28 +375,13 @@ class InventoryResponse(Response):
     DESCRIPTOR = 0x8A
     NAME = "tools.inventory_response"
     ROLE = "response"
+    _LAYOUT = (("descriptors", "H", wire.Items(None, None, 126)),)
 
     descriptors: tuple[int, ...]
     """As many as there are."""
 
     def __init__(self, descriptors: Sequence[int]) -> None:
         self.descriptors = codec.several(descriptors)
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[InventoryResponse, int]:
-        n = codec.remaining(raw, at, 2)
-        descriptors = codec.read_numbers("H", raw, at, n)
-        at += n * 2
-        return cls(descriptors), at
-
-    def _write(self) -> bytes:
-        out = codec.write_numbers(
-            "descriptors", "H", codec.at_most("descriptors", self.descriptors, 126)
-        )
-        return codec.finished(out)
-
-
-_PIN_RESPONSE_0 = codec.Block("BB", "drive", "use")
 
 
 class PinResponse(Response):
@@ -587,27 +415,12 @@ class PinResponse(Response):
         self.drive = drive
         self.use = use
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[PinResponse, int]:
-        v = _PIN_RESPONSE_0.read(raw, at)
-        at += 2
-        drive = Drive(v[0])
-        use = v[1]
-        return cls(drive, use), at
-
-    def _write(self) -> bytes:
-        out = _PIN_RESPONSE_0.write(self.drive, self.use)
-        return codec.finished(out)
-
-
-_HELLO_RESPONSE_0 = codec.Block("I", "seen")
-
 
 class HelloResponse(Response):
     """Hello response (0x01,0x8C).
 
-    Also called `keep_alive_response` and `welcome`. Answers `Hello`. Probably supported by Model C.
-    Known only from the Kit of names. Uncertain: When it comes.
+    No device is certain to support it. Also called `keep_alive_response` and `welcome`. Answers
+    `Hello`. Known only from the Kit of names. Uncertain: When it comes.
 
     - sheet: Hello
     """
@@ -628,20 +441,6 @@ class HelloResponse(Response):
     def __init__(self, seen: int) -> None:
         self.seen = seen
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[HelloResponse, int]:
-        v = _HELLO_RESPONSE_0.read(raw, at)
-        at += 4
-        seen = v[0]
-        return cls(seen), at
-
-    def _write(self) -> bytes:
-        out = _HELLO_RESPONSE_0.write(self.seen)
-        return codec.finished(out)
-
-
-_READINGS_RESPONSE_0 = codec.Block("BB", "drive", "count")
-
 
 class ReadingsResponse(Response):
     """Readings response (0x01,0x8D).
@@ -659,6 +458,12 @@ class ReadingsResponse(Response):
     DESCRIPTOR = 0x8D
     NAME = "tools.readings_response"
     ROLE = "response"
+    _LAYOUT = (
+        ("drive", "B", Drive),
+        ("count", "B", wire.Counts("readings", 49)),
+        ("readings", "", wire.Items(Reading, "count", 49)),
+        ("last", "", Reading),
+    )
 
     drive: Drive
     """What was asked for."""
@@ -681,31 +486,6 @@ class ReadingsResponse(Response):
         self.readings = codec.several(readings)
         self.last = last
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ReadingsResponse, int]:
-        v = _READINGS_RESPONSE_0.read(raw, at)
-        at += 2
-        drive = Drive(v[0])
-        count = v[1]
-        n = codec.counted(raw, at, count, 5, 49)
-        readings, at = codec.read_structures(Reading, raw, at, n)
-        last, at = Reading._read(raw, at)
-        return cls(drive, readings, last), at
-
-    def _write(self) -> bytes:
-        out = _READINGS_RESPONSE_0.write(self.drive, codec.count("readings", self.readings, 49))
-        out += codec.write_structures(
-            "readings", codec.at_most("readings", self.readings, 49), Reading
-        )
-        out += codec.structure("last", self.last, Reading)
-        return codec.finished(out)
-
-
-_STATUS_PAGED_0 = codec.Block("H", "model")
-_STATUS_PAGED_1 = codec.Block("B", "selector")
-_STATUS_PAGED_2 = codec.Block("B", "page")
-_STATUS_PAGED_3 = codec.Block("HB", "uptime", "level")
-
 
 class StatusPaged(Response):
     """Status response (0x01,0x90).
@@ -725,6 +505,13 @@ class StatusPaged(Response):
     DESCRIPTOR = 0x90
     NAME = "tools.status_paged"
     ROLE = "response"
+    _LAYOUT = (
+        ("model", "H", 4711),
+        ("selector", "B", 1),
+        ("page", "B", 7),
+        ("uptime", "H", None),
+        ("level", "B", None),
+    )
 
     # On the wire only: model. The model. Always 4711.
     # On the wire only: selector. The short layout. Always 1.
@@ -746,35 +533,6 @@ class StatusPaged(Response):
             and b"\x07".startswith(data[3:4])
         )
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[StatusPaged, int]:
-        v = _STATUS_PAGED_0.read(raw, at)
-        at += 2
-        codec.constant(v[0], 4711)
-        v = _STATUS_PAGED_1.read(raw, at)
-        at += 1
-        codec.constant(v[0], 1)
-        v = _STATUS_PAGED_2.read(raw, at)
-        at += 1
-        codec.constant(v[0], 7)
-        v = _STATUS_PAGED_3.read(raw, at)
-        at += 3
-        uptime = v[0]
-        level = v[1]
-        return cls(uptime, level), at
-
-    def _write(self) -> bytes:
-        out = _STATUS_PAGED_0.write(4711)
-        out += _STATUS_PAGED_1.write(1)
-        out += _STATUS_PAGED_2.write(7)
-        out += _STATUS_PAGED_3.write(self.uptime, self.level)
-        return codec.finished(out)
-
-
-_STATUS_SHORT_0 = codec.Block("H", "model")
-_STATUS_SHORT_1 = codec.Block("B", "selector")
-_STATUS_SHORT_2 = codec.Block("I", "flags")
-
 
 class StatusShort(Response):
     """Status response (0x01,0x90).
@@ -792,6 +550,7 @@ class StatusShort(Response):
     DESCRIPTOR = 0x90
     NAME = "tools.status_short"
     ROLE = "response"
+    _LAYOUT = (("model", "H", 4711), ("selector", "B", 1), ("flags", "I", None))
 
     # On the wire only: model. The model. Always 4711.
     # On the wire only: selector. The short layout. Always 1.
@@ -808,30 +567,6 @@ class StatusShort(Response):
     @classmethod
     def matches(cls, data: bytes) -> bool:
         return b"\x12g".startswith(data[0:2]) and b"\x01".startswith(data[2:3])
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[StatusShort, int]:
-        v = _STATUS_SHORT_0.read(raw, at)
-        at += 2
-        codec.constant(v[0], 4711)
-        v = _STATUS_SHORT_1.read(raw, at)
-        at += 1
-        codec.constant(v[0], 1)
-        v = _STATUS_SHORT_2.read(raw, at)
-        at += 4
-        flags = v[0]
-        return cls(flags), at
-
-    def _write(self) -> bytes:
-        out = _STATUS_SHORT_0.write(4711)
-        out += _STATUS_SHORT_1.write(1)
-        out += _STATUS_SHORT_2.write(self.flags)
-        return codec.finished(out)
-
-
-_STATUS_LONG_0 = codec.Block("H", "model")
-_STATUS_LONG_1 = codec.Block("B", "selector")
-_STATUS_LONG_2 = codec.Block("IQ", "flags", "uptime")
 
 
 class StatusLong(Response):
@@ -851,6 +586,12 @@ class StatusLong(Response):
     DESCRIPTOR = 0x90
     NAME = "tools.status_long"
     ROLE = "response"
+    _LAYOUT = (
+        ("model", "H", 4711),
+        ("selector", "B", 2),
+        ("flags", "I", None),
+        ("uptime", "Q", None),
+    )
 
     # On the wire only: model. The model. Always 4711.
     # On the wire only: selector. The long layout. Always 2.
@@ -876,31 +617,6 @@ class StatusLong(Response):
             and b"\x02".startswith(data[2:3])
         )
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[StatusLong, int]:
-        v = _STATUS_LONG_0.read(raw, at)
-        at += 2
-        codec.constant(v[0], 4711)
-        v = _STATUS_LONG_1.read(raw, at)
-        at += 1
-        codec.constant(v[0], 2)
-        v = _STATUS_LONG_2.read(raw, at)
-        at += 12
-        flags = v[0]
-        uptime = v[1]
-        return cls(flags, uptime), at
-
-    def _write(self) -> bytes:
-        out = _STATUS_LONG_0.write(4711)
-        out += _STATUS_LONG_1.write(2)
-        out += _STATUS_LONG_2.write(self.flags, self.uptime)
-        return codec.finished(out)
-
-
-_STATUS_OLD_0 = codec.Block("H", "model")
-_STATUS_OLD_1 = codec.Block("B", "selector")
-_STATUS_OLD_2 = codec.Block("I", "uptime")
-
 
 class StatusOld(Response):
     """Status response (0x01,0x90).
@@ -921,6 +637,7 @@ class StatusOld(Response):
     DESCRIPTOR = 0x90
     NAME = "tools.status_old"
     ROLE = "response"
+    _LAYOUT = (("model", "H", 4711), ("selector", "B", 2), ("uptime", "I", None))
 
     # On the wire only: model. The model. Always 4711.
     # On the wire only: selector. The long layout. Always 2.
@@ -933,30 +650,6 @@ class StatusOld(Response):
     @classmethod
     def matches(cls, data: bytes) -> bool:
         return len(data) < 15 and b"\x12g".startswith(data[0:2]) and b"\x02".startswith(data[2:3])
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[StatusOld, int]:
-        v = _STATUS_OLD_0.read(raw, at)
-        at += 2
-        codec.constant(v[0], 4711)
-        v = _STATUS_OLD_1.read(raw, at)
-        at += 1
-        codec.constant(v[0], 2)
-        v = _STATUS_OLD_2.read(raw, at)
-        at += 4
-        uptime = v[0]
-        return cls(uptime), at
-
-    def _write(self) -> bytes:
-        out = _STATUS_OLD_0.write(4711)
-        out += _STATUS_OLD_1.write(2)
-        out += _STATUS_OLD_2.write(self.uptime)
-        return codec.finished(out)
-
-
-_STATUS_FULL_0 = codec.Block("H", "model")
-_STATUS_FULL_1 = codec.Block("B", "selector")
-_STATUS_FULL_2 = codec.Block("QB", "uptime", "mode")
 
 
 class StatusFull(Response):
@@ -976,6 +669,13 @@ class StatusFull(Response):
     DESCRIPTOR = 0x90
     NAME = "tools.status_full"
     ROLE = "response"
+    _LAYOUT = (
+        ("model", "H", 4711),
+        ("selector", "B", 2),
+        ("place", "", types.Point),
+        ("uptime", "Q", None),
+        ("mode", "B", types.Mode),
+    )
 
     # On the wire only: model. The model. Always 4711.
     # On the wire only: selector. The long layout. Always 2.
@@ -994,31 +694,6 @@ class StatusFull(Response):
     @classmethod
     def matches(cls, data: bytes) -> bool:
         return 16 <= len(data) and b"\x12g".startswith(data[0:2]) and b"\x02".startswith(data[2:3])
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[StatusFull, int]:
-        v = _STATUS_FULL_0.read(raw, at)
-        at += 2
-        codec.constant(v[0], 4711)
-        v = _STATUS_FULL_1.read(raw, at)
-        at += 1
-        codec.constant(v[0], 2)
-        place, at = types.Point._read(raw, at)
-        v = _STATUS_FULL_2.read(raw, at)
-        at += 9
-        uptime = v[0]
-        mode = types.Mode(v[1])
-        return cls(place, uptime, mode), at
-
-    def _write(self) -> bytes:
-        out = _STATUS_FULL_0.write(4711)
-        out += _STATUS_FULL_1.write(2)
-        out += codec.structure("place", self.place, types.Point)
-        out += _STATUS_FULL_2.write(self.uptime, self.mode)
-        return codec.finished(out)
-
-
-_BIAS_VECTOR_0 = codec.Block("fff", *["bias"] * 3)
 
 
 class BiasVector(Response):
@@ -1039,6 +714,7 @@ class BiasVector(Response):
     NAME = "tools.bias_vector"
     ROLE = "response"
     _LAYOUT = (("bias", "fff", types.Vector3f),)
+
     _VECTORS = {"bias": (types.Vector3f,)}
 
     bias: types.Vector3f
@@ -1047,24 +723,13 @@ class BiasVector(Response):
     def __init__(self, bias: types.Vector3f | codec.Numbers) -> None:
         self.bias = codec.vector(bias, types.Vector3f)
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[BiasVector, int]:
-        v = _BIAS_VECTOR_0.read(raw, at)
-        at += 12
-        bias = types.Vector3f._make(v[0:3])
-        return cls(bias), at
-
-    def _write(self) -> bytes:
-        out = _BIAS_VECTOR_0.write(*codec.elements("bias", self.bias, 3))
-        return codec.finished(out)
-
 
 class Ping(Command[None]):
     """Ping (0x01,0x01).
 
     Tests the line.
 
-    Supported by Model A, Model B, Model C and Old 1. Probably supported by Old 2.
+    Supported by Model A, Model B, Model C and Old 1.
 
     - guide: Ping
     - leaflet: Ping
@@ -1077,28 +742,6 @@ class Ping(Command[None]):
     DESCRIPTOR = 0x01
     NAME = "tools.ping"
     ROLE = "command"
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[Ping, int]:
-        return cls(), at
-
-    def _write(self) -> bytes:
-        return b""
-
-
-_SETTINGS_0 = codec.Block("B", "function")
-_SETTINGS_1 = codec.Block("B", "port")
-_SETTINGS_2 = codec.Block("B", "mode")
-_SETTINGS_3 = codec.Block("I", "baud")
-_SETTINGS_4 = codec.Block("H", "limit")
-_SETTINGS_5 = codec.Block("B", "reserved")
-_SETTINGS_GROUPS = (
-    (1, ("port",), False),
-    (2, ("mode",), False),
-    (3, ("baud",), False),
-    (4, ("limit",), False),
-    (5, ("reserved",), False),
-)
 
 
 class Settings(Command[R]):
@@ -1124,6 +767,15 @@ class Settings(Command[R]):
     ROLE = "command"
     RESPONSES = (SettingsResponse,)
     REQUIRED = {1: 3, 2: 2, 3: 1, 4: 1, 5: 1, 6: 3}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("port", "B", None),
+        ("mode", "B", types.Mode),
+        ("baud", "I", None),
+        ("limit", "H", None),
+        ("reserved", "B", None),
+    )
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -1215,77 +867,6 @@ class Settings(Command[R]):
             return (SettingsResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[Settings[R], int]:
-        port: int | None = None
-        mode: types.Mode | None = None
-        baud: int | None = None
-        limit: int | None = None
-        reserved: int | None = None
-        v = _SETTINGS_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _SETTINGS_1.read(raw, at)
-            at += 1
-            port = v[0]
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _SETTINGS_2.read(raw, at)
-            at += 1
-            mode = types.Mode(v[0])
-            done, end = 2, at
-            if at == len(raw) and required < 3:
-                raise Truncated(1, 0)
-            v = _SETTINGS_3.read(raw, at)
-            at += 4
-            baud = v[0]
-            done, end = 3, at
-            if at == len(raw) and required < 4:
-                raise Truncated(1, 0)
-            v = _SETTINGS_4.read(raw, at)
-            at += 2
-            limit = v[0]
-            done, end = 4, at
-            if at == len(raw) and required < 5:
-                raise Truncated(1, 0)
-            v = _SETTINGS_5.read(raw, at)
-            at += 1
-            reserved = v[0]
-            done, end = 5, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, port, mode, baud, limit, reserved), at
-
-    def _write(self) -> bytes:
-        out = _SETTINGS_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _SETTINGS_GROUPS)
-        if there >= 1:
-            out += _SETTINGS_1.write(self.port)
-        if there >= 2:
-            out += _SETTINGS_2.write(self.mode)
-        if there >= 3:
-            out += _SETTINGS_3.write(self.baud)
-        if there >= 4:
-            out += _SETTINGS_4.write(self.limit)
-        if there >= 5:
-            out += _SETTINGS_5.write(self.reserved)
-        return codec.finished(out)
-
-
-_SET_TIME_0 = codec.Block("B", "function")
-_SET_TIME_1 = codec.Block("B", "part")
-_SET_TIME_2 = codec.Block("I", "value")
-_SET_TIME_GROUPS = ((1, ("part",), False), (2, ("value",), False))
-
 
 class SetTime(Command[R]):
     """Set time (0x01,0x03).
@@ -1310,6 +891,8 @@ class SetTime(Command[R]):
     ROLE = "command"
     RESPONSES = (SetTimeFastResponse, SetTimeSlowResponse)
     REQUIRED = {1: 2, 2: 1, 6: 2}
+    _LAYOUT = (("function", "B", FunctionSelector), ("part", "B", types.Mode), ("value", "I", None))
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -1354,48 +937,6 @@ class SetTime(Command[R]):
             return (SetTimeSlowResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SetTime[R], int]:
-        part: types.Mode | None = None
-        value: int | None = None
-        v = _SET_TIME_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _SET_TIME_1.read(raw, at)
-            at += 1
-            part = types.Mode(v[0])
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _SET_TIME_2.read(raw, at)
-            at += 4
-            value = v[0]
-            done, end = 2, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, part, value), at
-
-    def _write(self) -> bytes:
-        out = _SET_TIME_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _SET_TIME_GROUPS)
-        if there >= 1:
-            out += _SET_TIME_1.write(self.part)
-        if there >= 2:
-            out += _SET_TIME_2.write(self.value)
-        return codec.finished(out)
-
-
-_STATUS_0 = codec.Block("H", "model")
-_STATUS_1 = codec.Block("B", "selector")
-
 
 class Status(Command[StatusPaged | StatusShort | StatusLong | StatusOld | StatusFull]):
     """Status (0x01,0x04).
@@ -1418,6 +959,7 @@ class Status(Command[StatusPaged | StatusShort | StatusLong | StatusOld | Status
     ROLE = "command"
     RESPONSES = (StatusPaged, StatusShort, StatusLong, StatusOld, StatusFull)
     TIMEOUT = 2.5
+    _LAYOUT = (("model", "H", 4711), ("selector", "B", None))
 
     # On the wire only: model. The model that the layouts belong to. Always 4711.
     selector: int
@@ -1440,26 +982,6 @@ class Status(Command[StatusPaged | StatusShort | StatusLong | StatusOld | Status
         if self.selector == 2:
             return (StatusLong, StatusOld, StatusFull)
         return ()
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[Status, int]:
-        v = _STATUS_0.read(raw, at)
-        at += 2
-        codec.constant(v[0], 4711)
-        v = _STATUS_1.read(raw, at)
-        at += 1
-        selector = v[0]
-        return cls(selector), at
-
-    def _write(self) -> bytes:
-        out = _STATUS_0.write(4711)
-        out += _STATUS_1.write(self.selector)
-        return codec.finished(out)
-
-
-_BIAS_0 = codec.Block("B", "function")
-_BIAS_1 = codec.Block("fff", *["bias"] * 3)
-_BIAS_GROUPS = ((1, ("bias",), False),)
 
 
 class Bias(Command[R]):
@@ -1485,6 +1007,9 @@ class Bias(Command[R]):
     ROLE = "command"
     RESPONSES = (BiasVector,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _LAYOUT = (("function", "B", FunctionSelector), ("bias", "fff", types.Vector3f))
+    _ALWAYS = 1
+
     _VECTORS = {"bias": (types.Vector3f,)}
 
     function: FunctionSelector
@@ -1530,47 +1055,14 @@ class Bias(Command[R]):
             return (BiasVector,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[Bias[R], int]:
-        bias: types.Vector3f | None = None
-        v = _BIAS_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _BIAS_1.read(raw, at)
-            at += 12
-            bias = types.Vector3f._make(v[0:3])
-            done, end = 1, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, bias), at
-
-    def _write(self) -> bytes:
-        out = _BIAS_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _BIAS_GROUPS)
-        if there >= 1:
-            out += _BIAS_1.write(*codec.elements("bias", self.bias, 3))
-        return codec.finished(out)
-
-
-_CAPTURE_BIAS_0 = codec.Block("H", "time")
-
 
 class CaptureBias(Command[BiasVector]):
     """Capture bias (0x01,0x06).
 
     Measures the bias.
 
-    Answered by `BiasVector`. Probably changes `measurements.Accel`. Flagged by
-    `ModelAFaults.SENSOR` of `ModelAFaults`. Supported by Model A and Model C. Deprecated on the
-    Model C: use `Bias` instead. On the Model C: firmware >= 1.0, < 1.1.
+    Answered by `BiasVector`. Probably changes `measurements.Accel`. Supported by Model A and Model
+    C. Deprecated on the Model C: use `Bias` instead. On the Model C: firmware >= 1.0, < 1.1.
 
     - guide: Capture bias
     """
@@ -1592,20 +1084,6 @@ class CaptureBias(Command[BiasVector]):
     def __init__(self, time: int) -> None:
         self.time = time
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[CaptureBias, int]:
-        v = _CAPTURE_BIAS_0.read(raw, at)
-        at += 2
-        time = v[0]
-        return cls(time), at
-
-    def _write(self) -> bytes:
-        out = _CAPTURE_BIAS_0.write(self.time)
-        return codec.finished(out)
-
-
-_FORMATS_0 = codec.Block("BBB", "suppress_ack", "num_segments", "checkpoint")
-
 
 class Formats(Command[None]):
     """Formats (0x01,0x07).
@@ -1625,6 +1103,12 @@ class Formats(Command[None]):
     DESCRIPTOR = 0x07
     NAME = "tools.formats"
     ROLE = "command"
+    _LAYOUT = (
+        ("suppress_ack", "B", codec.truth),
+        ("num_segments", "B", wire.Counts("segments", 25)),
+        ("checkpoint", "B", None),
+        ("segments", "", wire.Items(types.Segment, "num_segments", 25)),
+    )
 
     suppress_ack: bool
     """Send no acknowledge."""
@@ -1645,41 +1129,13 @@ class Formats(Command[None]):
     def answered(self) -> bool:
         return not self.suppress_ack
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[Formats, int]:
-        v = _FORMATS_0.read(raw, at)
-        at += 3
-        suppress_ack = codec.truth(v[0])
-        num_segments = v[1]
-        checkpoint = v[2]
-        n = codec.counted(raw, at, num_segments, 10, 25)
-        segments, at = codec.read_structures(types.Segment, raw, at, n)
-        return cls(suppress_ack, checkpoint, segments), at
-
-    def _write(self) -> bytes:
-        out = _FORMATS_0.write(
-            self.suppress_ack, codec.count("segments", self.segments, 25), self.checkpoint
-        )
-        out += codec.write_structures(
-            "segments", codec.at_most("segments", self.segments, 25), types.Segment
-        )
-        return codec.finished(out)
-
-
-_CHOICE_0 = codec.Block("B", "function")
-_CHOICE_1 = codec.Block("B", "instance")
-_CHOICE_2 = codec.Block("B", "shape")
-_CHOICE_3 = codec.Block("ffff", *["parameters"] * 4)
-_CHOICE_GROUPS = ((1, ("instance",), False), (2, ("shape",), False), (3, ("parameters",), True))
-
 
 class Choice(Command[R]):
     """Choice (0x01,0x08).
 
     A tagged union with an empty variant, nested unions, arrays and strings in it.
 
-    Functions: `write` and `read`. Answered by `ChoiceResponse`. Supported by Model A. Refused by
-    Model C.
+    Functions: `write` and `read`. Answered by `ChoiceResponse`. Supported by Model A.
 
     - guide: Choice
     """
@@ -1694,6 +1150,26 @@ class Choice(Command[R]):
     ROLE = "command"
     RESPONSES = (ChoiceResponse,)
     REQUIRED = {1: 3, 2: 1}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("instance", "B", None),
+        ("shape", "B", Shape),
+        (
+            "parameters",
+            "",
+            wire.Union(
+                "shape",
+                {
+                    1: ("circle", "", Circle),
+                    2: ("path", "", Path),
+                    3: ("rotation", "ffff", types.Quatf),
+                    4: ("label", "", wire.Text(8, 8)),
+                },
+            ),
+        ),
+    )
+    _ALWAYS = 1
+
     _VECTORS = {"parameters": (types.Quatf,)}
 
     function: FunctionSelector
@@ -1745,83 +1221,6 @@ class Choice(Command[R]):
             return (ChoiceResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[Choice[R], int]:
-        instance: int | None = None
-        shape: Shape | None = None
-        parameters: Circle | Path | types.Quatf | str | None = None
-        v = _CHOICE_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _CHOICE_1.read(raw, at)
-            at += 1
-            instance = v[0]
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _CHOICE_2.read(raw, at)
-            at += 1
-            shape = Shape(v[0])
-            done, end = 2, at
-            if at == len(raw) and required < 3:
-                raise Truncated(1, 0)
-            if shape == 1:
-                parameters, at = Circle._read(raw, at)
-            elif shape == 2:
-                parameters, at = Path._read(raw, at)
-            elif shape == 3:
-                v = _CHOICE_3.read(raw, at)
-                at += 16
-                parameters = types.Quatf._make(v[0:4])
-            elif shape == 4:
-                parameters = codec.take(raw, at, 8).decode("latin-1")
-                at += 8
-            done, end = 3, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, instance, shape, parameters), at
-
-    def _write(self) -> bytes:
-        out = _CHOICE_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _CHOICE_GROUPS)
-        if there >= 1:
-            out += _CHOICE_1.write(self.instance)
-        if there >= 2:
-            out += _CHOICE_2.write(self.shape)
-        if there >= 3:
-            if self.shape == 1:
-                if not isinstance(self.parameters, Circle):
-                    raise codec.mismatch("parameters", self.shape)
-                out += codec.structure("parameters", self.parameters, Circle)
-            elif self.shape == 2:
-                if not isinstance(self.parameters, Path):
-                    raise codec.mismatch("parameters", self.shape)
-                out += codec.structure("parameters", self.parameters, Path)
-            elif self.shape == 3:
-                if self.parameters is None or isinstance(self.parameters, Structure):
-                    raise codec.mismatch("parameters", self.shape)
-                out += _CHOICE_3.write(*codec.elements("parameters", self.parameters, 4))
-            elif self.shape == 4:
-                if self.parameters is None or isinstance(self.parameters, Structure):
-                    raise codec.mismatch("parameters", self.shape)
-                out += codec.padded("parameters", self.parameters, 8)
-            elif self.parameters is not None:
-                raise codec.mismatch("parameters", self.shape)
-        return codec.finished(out)
-
-
-_LIST_0 = codec.Block("B", "function")
-_LIST_1 = codec.Block("B", "count")
-_LIST_GROUPS = ((2, ("items",), False),)
-
 
 class List(Command[R]):
     """List (0x01,0x09).
@@ -1844,6 +1243,12 @@ class List(Command[R]):
     ROLE = "command"
     RESPONSES = (ListResponse,)
     REQUIRED = {1: 2, 2: 0, 3: 0}
+    _LAYOUT = (
+        ("function", "B", FunctionSelector),
+        ("count", "B", wire.Counts("items", 125)),
+        ("items", "H", wire.Items(None, "count", 125)),
+    )
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -1877,39 +1282,6 @@ class List(Command[R]):
             return (ListResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[List[R], int]:
-        items: tuple[int, ...] | None = None
-        v = _LIST_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _LIST_1.read(raw, at)
-            at += 1
-            count = v[0]
-            n = codec.counted(raw, at, count, 2, 125)
-            items = codec.read_numbers("H", raw, at, n)
-            at += n * 2
-            done, end = 2, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, items), at
-
-    def _write(self) -> bytes:
-        out = _LIST_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _LIST_GROUPS)
-        if there >= 2:
-            out += _LIST_1.write(codec.count("items", self.items, 125))
-            out += codec.write_numbers("items", "H", codec.at_most("items", self.items, 125))
-        return codec.finished(out)
-
 
 class Inventory(Command[InventoryResponse]):
     """Inventory (0x01,0x0A).
@@ -1929,19 +1301,6 @@ class Inventory(Command[InventoryResponse]):
     NAME = "tools.inventory"
     ROLE = "command"
     RESPONSES = (InventoryResponse,)
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[Inventory, int]:
-        return cls(), at
-
-    def _write(self) -> bytes:
-        return b""
-
-
-_PIN_0 = codec.Block("B", "function")
-_PIN_1 = codec.Block("B", "drive")
-_PIN_2 = codec.Block("B", "use")
-_PIN_GROUPS = ((1, ("drive",), False), (2, ("use",), False))
 
 
 class Pin(Command[R]):
@@ -1964,6 +1323,8 @@ class Pin(Command[R]):
     ROLE = "command"
     RESPONSES = (PinResponse,)
     REQUIRED = {1: 2, 2: 1}
+    _LAYOUT = (("function", "B", FunctionSelector), ("drive", "B", Drive), ("use", "B", None))
+    _ALWAYS = 1
 
     function: FunctionSelector
     """Operation on the setting."""
@@ -1999,57 +1360,14 @@ class Pin(Command[R]):
             return (PinResponse,)
         return ()
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[Pin[R], int]:
-        drive: Drive | None = None
-        use: int | None = None
-        v = _PIN_0.read(raw, at)
-        at += 1
-        function = FunctionSelector(v[0])
-        required = cls.REQUIRED.get(function, 0)
-        done, end = 0, at
-        try:
-            if at == len(raw) and required < 1:
-                raise Truncated(1, 0)
-            v = _PIN_1.read(raw, at)
-            at += 1
-            drive = Drive(v[0])
-            done, end = 1, at
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _PIN_2.read(raw, at)
-            at += 1
-            use = v[0]
-            done, end = 2, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(function, drive, use), at
-
-    def _write(self) -> bytes:
-        out = _PIN_0.write(self.function)
-        required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _PIN_GROUPS)
-        if there >= 1:
-            out += _PIN_1.write(self.drive)
-        if there >= 2:
-            out += _PIN_2.write(self.use)
-        return codec.finished(out)
-
-
-_HELLO_0 = codec.Block("f", "reserved")
-_HELLO_1 = codec.Block("dd", *["later"] * 2)
-_HELLO_GROUPS = ((2, ("later",), False),)
-
 
 class Hello(Command[HelloResponse]):
     """Hello (0x01,0x0C).
 
     The device asks and a host answers.
 
-    Also called `keep_alive`. Answered by `HelloResponse`. Sent by the device; the host answers.
-    Probably supported by Model C. Known only from the Kit of names.
+    No device is certain to support it. Also called `keep_alive`. Answered by `HelloResponse`. Sent
+    by the device; the host answers. Known only from the Kit of names.
 
     - sheet: Hello
     """
@@ -2063,6 +1381,8 @@ class Hello(Command[HelloResponse]):
     NAME = "tools.hello"
     ROLE = "command"
     RESPONSES = (HelloResponse,)
+    _LAYOUT = (("reserved", "f", None), ("later", "dd", tuple))
+    _ALWAYS = 1
 
     reserved: float
     """Reserved: send 1.0."""
@@ -2072,38 +1392,6 @@ class Hello(Command[HelloResponse]):
     def __init__(self, reserved: float = 1.0, later: Sequence[float] | None = None) -> None:
         self.reserved = reserved
         self.later = codec.several(later)
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[Hello, int]:
-        later: tuple[float, float] | None = None
-        v = _HELLO_0.read(raw, at)
-        at += 4
-        reserved = v[0]
-        required = 1
-        done, end = 1, at
-        try:
-            if at == len(raw) and required < 2:
-                raise Truncated(1, 0)
-            v = _HELLO_1.read(raw, at)
-            at += 16
-            later = v[0:2]
-            done, end = 2, at
-        except Truncated:
-            if done < required:
-                raise
-        at = end
-        return cls(reserved, later), at
-
-    def _write(self) -> bytes:
-        out = _HELLO_0.write(self.reserved)
-        required = 1
-        there = codec.present(self, required, _HELLO_GROUPS)
-        if there >= 2:
-            out += _HELLO_1.write(*codec.exactly("later", self.later, 2))
-        return codec.finished(out)
-
-
-_READINGS_0 = codec.Block("B", "drive")
 
 
 class Readings(Command[ReadingsResponse]):
@@ -2133,20 +1421,6 @@ class Readings(Command[ReadingsResponse]):
     def __init__(self, drive: Drive) -> None:
         self.drive = drive
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[Readings, int]:
-        v = _READINGS_0.read(raw, at)
-        at += 1
-        drive = Drive(v[0])
-        return cls(drive), at
-
-    def _write(self) -> bytes:
-        out = _READINGS_0.write(self.drive)
-        return codec.finished(out)
-
-
-_POLL_0 = codec.Block("BBB", "descriptor_set", "first", "count")
-
 
 class Poll(Command[None]):
     """Poll (0x01,0x0E).
@@ -2166,6 +1440,12 @@ class Poll(Command[None]):
     DESCRIPTOR = 0x0E
     NAME = "tools.poll"
     ROLE = "command"
+    _LAYOUT = (
+        ("descriptor_set", "B", None),
+        ("first", "B", None),
+        ("count", "B", wire.Counts("descriptors", 250)),
+        ("descriptors", "B", wire.Items(None, "count", 250)),
+    )
 
     descriptor_set: int
     """Data descriptor set. Range: 0x80 to 0xFE."""
@@ -2179,27 +1459,6 @@ class Poll(Command[None]):
         self.descriptor_set = descriptor_set
         self.first = first
         self.descriptors = codec.several(descriptors)
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[Poll, int]:
-        v = _POLL_0.read(raw, at)
-        at += 3
-        descriptor_set = v[0]
-        first = v[1]
-        count = v[2]
-        n = codec.counted(raw, at, count, 1, 250)
-        descriptors = codec.read_numbers("B", raw, at, n)
-        at += n
-        return cls(descriptor_set, first, descriptors), at
-
-    def _write(self) -> bytes:
-        out = _POLL_0.write(
-            self.descriptor_set, self.first, codec.count("descriptors", self.descriptors, 250)
-        )
-        out += codec.write_numbers(
-            "descriptors", "B", codec.at_most("descriptors", self.descriptors, 250)
-        )
-        return codec.finished(out)
 
 
 SettingsResponse.COMMANDS = (Settings,)

@@ -135,14 +135,13 @@ class Health(IntFlag):
         return Health(int(self) & ~0x3C0000000 | value << 30)
 
 
-_POINT_0 = codec.Block("hh", "x", "y")
-
-
 class Point(Structure):
     """A place in a plane."""
 
     __slots__ = ("x", "y")
     __match_args__ = ("x", "y")
+
+    _LAYOUT = (("x", "h", None), ("y", "h", None))
 
     x: int
     """Eastward. Unit: m."""
@@ -153,27 +152,14 @@ class Point(Structure):
         self.x = x
         self.y = y
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[Point, int]:
-        v = _POINT_0.read(raw, at)
-        at += 4
-        x = v[0]
-        y = v[1]
-        return cls(x, y), at
-
-    def _write(self) -> bytes:
-        out = _POINT_0.write(self.x, self.y)
-        return out
-
-
-_SEGMENT_0 = codec.Block("BB", *["weights"] * 2)
-
 
 class Segment(Structure):
     """Two places, nested."""
 
     __slots__ = ("from_", "to", "weights")
     __match_args__ = ("from_", "to", "weights")
+
+    _LAYOUT = (("from_", "", Point), ("to", "", Point), ("weights", "BB", tuple))
 
     from_: Point
     """Begins here."""
@@ -186,18 +172,3 @@ class Segment(Structure):
         self.from_ = from_
         self.to = to
         self.weights = codec.several(weights)
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[Segment, int]:
-        from_, at = Point._read(raw, at)
-        to, at = Point._read(raw, at)
-        v = _SEGMENT_0.read(raw, at)
-        at += 2
-        weights = v[0:2]
-        return cls(from_, to, weights), at
-
-    def _write(self) -> bytes:
-        out = codec.structure("from_", self.from_, Point)
-        out += codec.structure("to", self.to, Point)
-        out += _SEGMENT_0.write(*codec.exactly("weights", self.weights, 2))
-        return out

@@ -24,12 +24,8 @@ record! {
     ///
     /// A vector whose elements are valid together.
     ///
-    /// Occurs in measurements (0x80), more (0x81) and copy (0x92). Changed by
-    /// [`tools::Bias`](crate::tools::Bias). Probably changed by
-    /// [`tools::CaptureBias`](crate::tools::CaptureBias). Flagged by
-    /// [`sensor`](crate::tools::ModelAFaults::sensor) of
-    /// [`tools::ModelAFaults`](crate::tools::ModelAFaults). Maximum rate: 100 Hz. Supported by
-    /// [Model A](crate::devices::MODEL_A), [Model B](crate::devices::MODEL_B) and [Model
+    /// Occurs in measurements (0x80), more (0x81) and copy (0x92). Maximum rate: 100 Hz. Supported
+    /// by [Model A](crate::devices::MODEL_A), [Model B](crate::devices::MODEL_B) and [Model
     /// C](crate::devices::MODEL_C). On the [Model C](crate::devices::MODEL_C): firmware \> 1.0.07.
     ///
     /// Source: guide: Acceleration; leaflet: Acceleration; guide: Second acceleration; guide: Third
@@ -81,8 +77,7 @@ record! {
     /// One of each.
     ///
     /// Occurs in measurements (0x80) and copy (0x92). Supported by [Model
-    /// A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C). Probably supported by
-    /// [Old 1](crate::devices::OLD_1) and [Old 2](crate::devices::OLD_2).
+    /// A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C).
     ///
     /// Source: guide: Numbers.
     #[derive(Copy, Default)]
@@ -483,8 +478,7 @@ record! {
     ///
     /// One valid flag for all values but one; [`Breeze`] has the same place.
     ///
-    /// Occurs in measurements (0x80) and copy (0x92). Changed by
-    /// [`tools::Bias`](crate::tools::Bias). Not listed in any device profile.
+    /// Occurs in measurements (0x80) and copy (0x92). Not listed in any device profile.
     ///
     /// The wire format also contains `gap`: Always the same. Always 7.
     ///

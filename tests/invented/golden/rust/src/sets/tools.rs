@@ -249,8 +249,7 @@ record! {
     /// Tests the line.
     ///
     /// Supported by [Model A](crate::devices::MODEL_A), [Model B](crate::devices::MODEL_B), [Model
-    /// C](crate::devices::MODEL_C) and [Old 1](crate::devices::OLD_1). Probably supported by [Old
-    /// 2](crate::devices::OLD_2).
+    /// C](crate::devices::MODEL_C) and [Old 1](crate::devices::OLD_1).
     ///
     /// Source: guide: Ping; leaflet: Ping.
     #[derive(Copy, Default, Eq, Hash)]
@@ -583,8 +582,7 @@ record! {
     /// Measures the bias.
     ///
     /// Answered by [`BiasVector`]. Probably changes
-    /// [`measurements::Accel`](crate::measurements::Accel). Flagged by
-    /// [`sensor`](ModelAFaults::sensor) of [`ModelAFaults`]. Supported by [Model
+    /// [`measurements::Accel`](crate::measurements::Accel). Supported by [Model
     /// A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C). Deprecated on the [Model
     /// C](crate::devices::MODEL_C): use [`Bias`] instead. On the [Model
     /// C](crate::devices::MODEL_C): firmware \>= 1.0, \< 1.1.
@@ -675,7 +673,7 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE) and
     /// [read](types::FunctionSelector::READ). Answered by [`ChoiceResponse`]. Supported by [Model
-    /// A](crate::devices::MODEL_A). Refused by [Model C](crate::devices::MODEL_C).
+    /// A](crate::devices::MODEL_A).
     ///
     /// Source: guide: Choice.
     pub struct Choice {
@@ -922,9 +920,8 @@ record! {
     ///
     /// The device asks and a host answers.
     ///
-    /// Also called `keep_alive`. Answered by [`HelloResponse`]. Sent by the device; the host
-    /// answers. Probably supported by [Model C](crate::devices::MODEL_C). Known only from the Kit
-    /// of names.
+    /// No device is certain to support it. Also called `keep_alive`. Answered by [`HelloResponse`].
+    /// Sent by the device; the host answers. Known only from the Kit of names.
     ///
     /// Source: sheet: Hello.
     #[derive(Copy)]
@@ -1367,9 +1364,8 @@ field! {
 record! {
     /// Hello response (0x01,0x8C).
     ///
-    /// Also called `keep_alive_response` and `welcome`. Answers [`Hello`]. Probably supported by
-    /// [Model C](crate::devices::MODEL_C). Known only from the Kit of names. Uncertain: When it
-    /// comes.
+    /// No device is certain to support it. Also called `keep_alive_response` and `welcome`. Answers
+    /// [`Hello`]. Known only from the Kit of names. Uncertain: When it comes.
     ///
     /// Source: sheet: Hello.
     #[derive(Copy, Default, Eq, Hash)]

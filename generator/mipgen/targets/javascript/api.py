@@ -1,0 +1,37 @@
+"""What other targets may ask of JavaScript: its names of fields and types, what writes programs needs, and programs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from mipgen import model as m
+from mipgen.emit.naming import upper
+from mipgen.emit.symbols import Symbols, constants, others, things
+
+from . import names
+from .snippets import Programs
+
+__all__ = ["Programs", "symbol", "symbols", "writing"]
+
+
+def symbol(thing: m.Type | m.Field) -> str:
+    """The class of a field, or what a type is called, behind the module that exports it."""
+    return f"mip-protocol/{names.home(thing)}.{names.class_name(thing)}"
+
+
+def symbols(model: m.Model) -> Iterator[Symbols]:
+    for x in things(model):
+        if isinstance(x, (m.Struct, m.Vector)):
+            continue  # objects and arrays, which have a name in TypeScript only
+        if isinstance(x, m.Field):
+            others = [names.member(f.name) for f in x.functions]
+        else:
+            others = [names.constant(part.name) for part in (x.values if isinstance(x, m.Enum) else x.bits)]
+        of = names.class_name(x)
+        yield Symbols(x, symbol(x), tuple(f"{of}.{name}" for name in others))
+
+
+def writing(model: m.Model) -> dict[str, Any]:
+    """What writes programs needs: names that JavaScript writes in another way than the specification."""
+    return {"constants": others(constants(model), names.constant, upper)}

@@ -1,0 +1,118 @@
+"""How a program in JavaScript uses a field: a few lines for documentation, with sample values."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+
+from mipgen import model as m
+from mipgen.emit.wrapping import Brackets, Expression, after, laid_out
+from mipgen.facts import literals
+from mipgen.facts.literals import Literal
+from mipgen.facts.sample_values import GivenValues, SampleValues, title_of
+from mipgen.lower.calls import constructors
+
+from .members import members
+from .names import class_name, constant, home, member
+
+WIDTH = 84
+
+
+@dataclass(frozen=True)
+class Programs:
+    samples: SampleValues
+
+    def command(self, f: m.Field) -> str:
+        """Sends it to a device."""
+        program = _Program()
+        return program.text(program.sent(f, self.samples))
+
+    def sequence(self, name: str, steps: Sequence[tuple[m.Field, GivenValues]]) -> str:
+        """Sends several commands; one that is not acknowledged throws an error."""
+        program, lines = _Program(), []
+        for i, (f, given) in enumerate(steps):
+            lines += [f"// {i + 1}: {title_of(f, given)}", *program.sent(f, given, at_once=True)]
+            lines += [f"// {given.host}"] if given.host else []
+        return program.text(lines)
+
+    def data(self, f: m.Field) -> str:
+        """Takes it from what a device sends."""
+        program = _Program()
+        read = [f"value.{member(p.name)}" for p in members(f)]
+        shown = laid_out(Brackets("console.log(", read[:3] or ["value"], ");", comma=""), WIDTH)
+        return program.text([f"for await (const value of device.fields({program.name(f)})) {{", f"    {shown}", "}"])
+
+
+@dataclass
+class _Program:
+    """One program, and what it imports."""
+
+    modules: dict[str, set[str]] = field(default_factory=dict)
+
+    def text(self, lines: Sequence[str]) -> str:
+        """Whole, with what it needs in front."""
+        needs = [
+            f'import {{ {", ".join(sorted(names))} }} from "mip-protocol/{module}";'
+            for module, names in sorted(self.modules.items())
+        ]
+        return "\n".join([*needs, "", *lines])
+
+    def name(self, thing: m.Type | m.Field) -> str:
+        """A class, or an object with the names of numbers."""
+        self.modules.setdefault(home(thing), set()).add(class_name(thing))
+        return class_name(thing)
+
+    def sent(self, f: m.Field, samples: SampleValues, at_once: bool = False) -> list[str]:
+        """The lines that send it; a response is kept, or it is shown at once."""
+        lines = []
+        ways = {way.function: way for way in constructors(f)}
+        for shown in samples.shown(f):
+            way, values = ways[shown.function], literals.record(f.parameters, samples.values(f, shown))
+            given = self.members({p.name: values[p.name] for p in way.values})
+            made = f"{self.name(f)}.{member(way.function.name)}(" if way.function else f"new {self.name(f)}("
+            asks = bool(samples.replies(f, shown))
+            before, behind = ("console.log(", ")") if at_once else ("const response = ", "")
+            head, tail = (before, behind) if asks else ("", "")
+            call = replace(given, tail=f"{given.tail})){tail};").after(f"{head}await device.request({made}")
+            if way.function and not given.items:
+                call = Brackets(f"{head}await device.request({made}", [], f")){tail};")
+            lines.append(laid_out(call, WIDTH))
+            lines += ["console.log(response);"] if asks and not at_once else []
+        return lines
+
+    def members(self, values: dict[str, Literal]) -> Brackets:
+        items = [after(f"{member(name)}: ", self.value(x)) for name, x in values.items()]
+        return Brackets("{", items, "}", pad=" ")
+
+    def value(self, x: Literal) -> Expression:
+        match x:
+            case literals.Decimal():
+                return x.text
+            case literals.Truth():
+                return "true" if x.value else "false"
+            case literals.Whole():
+                return f"{x.text}n" if x.size == 8 else x.text
+            case literals.Choice():
+                return f"{self.name(x.type)}.{constant(x.known.name)}" if x.known else self.value(x.number)
+            case literals.Flags():
+                return self.flags(x)
+            case literals.Octets():
+                return f"{int.from_bytes(bytes(x.bytes), 'little'):#x}n"
+            case literals.Text():
+                return json.dumps(x.text)
+            case literals.Items():
+                return Brackets("[", [*map(self.value, x.items)], "]")
+            case literals.Structure():
+                given = [p for p in members(x.type) if p.reserved is None]
+                return self.members({p.name: x.members[p.name] for p in given})
+            case literals.Alternative():
+                assert x.case is not None
+                parameter = x.case.parameter
+                return self.members({parameter.name: x.value} if parameter and x.value else {})
+
+    def flags(self, x: literals.Flags) -> str:
+        """Operators on bits make the highest of 32 negative; a sum does not."""
+        names = [f"{self.name(x.type)}.{constant(b.name)}" for b in x.names]
+        joint = " + " if x.number.size == 4 and x.number.value >= 1 << 31 else " | "
+        return joint.join(names) or f"{x.number.value:#x}{'n' if x.number.size == 8 else ''}"

@@ -1,0 +1,71 @@
+"""`make check` sees what breaks the interface of a release, in each binding and on the wire."""
+
+from __future__ import annotations
+
+import importlib.util
+import shutil
+from pathlib import Path
+from types import ModuleType
+
+import pytest
+from support import ROOT
+
+
+@pytest.fixture(scope="module")
+def interface() -> ModuleType:
+    spec = importlib.util.spec_from_file_location("interface", ROOT / "tools/release/interface.py")
+    assert spec and spec.loader
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+#: A file, what becomes what in it, and what is said of it.
+BREAKS = [
+    ("json/mip.json", '"name":"scaled_accel","type":"vector3f"', '"name":"scaled_accel","type":"vector3d"',
+     'wire: - sensor.scaled_accel[0] scaled_accel type="vector3f"'),
+    ("c/src/mip/sensor.h", "float scaled_accel[3];", "double scaled_accel[3];",
+     "c: - struct mip_sensor_scaled_accel: float scaled_accel[3]"),
+    ("c/src/mip/constants.h", "#define MIP_MAX_PAYLOAD 255", "#define MIP_MAX_PAYLOAD 254",
+     "c: - #define MIP_MAX_PAYLOAD 255"),
+    ("c/src/mip/core.hpp", "namespace mip {", "namespace mip {\nvoid more(int);\n",
+     "cpp: + namespace mip: void more(int)"),
+    ("rust/src/sets/sensor.rs", "pub scaled_accel:", "pub accel:",
+     "rust: - sets/sensor record!: pub struct ScaledAccel: pub scaled_accel: types::Vector3f"),
+    ("rust/src/parser.rs", "pub fn flush", "fn flush", "rust: - parser impl Parser"),
+    ("python/mip_protocol/sensor.py", "    scaled_accel: types.Vector3f", "    scaled_accel: types.Vector3d",
+     "python: - mip_protocol.sensor.ScaledAccel.scaled_accel: types.Vector3f"),
+    ("javascript/sensor.d.mts", "    scaledAccel: types.Vector3f;", "    scaledAccel?: types.Vector3f;",
+     "javascript: - sensor export declare class ScaledAccel extends Data: scaledAccel: types.Vector3f"),
+]  # fmt: skip
+
+
+def test_what_breaks_is_named(interface: ModuleType, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    out, kept = tmp_path / "generated", tmp_path / "interface"
+    for part in ("c", "javascript", "json", "python", "rust/src"):
+        shutil.copytree(ROOT / "generated" / part, out / part)
+    assert interface.check(out, kept, "0.1.0") == 0, "nothing is released"
+    kept.mkdir()
+    for name, lines in interface.interfaces(out).items():
+        assert len(lines) > 1000
+        (kept / f"{name}.txt").write_text("\n".join(["# 0.1.0", *lines]), "utf-8")
+    for file, old, new, _ in BREAKS:
+        text = (out / file).read_text("utf-8")
+        assert old in text, (file, old)
+        (out / file).write_text(text.replace(old, new, 1), "utf-8")
+    assert interface.check(out, kept, "0.1.1") == 1
+    said = capsys.readouterr()
+    for *_, line in BREAKS:
+        assert line in said.out
+    assert "version 0.1.1 is too low for that, raise it in spec/protocol.yaml" in said.err
+    assert "cpp" not in said.err, "an addition is minor, which is the last number before 1.0.0"
+    assert interface.check(out, kept, "0.2.0") == 0
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "step"),
+    [("0.1.0", "0.1.0", 0), ("0.1.0", "0.1.1", 1), ("0.1.9", "0.2.0", 2), ("0.1.0", "1.0.0", 2),
+     ("1.0.0", "1.0.1", 0), ("1.0.0", "1.1.0", 1), ("1.2.0", "2.0.0", 2)],
+)  # fmt: skip
+def test_steps_of_versions(interface: ModuleType, old: str, new: str, step: int) -> None:
+    assert interface.raised(old, new) == step

@@ -1,0 +1,346 @@
+"""Scenario files: several devices, scripted events, UDP; mistakes with their places."""
+
+from __future__ import annotations
+
+import json
+import re
+import socket
+from pathlib import Path
+from typing import Any
+
+import pytest
+import yaml
+from mip_protocol import Parser, base, gnss_data, mip_3dm, sensor, types
+from mip_tools.errors import Failure
+from mip_tools.simulator import ScriptedEvent, VirtualDevice
+from mip_tools.simulator.endpoints import pty_at, tcp_at, udp_at
+from mip_tools.simulator.scenario import SCHEMA, read_scenario
+from mip_tools.simulator.script import KINDS
+from mip_tools.simulator.trajectory import COLUMNS
+from support import ROOT, later
+from test_serve import ACKNOWLEDGE, PING, Client, program, run, serving, stream, until
+
+jsonschema = later("jsonschema")
+DEVICE = "3dm-cv7-gnss-ins"
+
+EVERYTHING = """\
+# yaml-language-server: $schema=scenario.schema.json
+devices:
+  - device: 3dm-cv7-gnss-ins
+    ports: ["pty:ins", "USB 1=tcp:0", "UART 1=udp:127.0.0.1:0"]
+    motion: circle:radius=20,speed=5
+    seed: 4
+    storage: kept
+    events:
+      - {at: 1.5, event: faults, for: 2, faults: "lose=0.1,noise=0.1:16"}
+  - device: 3DM-GX5-15
+    motion: trajectory:file=drive.csv,latitude=10
+events:
+  - {at: 10, event: gnss_outage, for: 30}
+  - {at: 50, event: magnetic_disturbance, field: [0.2, 0, -0.1]}
+  - {at: 60, event: unplug, for: 2, every: 100}
+  - {at: 70, event: disconnect, for: 0}
+  - {at: 80, event: restart}
+"""
+
+
+def written(folder: Path, text: str) -> Path:
+    path = folder / "s.yaml"
+    path.write_text(text)
+    (folder / "drive.csv").write_text("time [s],speed [m/s]\n0,1\n9,1\n")
+    return path
+
+
+def test_what_a_file_says(tmp_path: Path) -> None:
+    first, second = read_scenario(written(tmp_path, EVERYTHING)).devices
+    assert (first.profile.id, second.profile.id) == (DEVICE, "3dm-gx5-15")
+    assert [(e.kind, e.port) for e in first.endpoints] == [("pty", None), ("tcp", "USB 1"), ("udp", "UART 1")]
+    assert [e.kind for e in second.endpoints] == ["pty"]
+    assert first.seed == 4 and first.storage == tmp_path / "kept" and first.motion is not None
+    assert second.motion is not None and second.motion.at(5).velocity[0] == pytest.approx(1)
+    assert first.events[:-1] == second.events and first.events[-1].faults == "lose=0.1,noise=0.1:16"
+    assert second.events[2] == ScriptedEvent("unplug", 60, 2, 100)
+    assert {e.event for e in first.events} == set(KINDS)
+
+
+def test_a_file_of_events_only(tmp_path: Path) -> None:
+    scenario = read_scenario(written(tmp_path, "events: [{at: 1, event: restart}]"))
+    assert scenario.devices == () and scenario.events == (ScriptedEvent("restart", 1),)
+
+
+#: A file, its first mistake, and whether it is one that the schema of editors finds too.
+MISTAKES = [
+    ("devices: [{device: 3dm-cv7-gnss-ins, port: []}]", "1:38: a device has no 'port'; did you mean 'ports'?", True),
+    ("devices: [{ports: ['tcp:0']}]", "1:11: 'device' is missing; `mip simulate --list` names the devices", True),
+    ("devices: []", "1:10: 'devices' needs a list with an item", True),
+    ("devices: [{device: 3dm-cv7}]", "1:20: device '3dm-cv7' is unknown; do you mean 3dm-cv7-", False),
+    ("devices: [{device: 3dm-gx5-15, ports: ['tcp:']}]", "1:40: '' is not a TCP port", True),
+    ("devices: [{device: 3dm-gx5-15, ports: [ftp:0]}]", "1:40: 'ftp:0' cannot be read; write NAME=pty:PATH, ", True),
+    ("devices: [{device: 3dm-gx5-15, ports: ['X=tcp:0']}]", "1:40: 3DM-GX5-15 has no port 'X'; its ports: ", False),
+    ("devices: [{device: 3dm-gx5-15, motion: fly}]", "1:40: 'fly' is not a motion; use one of ", False),
+    (
+        "devices:\n- device: 3dm-gx5-15\n  motion: trajectory:file=s.yaml",
+        "3:11: FOLDER/s.yaml:1:1: 'devices:' is no column",
+        False,
+    ),
+    ("devices: [{device: 3dm-gx5-15, seed: 1.5}]", "1:38: 'seed' needs a whole number, 0 or more", True),
+    ("device: [{device: 3dm-gx5-15}]", "1:1: a scenario has no 'device'; did you mean 'devices'?", True),
+    ("[]", "1:1: this is no scenario; it needs 'devices', 'events' or both", True),
+    ("events: [{at: 1}]", "1:10: 'event' is missing; an event has, for example, {at: 10, event: unplug, for: 5}", True),
+    ("events: [{event: restart}]", "1:10: 'at' is missing", True),
+    ("events: [{at: 1, event: outage}]", "1:25: there is no event 'outage'; did you mean 'gnss_outage'?", True),
+    ("events: [{at: soon, event: restart}]", "1:15: 'at' needs a number of seconds, 0 or more", True),
+    ("events: [{at: -1, event: restart}]", "1:15: 'at' needs a number of seconds, 0 or more", True),
+    ("events: [{at: 1, event: restart, for: 1}]", "1:39: a restart has no 'for'; remove it", True),
+    ("events: [{at: 1, event: restart, every: 0}]", "1:41: 'every' needs a number of seconds, more than 0", True),
+    ("events: [{at: 1, event: unplug, for: 2, every: 1}]", "1:48: an event every 1 s must end before the next", False),
+    ("events: [{at: 1, event: faults}]", "1:10: 'faults' is missing; faults needs it", True),
+    ("events: [{at: 1, event: faults, faults: loose=1}]", "1:41: fault 'loose' is unknown; do you mean 'lose'?", False),
+    ("events: [{at: 1, event: unplug, faults: lose=1}]", "1:41: 'faults' is only for faults; remove it", True),
+    ("events: [{at: 1, event: magnetic_disturbance}]", "1:10: 'field' is missing; magnetic_disturbance needs it", True),
+    (
+        "events: [{at: 1, event: magnetic_disturbance, field: [1, 2]}]",
+        "1:54: 'field' needs three numbers in gauss",
+        True,
+    ),
+    ("events: [{at: 1, at: 2, event: restart}]", "1:18: 'at' is already in line 1; remove one", False),
+    ("events: [", "1:10: not YAML: ", False),
+]
+
+
+@pytest.mark.parametrize("text, message, form", MISTAKES)
+def test_mistakes(tmp_path: Path, text: str, message: str, form: bool) -> None:
+    path = written(tmp_path, text)
+    with pytest.raises(Failure) as error:
+        read_scenario(path)
+    assert str(error.value).splitlines()[0].startswith(f"{path}:{message.replace('FOLDER', str(tmp_path))}")
+    if not form:
+        return
+    with pytest.raises(jsonschema.ValidationError):
+        jsonschema.validate(yaml.safe_load(text), json.loads(SCHEMA.read_text()))
+
+
+def test_all_mistakes_at_once(tmp_path: Path) -> None:
+    text = "devices: [{device: x}, {device: 3dm-gx5-15, motion: fly}]\nevents: [{at: x, event: restart}]"
+    with pytest.raises(Failure) as error:
+        read_scenario(written(tmp_path, text))
+    assert len(str(error.value).splitlines()) == 3
+
+
+def test_the_schema(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    schema = json.loads(SCHEMA.read_text())
+    jsonschema.Draft7Validator.check_schema(schema)
+    jsonschema.validate(yaml.safe_load(EVERYTHING), schema)
+    kinds = schema["definitions"]["events"]["items"]["properties"]["event"]["enum"]
+    assert tuple(kinds) == KINDS
+    assert run(capsys, "simulate", "--schema")[1] == SCHEMA.read_text()
+
+
+def test_the_page(tmp_path: Path) -> None:
+    """Its scenarios and its trajectory are what the program reads, and it names every event and every column."""
+    page = (ROOT / "docs/simulate.md").read_text("utf-8")
+    motion, scenarios = (
+        page.partition(f"\n## {title}\n")[2].partition("\n## ")[0] for title in ("Motion", "Scenarios")
+    )
+    (tmp_path / "drive.csv").write_text(re.findall(r"```text\n(.*?)```", motion, re.S)[1])
+    for text in re.findall(r"```yaml\n(.*?)```", scenarios, re.S):
+        (tmp_path / "scenario.yaml").write_text(text)
+        scenario = read_scenario(tmp_path / "scenario.yaml")
+        assert scenario.devices or scenario.events
+    assert all(f"| `{kind}` |" in scenarios for kind in KINDS)
+    for name, units in COLUMNS.items():
+        assert all(f"`{word}`" in motion for word in (name, *units))
+
+
+# --------------------------------------------------------------------------- events
+
+
+def fields(device: VirtualDevice, link: Any, kind: Any, seconds: float) -> list[Any]:
+    device.advance(seconds)
+    return [f for packet in Parser().feed(link.read()) for f in kind.find_all(packet)]
+
+
+def sending(kind: Any, *events: ScriptedEvent, decimation: int = 1) -> tuple[VirtualDevice, Any]:
+    device = VirtualDevice(DEVICE, noise=0, events=events)
+    link = device.connect()
+    number = 0x91 if kind is gnss_data.FixInfo else kind.SETS[0]
+    entry = types.DescriptorRate(kind.DESCRIPTOR, decimation)
+    for command in (mip_3dm.MessageFormat.write(number, (entry,)), mip_3dm.DataStreamControl.write(number, True)):
+        link.write(bytes(command.packet()))
+    return device, link
+
+
+def test_an_outage_of_gnss() -> None:
+    """Two that overlap end with the last one."""
+    events = (ScriptedEvent("gnss_outage", 10, 5), ScriptedEvent("gnss_outage", 12, 6))
+    device, link = sending(gnss_data.FixInfo, *events)
+    fix, none = types.GnssFixType.FIX_3D, types.GnssFixType.FIX_NONE
+    for seconds, wanted in ((9.9, {fix}), (0.6, None), (7, {none}), (1, None), (5, {fix})):
+        seen = {f.fix_type for f in fields(device, link, gnss_data.FixInfo, seconds)}
+        assert wanted in (None, seen)
+
+
+def test_a_magnetic_disturbance() -> None:
+    events = (ScriptedEvent("magnetic_disturbance", 10, 5, field=(0.5, 0, 0)),)
+    device, link = sending(sensor.ScaledMag, *events, decimation=100)
+    before, during, after = (fields(device, link, sensor.ScaledMag, seconds)[-1].scaled_mag for seconds in (9.9, 3, 5))
+    assert during.x - before.x == pytest.approx(0.5, abs=1e-5) and after.x == pytest.approx(before.x, abs=1e-5)
+    assert (during.y, during.z) == pytest.approx((before.y, before.z), abs=1e-5)
+
+
+def test_faults_for_a_while() -> None:
+    device, link = sending(sensor.ScaledMag, ScriptedEvent("faults", 10, 5, faults="lose_packet=1"), decimation=100)
+    counts = [len(fields(device, link, sensor.ScaledMag, 4.99)) for _ in range(4)]
+    assert counts[2] == 0 and min(counts[0], counts[1], counts[3]) > 40
+
+
+def test_restarts_that_recur() -> None:
+    device, _ = sending(sensor.ScaledMag, ScriptedEvent("restart", 2, every=3), decimation=100)
+    device.advance(10)
+    assert device.booted == 8 * 10**9
+
+
+def test_unplugging_ends_links_and_takes_power() -> None:
+    events = (ScriptedEvent("disconnect", 1, 1), ScriptedEvent("unplug", 3, 1))
+    device, link = sending(sensor.ScaledMag, *events, decimation=100)
+    device.advance(1.5)
+    assert link.closed and not device.plugged and not device.busy
+    with pytest.raises(ConnectionError, match="the device is unplugged"):
+        device.connect()
+    device.advance(1)
+    again = device.connect()
+    assert len(fields(device, again, sensor.ScaledMag, 0.4)) > 3  # it has gone on
+    device.advance(2)
+    assert again.closed and device.plugged and device.booted == 4 * 10**9
+    last = device.connect()
+    assert not fields(device, last, sensor.ScaledMag, 1)  # it has forgotten
+    last.write(PING)
+    assert last.read() == ACKNOWLEDGE
+
+
+# --------------------------------------------------------------------------- serving
+
+
+def test_the_ports_of_an_unplugged_device_are_gone(tmp_path: Path) -> None:
+    """And come back at the same places."""
+    path = tmp_path / "mip"
+    device = VirtualDevice(DEVICE, events=(ScriptedEvent("unplug", 0.5, 0.5),))
+    with serving(device, pty_at(str(path)), tcp_at("0"), udp_at("0")) as server:
+        places = list(server.places)
+        with Client(places[0]) as terminal, Client(places[1]) as client:
+            terminal.send(stream())
+            assert client.at_end() and terminal.at_end()
+        until(lambda: len(server.places) == 6)
+        assert server.places[3:] == places
+        for place in places[:2]:
+            with Client(place) as again:
+                until(lambda again=again: (again.send(PING), again.read(), ACKNOWLEDGE in again.packets)[2])
+
+
+def test_nobody_connects_to_an_unplugged_device(tmp_path: Path) -> None:
+    path = tmp_path / "mip"
+    device = VirtualDevice(DEVICE, events=(ScriptedEvent("disconnect", 0),))
+    with serving(device, pty_at(str(path)), tcp_at("0")) as server:
+        until(lambda: not path.is_symlink())
+        with pytest.raises(ConnectionRefusedError):
+            Client(server.places[1])
+
+
+def test_time_passes_while_unplugged_at_any_speed(tmp_path: Path) -> None:
+    """Nobody can read then, so it must not wait for readers."""
+    path = tmp_path / "mip"
+    device = VirtualDevice(DEVICE, events=(ScriptedEvent("disconnect", 5, 0.1),))
+    with serving(device, pty_at(str(path)), speed=0) as server:
+        with Client(str(path)) as client:
+            client.send(stream())
+            assert client.at_end()
+        until(lambda: len(server.places) == 2)
+
+
+class UdpClient:
+    def __init__(self, place: str) -> None:
+        host, _, number = place.rpartition(":")
+        self.socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        self.socket.connect((host, int(number)))
+        self.socket.settimeout(0.2)
+
+    def receive(self) -> bytes:
+        try:
+            return self.socket.recv(65536)
+        except TimeoutError:
+            return b""
+
+
+def test_udp() -> None:
+    """Answers and data go to the host that has sent last; each datagram has whole packets."""
+    device = VirtualDevice(DEVICE)
+    with serving(device, udp_at("0"), speed=20) as server:
+        first, second = UdpClient(server.places[0]), UdpClient(server.places[0])
+        for client in (first, second):
+            client.socket.send(PING)
+            assert until(client.receive) == ACKNOWLEDGE
+        second.socket.send(stream(1000))
+        datagrams = [until(second.receive) for _ in range(200)]
+        assert max(map(len, datagrams)) > 100 and not first.receive()
+        for datagram in datagrams:
+            parser = Parser()
+            assert parser.feed(datagram) and not parser.pending and not parser.skipped
+            assert len(datagram) <= 1400
+        second.socket.close()  # a port that nobody has any more
+        until(lambda: (first.socket.send(PING), ACKNOWLEDGE in first.receive())[1])
+        first.socket.close()
+
+
+def test_a_udp_port_in_use(capsys: pytest.CaptureFixture[str]) -> None:
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as taken:
+        taken.bind(("127.0.0.1", 0))
+        number = taken.getsockname()[1]
+        code, _, text = run(capsys, "simulate", DEVICE, "--udp", str(number))
+    assert code == 1 and f"UDP port {number} is in use; end the program that has it, or use another: --udp" in text
+
+
+def test_several_devices_in_one_program(tmp_path: Path) -> None:
+    text = f"""\
+devices:
+  - {{device: {DEVICE}, ports: ["tcp:0"]}}
+  - {{device: 3dm-gx5-15, ports: ["tcp:0", "pty:{tmp_path}/gx5"]}}
+events:
+  - {{at: 0, event: restart}}
+"""
+    log = tmp_path / "log"
+    with program("simulate", "--scenario", written(tmp_path, text), "--fault-log", log) as process:
+        assert process.stdout is not None
+        places = [process.stdout.readline().strip() for _ in range(3)]
+        assert re.fullmatch(r"localhost:\d+", places[0]) and places[2] == f"{tmp_path}/gx5"
+        names = []
+        question = bytes(base.GetDeviceInfo().packet())
+        for place in places:
+            with Client(place) as client:
+                until(lambda client=client: (client.send(question), client.read(), client.packets)[2])
+                (packet,) = Parser().feed(client.packets[0])
+                answer = base.GetDeviceInfoResponse.find(packet)
+                assert answer is not None
+                names.append(answer.device_info.model_name.strip())
+        assert names == ["3DM-CV7-GNSS/INS", "3DM-GX5-15", "3DM-GX5-15"]
+    assert [json.loads(line)["device"] for line in log.read_text().splitlines()] == [1, 2]
+
+
+def test_options_that_a_scenario_has(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = written(tmp_path, EVERYTHING)
+    for given, named in (
+        (["3dm-gx5-15"], "'3dm-gx5-15'"),
+        (["--tcp", "0"], "--tcp"),
+        (["--motion", "circle"], "--motion"),
+    ):
+        code, _, text = run(capsys, "simulate", "--scenario", path, *given)
+        assert code == 2 and f"{named} is for one device, but {path} names its own; remove one of them" in text
+
+
+def test_the_size_of_a_queue(capsys: pytest.CaptureFixture[str]) -> None:
+    _, _, text = run(capsys, "simulate", DEVICE, "--queue", "10")
+    assert "'10' is not a queue; use a number of bytes from 1024 on" in text
+    device = VirtualDevice(DEVICE)
+    with serving(device, tcp_at("0"), speed=50, capacity=3000) as server, Client(server.places[0], room=4096) as idle:
+        idle.send(stream(1000))
+        until(lambda: [c for c in server._channels if c.dropped > 10])
+        assert all(c.size <= 3000 for c in server._channels)

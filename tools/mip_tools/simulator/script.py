@@ -1,0 +1,113 @@
+"""Scripted events: what happens to a device and its surroundings at given times."""
+
+from __future__ import annotations
+
+import heapq
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from .earth import SECOND, Vector
+from .fault_kinds import parse_faults
+
+if TYPE_CHECKING:
+    from .device import VirtualDevice
+
+#: What may happen, as a scenario file names it.
+KINDS = ("gnss_outage", "magnetic_disturbance", "faults", "disconnect", "unplug", "restart")
+
+
+@dataclass(frozen=True)
+class ScriptedEvent:
+    """One event, or one that recurs. Times are in simulated seconds."""
+
+    event: str
+    at: float
+    """Since the start of the simulation."""
+    duration: float | None = None
+    """None: until the end of the simulation; a restart has none."""
+    every: float | None = None
+    """The time from one such event to the next; None: it happens once."""
+    field: Vector = (0.0, 0.0, 0.0)
+    """Of a magnetic disturbance, in gauss, along the axes of the sensor."""
+    faults: str = ""
+    """In the form of `mip simulate --fault`."""
+
+    def check(self) -> None:
+        """Raises ValueError or Failure if it cannot be."""
+        if self.event not in KINDS:
+            raise ValueError(f"'{self.event}' is no scripted event; there are {', '.join(KINDS)}")
+        parse_faults(self.faults)
+        if self.every is not None and not (self.duration or 0.0) < self.every:
+            raise ValueError(f"an event every {self.every:g} s must end before the next one begins")
+
+
+class Script:
+    """The events of a device, in their order."""
+
+    def __init__(self, device: VirtualDevice, events: Iterable[ScriptedEvent]) -> None:
+        self._device = device
+        self._due: list[tuple[int, int, ScriptedEvent, bool]] = []  # time, order, event, does it begin?
+        self._active: list[ScriptedEvent] = []
+        self._order = 0
+        for event in events:
+            event.check()
+            self._plan(round(event.at * SECOND), event, True)
+
+    @property
+    def next(self) -> int | None:
+        """When the next event begins or ends."""
+        return self._due[0][0] if self._due else None
+
+    @property
+    def plugged(self) -> bool:
+        """Are the ports of the device connected?"""
+        return not any(e.event in ("disconnect", "unplug") for e in self._active)
+
+    def run(self, now: int) -> None:
+        """Everything that is due by now."""
+        while self._due and self._due[0][0] <= now:
+            time, _, event, begins = heapq.heappop(self._due)
+            if begins:
+                self._begin(time, event)
+            else:
+                self._active.remove(event)
+            self._settle(event, begins)
+
+    def _plan(self, time: int, event: ScriptedEvent, begins: bool) -> None:
+        self._order += 1
+        heapq.heappush(self._due, (time, self._order, event, begins))
+
+    def _begin(self, time: int, event: ScriptedEvent) -> None:
+        if event.every is not None:
+            self._plan(time + round(event.every * SECOND), event, True)
+        if event.event == "restart":
+            return
+        self._active.append(event)
+        if event.duration is not None:
+            self._plan(time + round(event.duration * SECOND), event, False)
+
+    def _settle(self, event: ScriptedEvent, begins: bool) -> None:
+        """The device and its world are as the active events have them."""
+        device, world = self._device, self._device.world
+        active = [e for e in self._active if e.event == event.event]
+        if device.faults is not None:
+            device.faults.tell(device.now, event.event, "begins" if begins else "ends")
+        if event.event == "gnss_outage":
+            world.gnss = not active
+        elif event.event == "magnetic_disturbance":
+            x, y, z = (sum(axis) for axis in zip((0.0, 0.0, 0.0), *(e.field for e in active)))
+            world.disturbance = (x, y, z)
+        elif event.event == "faults":
+            assert device.faults is not None
+            device.faults.add(parse_faults(e.faults) for e in active)
+        elif begins:  # the cable is pulled, or the device restarts
+            if event.event == "restart":
+                device.reset()
+            else:
+                device.unplug()
+        elif event.event == "unplug":  # it has power again
+            device.reset()
+
+
+__all__ = ["KINDS", "Script", "ScriptedEvent"]

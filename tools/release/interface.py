@@ -1,0 +1,282 @@
+"""The interface of a release as text, for each binding and the wire: a line for each symbol, member and value.
+
+    make interface      writes interface/ when a version is released
+    make check          says what the sources have changed since, and whether the version says so
+
+The lines are read from the output, whose form the formatters decide, so that finished source and what templates make
+are looked at alike. Comments, bodies of functions and what is private are no interface.
+"""
+
+from __future__ import annotations
+
+import argparse
+import ast
+import json
+import re
+import sys
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+ROOT = Path(__file__).resolve().parents[2]
+KEPT = ROOT / "interface"
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(prog="make interface")
+    parser.add_argument("--check", action="store_true", help="compare with what is kept, and write nothing")
+    parser.add_argument("--out", type=Path, default=ROOT / "generated", help="the output of the generator")
+    parser.add_argument("--kept", type=Path, default=KEPT)
+    given = parser.parse_args()
+    version = json.loads((given.out / "json/mip.json").read_text("utf-8"))["version"]
+    if given.check:
+        return check(given.out, given.kept, version)
+    given.kept.mkdir(parents=True, exist_ok=True)
+    for name, lines in interfaces(given.out).items():
+        (given.kept / f"{name}.txt").write_text("\n".join([f"# {version}", *lines, ""]), "utf-8")
+    return 0
+
+
+def interfaces(out: Path) -> dict[str, list[str]]:
+    return {name: sorted(set(of(out))) for name, of in BINDINGS.items()}
+
+
+def check(out: Path, kept: Path, version: str) -> int:
+    """Prints what was added and removed; 1 if the version is too low for that."""
+    if not kept.is_dir():
+        return 0  # nothing is released
+    status, now = 0, interfaces(out)
+    for path in sorted(kept.glob("*.txt")):
+        released, *before = path.read_text("utf-8").splitlines()
+        gone, new = (
+            [x for x in a if x not in b] for a, b in ((before, set(now[path.stem])), (now[path.stem], set(before)))
+        )
+        for sign, lines in (("-", gone), ("+", new)):
+            for line in lines:
+                print(f"{path.stem}: {sign} {line}")
+        if raised(released.removeprefix("# "), version) < (2 if gone else 1 if new else 0):
+            status = 1
+            print(
+                f"make: {path.stem}: of the interface of {released[2:]}, {len(gone)} lines are gone, {len(new)} new; "
+                f"version {version} is too low for that, raise it in spec/protocol.yaml (docs/versions.md)",
+                file=sys.stderr,
+            )
+    return status
+
+
+def raised(old: str, new: str) -> int:
+    """2 for a major version, 1 for a minor one, 0 for a patch; before 1.0.0, one number further to the right."""
+    before, after = ([int(x) for x in text.split(".")] for text in (old, new))
+    first = next((i for i in range(3) if after[i] != before[i]), 3)
+    return max(0, 2 - first + (before[0] == 0 and first > 0))
+
+
+# ------------------------------------------------------------------- the wire
+
+
+def wire(out: Path) -> Iterator[str]:
+    model = json.loads((out / "json/mip.json").read_text("utf-8"))
+    for s in model["sets"]:
+        yield f"set {s['name']} 0x{s['number']:02X}"
+    for t in model["types"]:
+        yield f"{t['kind']} {t['name']} {t.get('scalar', '')}".rstrip()
+        for value in t.get("values", []):
+            yield f"{t['name']}.{value['name']} = {value['value']}"
+        for bits in t.get("bits", []):
+            yield f"{t['name']}.{bits['name']} = {bits['first']}..{bits['last']}"
+        yield from parameters(t)
+    for f in model["fields"]:
+        sets = " ".join(f"0x{o['set']:02X}" for o in f.get("occurrences", [{"set": f["set"]}]))
+        yield f"{f['role']} {f['name']} ({sets}, 0x{f['descriptor']:02X})"
+        for response in f.get("responses", []):
+            yield f"{f['name']} is answered by {json.dumps(response)}"
+        yield from parameters(f)
+
+
+#: Of a parameter: what decides its bytes, and what they mean.
+DECIDES = (
+    "type",
+    "length",
+    "counts",
+    "fills",
+    "tag",
+    "constant",
+    "optional",
+    "required_for",
+    "units",
+    "frame",
+    "valid",
+)
+
+
+def parameters(of: dict[str, Any]) -> Iterator[str]:
+    for number, p in enumerate(of.get("parameters", [])):
+        said = " ".join(f"{key}={json.dumps(p[key])}" for key in DECIDES if key in p)
+        yield f"{of['name']}[{number}] {p['name']} {said}"
+        for case in p.get("cases", []):
+            held = case.get("parameter", {}).get("type", "nothing")
+            yield f"{of['name']}[{number}] {p['name']} {held} if {case['tag']}"
+
+
+# ------------------------------------------------------------------- languages with braces
+
+
+def declarations(text: str) -> Iterator[tuple[str, ...]]:
+    """What is declared, behind the scopes around it; what stands in the braces of a function is left out."""
+    text = re.sub(
+        r'/\*.*?\*/|//[^\n]*|"(?:\\.|[^"\\\n])*"', lambda x: x[0] if x[0][0] == '"' else " ", text, flags=re.S
+    )
+    scopes: list[str] = []
+    head, at, depth = "", 0, 0
+    while at < len(text):
+        c = text[at]
+        at += 1
+        depth += (c in "([") - (c in ")]")
+        if (depth == 0 and c in "{};") or (depth == 0 and c == "," and lists(scopes)):
+            head = " ".join(head.split())
+            if c == "{" and SCOPE.search(head):
+                of = re.compile(r"\s*([A-Z]\w*)\s+(?!\{)").match(text, at) if head.endswith("!") else None
+                head += f" {of[1]}" if of else ""
+                yield (*scopes, head)
+                scopes.append(head)
+            else:
+                if c == "{":
+                    at = behind(text, at)
+                if head:
+                    yield (*scopes, head)
+                if c == "}" and scopes:
+                    scopes.pop()
+            head = ""
+        else:
+            head += c
+
+
+#: What opens a scope whose members are looked at: types and groups, not functions and values.
+SCOPE = re.compile(
+    r"^(export |declare |default |abstract |inline |pub |unsafe |template ?<[^{]*> |typedef |const )*"
+    r'(namespace|struct|class|enum|union|trait|impl|mod|extern "C"|interface)(?!\w)(?!.*=$)|!$|^\w+: u\d+$'
+)
+
+
+def lists(scopes: list[str]) -> bool:
+    """In these, a comma separates: enumerators, and members in Rust."""
+    return bool(scopes) and bool(re.search(r"\benum\b|^pub struct|!( \w+)?$|: u\d+$", scopes[-1]))
+
+
+def behind(text: str, at: int) -> int:
+    """Behind the brace that closes what was opened before this place."""
+    depth = 1
+    while depth and at < len(text):
+        depth += (text[at] == "{") - (text[at] == "}")
+        at += 1
+    return at
+
+
+def joined(scopes: tuple[str, ...]) -> str:
+    return ": ".join(scopes)
+
+
+def files(folder: Path, pattern: str) -> Iterator[tuple[str, str]]:
+    for path in sorted(folder.rglob(pattern)):
+        yield path.relative_to(folder).as_posix(), path.read_text("utf-8")
+
+
+MACRO = re.compile(r"^[ \t]*#[ \t]*define[ \t]+(\w+(?:\([^)]*\))?)((?:\\\n|[^\n])*)", re.M)
+
+
+def c(out: Path) -> Iterator[str]:
+    for folder in (out / "c/src", out / "c/ports"):
+        for name, text in files(folder, "*.h"):
+            if name == "open.h":
+                continue  # of the sources beside it
+            text = re.sub(r"/\*.*?\*/", " ", text, flags=re.S)
+            for macro, value in MACRO.findall(text):
+                if not macro.endswith("_H"):
+                    yield " ".join(f"#define {macro} {value}".replace("\\\n", " ").split())
+            text = re.sub(r"^[ \t]*#(?:\\\n|[^\n])*", "", text, flags=re.M)
+            for scopes in declarations(text):
+                yield re.sub(r"\b(MIP_API|MIP_CHECKED|MIP_ENUM_\d+|static|inline) ?", "", joined(scopes)).removeprefix(
+                    'extern "C": '
+                )
+
+
+def cpp(out: Path) -> Iterator[str]:
+    for _, text in files(out / "c/src", "*.hpp"):
+        text = re.sub(r"^[ \t]*#(?:\\\n|[^\n])*", "", text, flags=re.M)
+        text = re.sub(r"^(MIP_[A-Z_]+\([^()]*\))$", r"\1;", text, flags=re.M)
+        yield from (joined(x) for x in declarations(text) if not {"namespace detail", "namespace internal"} & set(x))
+
+
+def rust(out: Path) -> Iterator[str]:
+    for name, text in files(out / "rust/src", "*.rs"):
+        if name.startswith("macros/"):
+            continue
+        text = re.sub(r"(?<![\w'])'(?:\\.|[^'\\])'", "' '", text)
+        text = text.replace("#[macro_export]\nmacro_rules!", "pub macro_rules!")
+        text = re.sub(r"#!?\[(?:[^\[\]]|\[[^\]]*\])*\]", "", text)
+        text = text.partition("\n#[cfg(test)]")[0]
+        yield from (f"{name.removesuffix('.rs')} {joined(x)}" for x in declarations(text) if seen(*x))
+
+
+def seen(*scopes: str) -> bool:
+    """Of Rust: whether it is public, in what is."""
+    *outer, last = scopes
+    if (outer and not seen(*outer)) or "pub(" in last:
+        return False
+    within = outer[-1] if outer else ""
+    if " for " in within:
+        return False  # the methods of the trait
+    if re.match(r"pub (unsafe )?(trait|enum)\b|\w+!( \w+)?$|\w+: u\d+$", within):
+        return True
+    return bool(re.match(r"pub |impl\b|(?!macro_rules)\w+!", last))
+
+
+def javascript(out: Path) -> Iterator[str]:
+    for name, text in files(out / "javascript", "*.d.mts"):
+        yield from (
+            f"{name.removesuffix('.d.mts')} {joined(x)}" for x in declarations(text) if not x[0].startswith("import ")
+        )
+
+
+# ------------------------------------------------------------------- Python
+
+
+def python(out: Path) -> Iterator[str]:
+    package = out / "python"
+    for name, text in files(package, "*.py"):
+        module = name.removesuffix(".py").removesuffix("/__init__").replace("/", ".")
+        if (not re.search(r"(^|\.)_", module) and "." in module) or "/__init__" in name:
+            yield from members(module, ast.parse(text).body)
+
+
+def members(owner: str, body: list[ast.stmt]) -> Iterator[str]:
+    for node in body:
+        match node:
+            case ast.ClassDef(name=name, bases=bases) if not name.startswith("_"):
+                yield f"class {owner}.{name}({', '.join(map(ast.unparse, bases))})"
+                yield from members(f"{owner}.{name}", node.body)
+            case ast.FunctionDef(name=name) | ast.AsyncFunctionDef(name=name) if public(name):
+                returned = f" -> {ast.unparse(node.returns)}" if node.returns else ""
+                marks = "".join(f"@{ast.unparse(d)} " for d in node.decorator_list)
+                yield f"{marks}def {owner}.{name}({ast.unparse(node.args)}){returned}"
+            case ast.AnnAssign(target=ast.Name(id=name)) if public(name):
+                yield f"{owner}.{name}: {ast.unparse(node.annotation)}"
+            case ast.Assign(targets=[ast.Name(id=name)], value=ast.Constant() as value) if public(name):
+                yield f"{owner}.{name} = {ast.unparse(value)}"
+            case ast.Assign(targets=[ast.Name(id=name)]) if public(name):
+                yield f"{owner}.{name}"
+
+
+def public(name: str) -> bool:
+    return not name.startswith("_") or (
+        name.startswith("__") and name not in ("__slots__", "__match_args__", "__all__")
+    )
+
+
+BINDINGS: dict[str, Callable[[Path], Iterator[str]]] = {
+    "wire": wire, "c": c, "cpp": cpp, "javascript": javascript, "python": python, "rust": rust,
+}  # fmt: skip
+
+
+if __name__ == "__main__":
+    sys.exit(main())
