@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from support import BUILD, ROOT, heavy, locked, model
+from support import BUILD, ROOT, heavy, locked, model, nightly
 from virtual.test_live import simulated
 
 pytestmark = heavy("MSCL, from PyPI")
@@ -33,15 +33,58 @@ def python_with_mscl() -> Path:
     return folder / "bin/python"
 
 
+#: What MSCL cannot do with a model: the command that it uses fails, as the device is not known to have it, or it does
+#: not support the model.
+FAILS = {
+    "3dm-cl5-10": "The ContinuousDataStream command has failed",
+    "3dm-gx4-imu": "The Resume command has failed",
+    "3dm-rq1-imu": "The Resume command has failed",
+    "demod-dc": "is not supported",
+}
+#: What a read may end with, beside the value.
+NOT_READ = ("not supported", "MSCL support for Device Status (0x0C, 0x64) is not currently implemented")
+READ_FAILS = {"3dm-rtk": "The CommPortSpeed command has failed"}
+
+MODELS = [d.id for d in model("real").devices if d.model_number]
+
+
+def used(at: str) -> subprocess.CompletedProcess[str]:
+    """It waits for an answer for less than half a second, which a busy machine may take."""
+    command = [str(python_with_mscl()), str(HERE / "mscl_client.py"), at]
+    for _ in range(4):
+        done = subprocess.run(command, capture_output=True, text=True, timeout=100, cwd=ROOT)
+        if "Failed to communicate" not in done.stdout + done.stderr:
+            break
+    return done
+
+
+@nightly("MSCL, from PyPI, with every model")
+@pytest.mark.parametrize("name", MODELS)
+def test_every_model(name: str) -> None:
+    """It connects, reads what it can, configures and streams each class of data that the model has a rate for."""
+    with simulated("--tcp", "localhost:0", device=name) as at:
+        done = used(at)
+    if name in FAILS:
+        assert done.returncode != 0 and FAILS[name] in done.stderr
+        return
+    assert done.returncode == 0, done.stderr
+    result: dict[str, Any] = json.loads(done.stdout)
+    device = next(d for d in model("real").devices if d.id == name)
+    assert result["ping"] is True and result["model"].startswith(str(device.model_number))
+    allowed = (*NOT_READ, READ_FAILS.get(name, NOT_READ[0]))
+    for reads in (result["reads"], result["reads again"]):
+        assert all(said == "read" or said.startswith(allowed) for said in reads.values()), reads
+    for kind, asked, active in result["classes"].values():
+        assert active == asked > 0 and result["data"][str(kind)][0] >= 2
+
+
 @pytest.mark.parametrize("port", ["tcp", "pty"])
 @pytest.mark.parametrize("name", ["3dm-gx5-15", "3dm-gx5-45", "3dm-cv7-gnss-ins"])
 def test_mscl(name: str, port: str, tmp_path: Path) -> None:
     path = str(tmp_path / "port")
     place = ["--tcp", "localhost:0"] if port == "tcp" else ["--pty", path]
     with simulated(*place, device=name) as found:
-        at = found if port == "tcp" else path
-        command = [str(python_with_mscl()), str(HERE / "mscl_client.py"), at]
-        done = subprocess.run(command, capture_output=True, text=True, timeout=100, cwd=ROOT)
+        done = used(found if port == "tcp" else path)
     assert done.returncode == 0, done.stderr
     result: dict[str, Any] = json.loads(done.stdout)
     device = next(d for d in model("real").devices if d.id == name)
