@@ -206,7 +206,12 @@ def _ways(f: m.Field, way: Constructor | None, model: m.Model) -> Iterator[Call]
 
 
 def _call(
-    f: m.Field, name: str, way: Constructor | None, response: m.Field | None, reply: m.Reply | None, fixed: bool,
+    f: m.Field,
+    name: str,
+    way: Constructor | None,
+    response: m.Field | None,
+    reply: m.Reply | None,
+    fixed: bool,
     model: m.Model,
 ) -> Call:
     values = {c.parameter: c.value for c in reply.when} if reply and fixed else {}
