@@ -578,7 +578,8 @@ static void tell(void *user, const struct mip_device *of, bool ends) {
     CHECK(!mip_device_poll(&device) && mip_call_tools_ping(&device).outcome == MIP_BUSY);
     const uint32_t skipped = mip_gap(of, &gap);
     CHECK(skipped == 0 || (skipped == 6 && !ends));
-    strcat(told, skipped > 0 ? "~(" : ends ? ")" : "(");
+    strcat(told, skipped > 0 ? "~(" : ends ? ")"
+                                           : "(");
 }
 
 static void tell_accel(void *user, const struct mip_field *field, uint32_t arrived) {
