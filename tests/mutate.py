@@ -290,6 +290,8 @@ def main() -> int:
         for tests in part.tests:
             began = time.monotonic()
             well, why = passes(tests, 3600)
+            if not well:  # a busy machine fails tests that wait
+                well, why = passes(tests, 3600)
             usual.append(time.monotonic() - began)
             if not well:
                 print(f"{name}: the tests fail without any change: {why}", file=sys.stderr)

@@ -17,6 +17,15 @@ from typing import Any
 
 _ANCHORED = re.compile(r'^<a id="([^"]+)"></a>\n\n(#+ .*)$', re.M)
 _PROGRAM = re.compile(r'<details class="program" markdown="1">\n<summary>(.*?)</summary>\n(.*?)</details>\n', re.S)
+#: Programs one after the other, one in each language.
+_PROGRAMS = re.compile(r"^(?:```(?:c|cpp|python|rust|javascript)\n(?:(?!```).*\n)*```\n){2,}", re.M)
+_FENCE = re.compile(r"```(\w+)\n(.*?)```\n", re.S)
+_LANGUAGES = {"c": "C", "cpp": "C++", "python": "Python", "rust": "Rust", "javascript": "JavaScript"}
+#: A packet byte by byte, and a row of a table that its parts lead to.
+_RULER = re.compile(r"<code>75 65</code>(?: (?:<a [^>]*>)?<code>[0-9A-F ]+</code>(?:</a>)?){4,}")
+_PART = re.compile(r'(?:<a href="([^"]*)">)?<code>([0-9A-F ]+)</code>')
+_ROW = re.compile(r'<td>(?=<a id="([^"]+)"></a>)')
+_COLOURS = 6
 _TITLE = re.compile(r"^# (.*?)(?: \{ #[^ ]+ \})?$", re.M)
 _HEADING = re.compile(r'<h[1-3] id="([^"]+)">(.*?)(?:<a class="headerlink".*?)?</h[1-3]>', re.S)
 _HIDDEN = re.compile(r"<(script|style)\b.*?</\1>|<!--.*?-->", re.S)
@@ -39,12 +48,14 @@ _BEGINNINGS = {
 _TABLES = re.compile(r"(?:packets|units)\.md$")  # pages with tables that can be found
 _LEFT_OUT = re.compile(r"<(pre|table)\b.*?</\1>", re.S)
 
+_frames: dict[str, dict[str, str]] = {}  # "command" or "data" -> a complete program in each language
 _texts: dict[str, Any] = {}  # the address of a page -> its title and sections
 
 
 def on_config(config: Any) -> Any:
     """Adds the style of the tools. `mkdocs serve` builds more than once."""
     _texts.clear()
+    _frames.clear()
     if WORKBENCH:
         config["extra_css"].insert(0, "assets/tools.css")
     return config
@@ -52,18 +63,22 @@ def on_config(config: Any) -> Any:
 
 def on_page_markdown(markdown: str, page: Any, **_: Any) -> str:
     """Gives headings their anchors and programs their tabs, and a page its description."""
+    if page.file.src_uri == "programs.md":
+        _frames.update(frames(markdown))
     text = _ANCHORED.sub(r"\2 { #\1 }", markdown)
     page.meta.setdefault("description", description(text))
     if '<div class="filter devices">' in text:  # their tables need the room
         page.meta.setdefault("hide", ["toc"])
-    return _PROGRAM.sub(_tab, text)
+    return _PROGRAMS.sub(_tabs, _PROGRAM.sub(_tab, text))
 
 
 def on_page_content(content: str, page: Any, **_: Any) -> str:
-    """Keeps the text of a page for the search, which finds what indexes lead to and not these."""
+    """Keeps the text of a page for the search, which finds what indexes lead to and not these. Colours packets."""
     path = page.file.src_uri
     if path.startswith("indexes/"):
         return content
+    if path.startswith("fields/"):
+        content = rulers(content)
     whole = not WORKBENCH or _TABLES.match(path)
     title, *parts = sections(content if whole else _LEFT_OUT.sub(" ", content))
     if WORKBENCH and path.startswith(("fields/", "devices/", "sets/")):
@@ -75,13 +90,50 @@ def on_page_content(content: str, page: Any, **_: Any) -> str:
 
 
 def on_post_build(config: Any) -> None:
-    """Writes the texts of all pages as a script, which pages from disk may load too, and adds the workbench."""
+    """Writes the texts of all pages and the whole programs as scripts, which pages from disk may load too, and adds the
+    workbench."""
     assets = Path(config["site_dir"], "assets")
     text = json.dumps([_texts[url] for url in sorted(_texts)], ensure_ascii=False, separators=(",", ":"))
     (assets / "text.js").write_text(f"globalThis.mipText = {text};\n", "utf-8")
+    if _frames:
+        (assets / "frames.js").write_text(f"globalThis.mipFrames = {json.dumps(_frames)};\n", "utf-8")
     if WORKBENCH:
         for name in ("workbench.js", "fields.js", "tools.css"):
             shutil.copy(Path(WORKBENCH, name), assets)
+
+
+def frames(markdown: str) -> dict[str, dict[str, str]]:
+    """The programs of each section, by language.
+
+    >>> frames('<a id="programs.data"></a>\\n\\n## D\\n\\n```c\\nx\\n```\\n')
+    {'data': {'c': 'x\\n'}}
+    """
+    _, *parts = re.split(r'^<a id="programs\.(\w+)"></a>$', markdown, flags=re.M)
+    return {name: dict(_FENCE.findall(text)) for name, text in zip(parts[::2], parts[1::2], strict=True)}
+
+
+def rulers(content: str) -> str:
+    """Gives the parts of packets their names, and those of parameters a colour that their rows have, too."""
+    found = dict.fromkeys(x for ruler in _RULER.findall(content) for x, _ in _PART.findall(ruler) if x[:1] == "#")
+    colours = {place[1:]: f"mip-colour-{i % _COLOURS}" for i, place in enumerate(found)}
+    content = _RULER.sub(lambda ruler: _ruler(ruler[0], colours), content)
+    return _ROW.sub(lambda row: f'<td class="{colours[row[1]]}">' if row[1] in colours else row[0], content)
+
+
+def _ruler(ruler: str, colours: dict[str, str]) -> str:
+    """
+    >>> print(_ruler('<code>75 65</code> <a href="#a.b.c"><code>01</code></a>', {"a.b.c": "x"}).replace("> <", ">\\n<"))
+    <span class="mip-ruler"><span data-name="sync"><code>75 65</code></span>
+    <span data-name="c" class="x"><a href="#a.b.c"><code>01</code></a></span></span>
+    """
+    parts = []
+    heads = ["sync", "set", "length", *(["acknowledge"] if "packets." in ruler else []), "length, field", "checksum"]
+    for part in re.findall(r"<a [^>]*>.*?</a>|<code>.*?</code>", ruler):
+        place = _PART.match(part)[1] or ""  # type: ignore[index]
+        name = place.split(".")[-1] if place[:1] == "#" else heads.pop(0)
+        colour = f' class="{colours[place[1:]]}"' if place[1:] in colours else ""
+        parts.append(f'<span data-name="{name}"{colour}>{part}</span>')
+    return f'<span class="mip-ruler">{" ".join(parts)}</span>'
 
 
 def description(markdown: str) -> str:
@@ -117,3 +169,9 @@ def _plain(markup: str) -> str:
 
 def _tab(match: re.Match[str]) -> str:
     return f'=== "{match[1]}"\n\n{textwrap.indent(match[2].strip(), "    ")}\n'
+
+
+def _tabs(match: re.Match[str]) -> str:
+    return "\n".join(
+        f'=== "{_LANGUAGES[fence[1]]}"\n\n{textwrap.indent(fence[0], "    ")}' for fence in _FENCE.finditer(match[0])
+    )

@@ -691,6 +691,20 @@ def test_names_are_as_long_as_c_permits(spec: str) -> None:
     assert long_names(folder(spec)) == set()
 
 
+@heavy("the whole specification read anew")
+def test_no_name_is_shorter_than_c_requires(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Without `short`, each of these names would be the same as another one in its first 63 characters."""
+    shutil.copytree(ROOT / "spec", tmp_path / "spec")
+    for path in (tmp_path / "spec").rglob("*.yaml"):
+        path.write_text(re.sub(r",? *\bshort: [a-z0-9_]+(?=[,}\n])", "", path.read_text("utf-8")), "utf-8")
+    found = model("real")
+    types = [t for x in found.families for t in x.types] + list(found.types)
+    shorter = {f.full_name for f in found.fields if f.short} | {t.name for t in types if getattr(t, "short", None)}
+    assert cli.main(["generate", "--spec", str(tmp_path / "spec"), "--out", str(tmp_path / "out")]) == 1
+    said = capsys.readouterr().err
+    assert shorter and {name for name in shorter if f"'{name}" not in said} == set()
+
+
 @pytest.mark.parametrize("compiler", ["cc", CPP])
 def test_awkward_names_and_shapes(compiler: str, tmp_path: Path) -> None:
     """Keywords as names, text and arrays to the end in commands, very long names."""

@@ -109,6 +109,19 @@ def test_further_warnings_of_gcc(spec: str, tmp_path: Path) -> None:
         run(need("gcc"), "-std=c99", "-O2", *WARNINGS, *PEDANTIC, include(spec), "-c", source, "-o", tmp_path / "o")
 
 
+#: Of all warnings of clang, those that are not followed. The README gives the reasons.
+ACCEPTED = ("bad-function-cast", "declaration-after-statement", "padded", "unsafe-buffer-usage")
+
+
+@heavy("clang")
+@both
+def test_every_warning_of_clang(spec: str) -> None:
+    readme = (folder(spec) / "README.md").read_text("utf-8")
+    assert all(f"`-W{name}`" in readme for name in ACCEPTED)
+    flags = ["-Weverything", "-Werror", "-Wno-unknown-warning-option", *(f"-Wno-{name}" for name in ACCEPTED)]
+    run(need("clang"), "-std=c99", "-fsyntax-only", *flags, include(spec), *sources(spec))
+
+
 # --------------------------------------------------------------------------- checksum
 
 FORMS = ["PLAIN", "WORDS", *{"x86_64": ["SSE2"], "aarch64": ["NEON"]}.get(platform.machine(), [])]

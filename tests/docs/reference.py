@@ -182,10 +182,18 @@ class Manual:
         if f.family == "protocol":
             return self.section("packets.md", f.full_name)
         if f.role == m.RESPONSE:
-            return re.split(r"^## ", self.section(path_of(f), f.full_name), flags=re.M)[0]
-        first, *others = re.split(r'^<a id="[^"]*"></a>\n\n### ', self.page(path_of(f)), flags=re.M)
+            return "".join(re.split(r"^(?=## )", self.section(path_of(f), f.full_name), flags=re.M)[:2])
+        first, *others = re.split(r'^<a id="[^"]*"></a>\n\n## ', self.page(path_of(f)), flags=re.M)
         after = others[-1].partition("\n## ")[2] if others else ""
         return first.partition(f'<a id="{f.full_name}"></a>')[2] + (f"\n## {after}" if after else "")
+
+    def parameters(self, f: m.Field) -> tuple[str, int]:
+        """The section that has the table of its parameters, and by how much its offsets are smaller than there."""
+        section = self.field(f)
+        if "\nParameters: as in the command" not in section:
+            return section, 0
+        command = self.model.commands(f)[0]
+        return self.field(command), 1 if command.selector else 0
 
     def type(self, t: m.Type) -> str:
         owner = getattr(t, "owner", None)

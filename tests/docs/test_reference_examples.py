@@ -11,7 +11,7 @@ from typing import Any
 
 from mipgen import model as m
 from mipgen.resolve.load import load_model
-from reference import Manual, made, manual_of, path_of, prose, table_with, tables, words
+from reference import Manual, made, manual_of, path_of, prose, table_with, words
 from support import SPECS
 
 
@@ -54,16 +54,8 @@ def test_examples_are_with_their_fields(manual: Manual) -> None:
             for name in about:
                 f = of.field(name)
                 assert f is not None
-                page = manual.page(path_of(f)).partition("\n## Examples\n")[2].partition("\n## ")[0]
-                first, _, more = page.partition("\nMore examples: ")
-                assert f"#example.{e.id})" in page
-                if f"#example.{e.id})" in more:  # by name; its bytes are on the page of examples
-                    assert e.title in words(more)
-                    continue
-                assert " ".join(f"{b:02X}" for b in shown(e)) in first
-                (rows,) = tables(first)
-                assert bytes.fromhex(" ".join(words(row["Bytes"]) for row in rows)) == shown(e), (e.id, name)
-                check_values(of, e, rows)
+                (line,) = re.findall(r"^- Examples in the manuals: (.*)$", manual.page(path_of(f)), re.M)
+                assert f"#example.{e.id})" in line and e.title in words(line)
 
 
 def flat(value: Any, path: str) -> Iterator[tuple[str, Any]]:

@@ -52,20 +52,25 @@ def test_every_fact_of_a_field(manual: Manual) -> None:
     """A heading, what it is, a paragraph of facts, notes; devices and relations. Functions, replies: in tables."""
     for f in manual.model.fields:
         first, what, *rest = paragraphs(manual.field(f))
-        level = "###" if f.role == m.RESPONSE else "#"
+        level = "##" if f.role == m.RESPONSE else "#"
         assert first == f"{level} {f.title} {number(f)}"
-        assert what == f"{f.full_name}, {f.role}. {prose(f.description, manual.model)}".strip(), f.full_name
-        facts = [x for x in describe.field(f, manual.model) if x.topic not in ("functions", "responses")]
+        is_ = f"{f.full_name}, {f.role}. {prose(f.description, manual.model)}".strip()
+        above = ["commands"] if f.role == m.RESPONSE and len(manual.model.commands(f)) == 1 else []
+        facts = [x for x in describe.field(f, manual.model) if x.topic not in ("functions", "responses", *above)]
         said = " ".join(sentences([x for x in facts if x.topic not in (*RELATIONS, *DEVICES, "note")]))
         notes = sentences(describe.topics(facts, "note"))
         wanted = [x for x in (said, "\n".join(f"- {n}" for n in notes)) if x]
+        if f.role == m.RESPONSE:  # in one paragraph
+            assert what.startswith(" ".join([is_, *([said] if said else []), "Field length: "])), f.full_name
+            wanted = wanted[bool(said) :]
+        else:
+            assert what == is_, f.full_name
         assert rest[: len(wanted)] == wanted, f.full_name
         of_devices, relations = (sentences(describe.topics(facts, *topics)) for topics in (DEVICES, RELATIONS))
         if f.role != m.RESPONSE:
-            assert (
-                listed(manual.field(f), "Devices") == of_devices and listed(manual.field(f), "Relations") == relations
-            )
-        elif of_devices != listed(manual.page(path_of(f)), "Devices"):  # those of the command stand there
+            both = of_devices + relations
+            assert listed(manual.field(f), "Devices and sources")[: len(both)] == both
+        elif not set(of_devices) <= {*listed(manual.page(path_of(f)), "Devices and sources")}:  # those of the command
             assert set(of_devices + relations) <= {*bullets(manual.field(f))}, f.full_name
 
 
@@ -100,6 +105,7 @@ def test_sources_of_a_field(manual: Manual) -> None:
     for f in manual.fields:
         section = manual.field(f)
         listed = [x for row in in_sets(section) for x in words(row["In the manuals"]).split("; ")] or bullets(section)
+        listed += [x for b in listed if b.startswith("In the manuals: ") for x in b[16:].split("; ")]
         for s, cited in zip(f.sources, describe.sources(f), strict=True):
             assert (f.role == m.RESPONSE and f.set) or any(b.startswith(cited) for b in listed), cited
             if f.min_size == f.max_size and s.length is not None and s.length.isdigit():
@@ -127,9 +133,10 @@ def test_sets_of_a_field(manual: Manual) -> None:
             s = of.set(o.set)
             assert s is not None and words(row["Set"]) == heading(s) and f"(../../sets/{s.name}.md)" in row["Set"]
             assert words(row["Name"]) == f"{s.name}.{f.name}"
-            devices = [d.title for d in of.devices_of(f, number=o.set)]
-            devices += [f"probably {d.title}" for d in of.devices_of(f, certain=False, number=o.set)]
-            assert words(row.get("Devices", "")) == ", ".join(devices)
+            devices = ", ".join(d.title for d in of.devices_of(f, number=o.set))
+            probable = ", ".join(d.title for d in of.devices_of(f, certain=False, number=o.set))
+            said = [devices] * bool(devices) + [f"probably {probable}"] * bool(probable)
+            assert words(row.get("Devices", "")) == "; ".join(said)
             said = words(row["In the manuals"])
             assert all(f"{c.manual}: {c.section}" in said for c in o.sources)
             assert said.endswith(" ".join(sentences(describe.uncertain(o, of))))
@@ -140,7 +147,8 @@ def test_sets_of_a_field(manual: Manual) -> None:
 
 def test_every_fact_of_a_parameter(manual: Manual) -> None:
     for f in manual.fields:
-        check_parameters(manual, f, manual.field(f))
+        section, _ = manual.parameters(f)
+        check_parameters(manual, f, section)
     for t in manual.model.all_types:
         if isinstance(t, m.Struct):
             check_parameters(manual, t, manual.type(t))
@@ -148,6 +156,8 @@ def test_every_fact_of_a_parameter(manual: Manual) -> None:
 
 def check_parameters(manual: Manual, record: m.Record, section: str) -> None:
     rows = table_with(section, "Offset", "Name")
+    if isinstance(record, m.Field) and record.role == m.RESPONSE:  # the table may be that of its command
+        rows = [{**row, "Required for": ""} for row in rows if words(row["Name"]) != "function"]
     listed = list(places(record))
     assert [words(row["Name"]) for row in rows] == [place.path for place in listed]
     below: list[str] = []
@@ -184,7 +194,7 @@ def test_values_beside_parameters(manual: Manual) -> None:
     """The values and bits of each type that a parameter may have, those that overlap included, on the same page."""
     for f in manual.fields:
         page = manual.page(path_of(f)) if f.set else manual.page("packets.md")
-        found = re.findall(r"^### Values of ([^\n]*): `(\w+)`$(.*?)(?=^#)", page + "\n#", re.M | re.S)
+        found = re.findall(r"^##+ Values of ([^\n]*): `(\w+)`$(.*?)(?=^#)", page + "\n#", re.M | re.S)
         for place in places(f):
             p = place.parameter
             for t in [p.element, *(v.type for v in p.readings)] if p and not p.selector else []:

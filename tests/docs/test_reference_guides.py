@@ -28,6 +28,7 @@ from test_reference_programs import (
     said_in_cpp,
     said_in_javascript,
     said_in_rust,
+    split,
     with_node,
 )
 
@@ -184,7 +185,7 @@ def test_rates_and_bandwidth(manual: Manual) -> None:
 def test_fields_name_their_guides(manual: Manual) -> None:
     for _, guide, sequence in plays(manual):
         for f in [s.command for s in sequence.steps] + [x.field for t in sequence.streams for x in t.fields]:
-            told = re.findall(r"^Used in the guides: (.*)\.$", manual.page(path_of(f)), re.M)
+            told = re.findall(r"^- Guides: (.*)$", manual.page(path_of(f)), re.M)
             assert f"guides/{guide.name}.md)" in told[0], f.full_name
 
 
@@ -194,8 +195,7 @@ def test_fields_name_their_guides(manual: Manual) -> None:
 def program(manual: Manual, play: Play, language: str) -> tuple[list[str], str]:
     """What a program needs, and what it does."""
     (block,) = re.findall(rf"^```{language}\n(.*?)^```$", part_of(manual, *play[1:]), re.M | re.S)
-    needs, _, body = block.partition("\n\n")
-    return needs.splitlines(), body
+    return split(block)
 
 
 def questions(manual: Manual) -> dict[str, str]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import collections
 import dataclasses
 import doctest
 import html
@@ -9,6 +10,7 @@ import importlib.util
 import itertools
 import posixpath
 import re
+import statistics
 
 from mipgen import model as m
 from mipgen.emit import naming, render
@@ -74,6 +76,22 @@ def test_lists_stay_apart(manual: Manual) -> None:
     """Two lists with nothing but a blank line between them become one."""
     found = [path for path, text in manual.pages.items() if re.search(r"^- .*\n\n- ", without_code(text), re.M)]
     assert not found
+
+
+#: What a page of a field needs whatever it says: fences, edges and headings of tables, brackets in programs, sections.
+FRAME = re.compile(
+    r"```\w*|[| -]+|[ })\];]+|## (?:Packets|Parameters|Programs|Devices and sources)|(?:\| [A-Z][a-z ]+)+\|"
+)
+
+
+def test_pages_of_fields_are_short() -> None:
+    """Half of them have at most 80 lines, and of what they say a quarter at most is on another one, too."""
+    pages = [text.splitlines() for path, text in manual_of("real").pages.items() if path.startswith("docs/fields/")]
+    assert statistics.median(map(len, pages)) <= 80
+    said = [[line for line in page if line and not FRAME.fullmatch(line)] for page in pages]
+    counts = collections.Counter(line for page in said for line in set(page))
+    shares = [sum(counts[line] > 1 for line in page) / len(page) for page in said]
+    assert statistics.median(shares) <= 0.25, statistics.median(shares)
 
 
 # --------------------------------------------------------------------------- links and titles

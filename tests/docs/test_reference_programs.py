@@ -31,13 +31,19 @@ def asked(manual: Manual) -> list[m.Field]:
 def program(manual: Manual, f: m.Field, language: str) -> tuple[list[str], str]:
     """What a program on a page needs, and what it does."""
     (block,) = re.findall(rf"^```{language}\n(.*?)^```$", manual.page(path_of(f)), re.M | re.S)
-    needs, _, body = block.partition("\n\n")
-    return needs.splitlines(), body
+    return split(block)
+
+
+def split(block: str) -> tuple[list[str], str]:
+    lines = block.splitlines()
+    needs = [x for x in lines if x.startswith(("#include", "use ", "from ", "import "))]
+    return needs, "".join(f"{x}\n" for x in lines if x not in needs)
 
 
 def ready(manual: Manual, f: m.Field) -> list[bytes]:
     """The packets that the program of a command sends: the first that the page has, and the first that asks."""
-    packets = [bytes.fromhex(words(row["Packet"])) for row in table_with(manual.field(f), "Packet")]
+    rows = [words(row["Packet"]) for row in table_with(manual.field(f), "Packet", "Reply")]
+    packets = [bytes.fromhex(x) for x in rows if x.startswith("75")]
     shown = manual.samples.shown(f)
     return [packets[i] for i, c in enumerate(manual.samples.sent(f)) if any(c is x for x in shown)]
 
@@ -165,16 +171,13 @@ def test_programs_in_c(manual: Manual, generated: Path, tmp_path: Path) -> None:
         includes |= set(needs)
         takes, begin, end, given = "void", "", "done = true;", [""]
         if f.role == m.COMMAND:
-            assert re.search(r"/\* mip_result_reason", body)
-            body = re.sub(r"/\* (mip_result_reason\(result\)) says why \*/", r'printf("%s\\n", \1); return;', body)
+            body += '\nif (!mip_succeeded(result)) { printf("%s\\n", mip_result_reason(result)); return; }'
             texts = ", ".join(f'"{reply(manual, p).hex()}"' for p in ready(manual, f))
             calls.append(f'static const char *const a_{len(calls)}[] = {{{texts}, ""}}; answers = a_{len(calls)};')
         else:
             members = re.findall(r"value\.\w+", re.findall(r"/\*(.*)\*/", body)[0])
-            body, why = re.subn(r"/\* mip_error_name\(error\) .*\*/", r'printf("%s refused\\n", name);', body)
-            assert why == 1
             body = re.sub(r"/\*.*\*/", "".join(f"(void){x}; " for x in members) + "done = true;", body)
-            takes, begin, end = "const char *hex", DATA, ""
+            takes, begin, end = "const char *hex", DATA, 'if (!done) { printf("%s refused\\n", name); }'
             given = [f'"{p.hex()}"' for p in (sample(manual, f), *broken(manual, f))]
             calls.append("")
         name = f"f_{len(functions)}"
@@ -216,7 +219,8 @@ def test_programs_in_cpp(manual: Manual, generated: Path, tmp_path: Path) -> Non
         includes |= set(needs)
         name, what = f"f_{len(functions)}", f'"{f.full_name}"'
         if f.role == m.COMMAND:
-            body = re.sub(r"// (\w+\.reason\(\)) says why", r'printf("%s\\n", \1.data()); return;', body)
+            for result in re.findall(r"const auto (result|answer) =", body):
+                body += f'\nif (!{result}) {{ printf("%s\\n", {result}.reason().data()); return; }}'
             packets = ready(manual, f)
             texts = ", ".join(f'"{reply(manual, p).hex()}"' for p in packets)
             functions.append(f"static void {name}() {{ auto &device = device_cpp;\n{body}\ndone = true; }}\n")
@@ -226,8 +230,7 @@ def test_programs_in_cpp(manual: Manual, generated: Path, tmp_path: Path) -> Non
             body = re.sub(
                 r"// (?:value->|it holds).*", " ".join(f"(void){x};" for x in members) + " done = true;", body
             )
-            body, why = re.subn(r"// it is another field.*", r'printf("%s refused\\n", name);', body)
-            assert why == 1
+            body += '\nif (!done) { printf("%s refused\\n", name); }'
             functions.append(f"static void {name}(const mip::field &field) {{\n{body}\n}}\n")
             given = [
                 f'{{ const size_t n = bytes_of("{p.hex()}", buffer); const auto p = *mip::packet::check({{buffer, n}});'

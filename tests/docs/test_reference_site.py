@@ -26,7 +26,7 @@ from random_values import chance
 from reference import REAL, manual_of, navigation
 from searches import FIELDS, WORDS
 from searches import PAGES as WANTED_PAGES
-from support import BUILD, NIGHTLY, heavy, locked, model, need, rounds, tree
+from support import BUILD, NIGHTLY, ROOT, heavy, locked, model, need, rounds, tree
 from workbench import workbench
 
 pytestmark = pytest.mark.xdist_group("site")  # which is built once
@@ -111,6 +111,10 @@ def test_site_builds(spec: str) -> None:
         if '<div class="filter' in text:
             assert 'class="filter' in page and re.search(r'<script src="(\.\./)*assets/filter\.js"', page), path
         programs = re.findall(r'^<details class="program"', text, re.M)
+        if path.startswith(("fields/", "programs.")):
+            programs += re.findall(r"^```(?:c|cpp|python|rust|javascript)$", text, re.M)
+        if path.startswith("fields/"):
+            assert page.count('class="mip-ruler"') == len(re.findall(r"`75 65` ", text)), path
         assert len(re.findall(r'<div class="tabbed-block">', page)) == len(programs), path
     assert len(set(titles.values())) == len(titles)
     assert len(set(descriptions.values())) == len(descriptions) and max(map(len, descriptions.values())) <= 160
@@ -447,6 +451,40 @@ def test_inspector_links_to_the_reference(page: browser.Page) -> None:
     assert found[0] == page_of("3dm.pps_source_control") and found[1] == page_of("protocol.acknowledge")
     assert found[2] == page_of("3dm.pps_source_control_response")
     assert "errata.html#erratum.cv7-pps-disabled" in shown(page, ".mip-note a")
+
+
+@in_browser
+@pytest.mark.parametrize("name", ["3dm.message_format", "gnss_data.llh_position"])
+def test_a_program_becomes_a_complete_file(page: browser.Page, name: str, tmp_path: Path) -> None:
+    """Its lines are where those of another page were, and what compiles without a library does."""
+    go(page, page_of(name))
+    frames = json.loads((built("real") / "assets/frames.js").read_text("utf-8").partition(" = ")[2].rstrip(";\n"))
+    kind = frames["command" if name.startswith("3dm") else "data"]
+    for i, (language, frame) in enumerate(kind.items()):
+        lines = (
+            page.run(f"document.querySelectorAll('article .tabbed-block code')[{i}].textContent").strip().split("\n")
+        )
+        page.run(f"document.querySelectorAll('.mip-whole')[{i}].click()")
+        text = page.run(
+            "new Promise((done) => setTimeout(() => done(document.querySelector('dialog pre').textContent), 300))"
+        )
+        file = page.run("document.querySelector('dialog a').download")
+        page.run("document.querySelector('dialog').close()")
+        assert all(re.search(rf"^\s*{re.escape(line)}$", text, re.M) for line in lines), (language, text)
+        assert not re.search(r"Ping|_ping|::ping|scaled_?accel", text, re.I), text
+        assert len(frame.splitlines()) <= len(text.splitlines()) + 6, language
+        if "0x80" in frame:
+            assert "0x81" in text and not re.search(r"0x80|0x04\b", text), text
+        if language == "python":
+            compile(text, file, "exec")
+        if language in ("c", "cpp"):
+            (tmp_path / file).write_text(text)
+            need("cc" if language == "c" else "c++")
+            flags = ["-std=c99"] if language == "c" else ["-std=c++17"]
+            folders = [f"-I{ROOT}/generated/c/{x}" for x in ("src", "ports")]
+            command = ["cc" if language == "c" else "c++", *flags, "-fsyntax-only", *folders, tmp_path / file]
+            done = subprocess.run(command, capture_output=True, text=True, check=False)
+            assert done.returncode == 0, done.stderr
 
 
 @in_browser

@@ -79,3 +79,40 @@ def test_get_started(start: Start, device: str, tmp_path: Path) -> None:
         running.kill()
     assert lines[0].strip().endswith("3DM-CV7-GNSS/INS"), lines
     assert all(VALUES.search(line) for line in lines[1:]), lines
+    for name, said in (("command", "acknowledged"), ("data", "0.99|1.00|12 bytes")):
+        whole_program(start.name, name, said, folder, environment, device)
+
+
+#: How a program of "whole programs" is built and run beside the first one.
+WHOLE = {
+    "python": ("whole.py", "", f"{sys.executable} -u whole.py"),
+    "c": ("whole.c", "cc -std=c99 -Wall -Wextra -Werror -Imip/src -Imip/ports -c whole.c", ""),
+    "cpp": (
+        "whole.cpp",
+        "c++ -std=c++17 -Wall -Wextra -Werror -Imip/src -Imip/ports whole.cpp *.o -o whole",
+        "./whole",
+    ),
+    "rust": ("src/bin/whole.rs", "cargo build --quiet --bin whole", "target/debug/whole"),
+    "javascript": ("whole.mjs", "", "node whole.mjs"),
+}
+
+
+def whole_program(language: str, kind: str, said: str, folder: Path, environment: dict[str, str], device: str) -> None:
+    """One of the complete programs; that in C is compiled only, as its library is not kept."""
+    text = manual_of("real").pages["docs/programs.md"].partition(f'<a id="programs.{kind}"></a>')[2]
+    (program,) = re.findall(rf"^```{language}\n(.*?)^```$", text.partition("<a id")[0], re.M | re.S)
+    name, build, launch = WHOLE[language]
+    (folder / name).parent.mkdir(exist_ok=True)
+    (folder / name).write_text(program)
+    done = subprocess.run(["sh", "-ec", build], cwd=folder, env=environment, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    if not launch:
+        return
+    place = f"tcp:{device}" if language == "rust" else device
+    with subprocess.Popen(
+        ["sh", "-ec", f"exec {launch} {place} 2>&1"], cwd=folder, env=environment, stdout=subprocess.PIPE, text=True
+    ) as running:
+        assert running.stdout is not None
+        line = running.stdout.readline()
+        running.kill()
+    assert re.search(said, line), (language, kind, line)

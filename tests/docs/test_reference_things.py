@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from typing import Any
 
 import pytest
 from mipgen import model as m
@@ -100,63 +99,65 @@ def test_responses_are_with_their_command(manual: Manual) -> None:
         at = {a: page.index(f'<a id="{a}"></a>') for a in ANCHOR.findall(page)}
         for response in manual.model.responses(command):
             if response.command == command.name:
-                assert page.index("\n## Reply\n") < at[response.full_name] < page.index("\n## Examples\n")
+                assert page.index("\n## Packets\n") < at[response.full_name] < page.index("\n## Programs\n")
             else:
                 assert f"#{response.full_name})" in manual.field(command)
                 assert f"#{command.full_name})" in manual.field(response)
 
 
-def test_answers(manual: Manual) -> None:
+def test_replies(manual: Manual) -> None:
     """A packet for each way in which a command may be answered: acknowledged, with a response, or rejected."""
     of = manual.model
     ok, first = of.protocol.ack_code.values[:2]
     for f in (f for f in of.fields if f.role == m.COMMAND):
-        rows = table_with(manual.field(f), "Reply", "Packet")
-        assert bool(rows) == (not f.functions or any(x.reply for x in f.functions)), f.full_name
-        responses = set()
-        for row in rows:
-            (_, ack), *rest = codec.split(of, bytes.fromhex(words(row["Packet"])))
-            assert ack == bytes([f.descriptor, ok.value]) and words(row["Reply"]).startswith("Acknowledge")
-            for descriptor, data in rest:
-                (answer,) = [r for r in of.responses(f) if f"#{r.full_name})" in row["Reply"]]
-                assert descriptor == answer.descriptor and codec.decode(answer, data)[1] == 0
-                responses.add(answer.full_name)
-        rejected = re.search(rf"{first.name} \(0x{first.value:02X}\): ([0-9A-F ]+)\.", words(manual.field(f)))
-        assert bool(rejected) == bool(rows), f.full_name
-        if rejected:
-            (_, ack), *rest = codec.split(of, bytes.fromhex(rejected[1]))
-            assert ack == bytes([f.descriptor, first.value]) and not rest
-        assert not rows or responses == {r.full_name for r in of.responses(f)}, f.full_name
+        page = manual.page(path_of(f))
+        answered = not f.functions or any(x.reply for x in f.functions)
+        assert answered == ("The device does not reply." not in page), f.full_name
+        found = re.findall(r"^(Acknowledged|Rejected)(.*?): `([0-9A-F ]+)`\.", page.replace(". Rej", ".\nRej"), re.M)
+        packets = {(kind, tuple(codec.split(of, bytes.fromhex(data)))) for kind, _, data in found}
+        rejected = [fields for kind, fields in packets if kind == "Rejected"]
+        assert rejected == [((0xF1, bytes([f.descriptor, first.value])),)] * answered, f.full_name
+        assert not answered or f"such as `{first.name}` (0x{first.value:02X})" in page
+        plain = [fields for kind, fields in packets if kind == "Acknowledged" and len(fields) == 1]
+        assert all(fields == ((0xF1, bytes([f.descriptor, ok.value])),) for fields in plain)
+        others = [what for kind, what, _ in found if kind == "Acknowledged" and "[" in what]
+        seen = {r.full_name for r in of.responses(f) if r.command == f.name}
+        assert {re.findall(r"#([\w.]+)", what)[0] for what in others} | seen == {r.full_name for r in of.responses(f)}
+        assert plain or others or seen or not answered, f.full_name
 
 
-def test_every_page_has_an_example(manual: Manual) -> None:
-    """Of the field or its answer; if no manual prints one, it is made from typical values."""
-    for f in (f for f in manual.model.fields if f.role != m.RESPONSE):
-        examples = manual.page(path_of(f)).partition("\n## Examples\n")[2].partition("\n## ")[0]
-        blocks = re.findall(r"^```text\n(.*)\n```$", examples, re.M)
-        tables_ = [bytes.fromhex(" ".join(words(r["Bytes"]) for r in t)) for t in tables(examples)]
-        assert blocks and [bytes.fromhex(b) for b in blocks] == tables_, f.full_name
-        if "**Example**" not in examples:
-            ((descriptor, data),) = codec.split(manual.model, tables_[0])
-            assert descriptor == f.descriptor and codec.decode(f, data)[1] == 0
+RULER = re.compile(r"`75 65` [^;\n]*?`[0-9A-F]{2} [0-9A-F]{2}`(?=[;.])")
 
 
-def test_row_of_bytes(manual: Manual) -> None:
-    for f in (f for f in manual.model.fields if f.role != m.RESPONSE):
-        (row,) = table_with(manual.field(f), "Sync", "Checksum")
-        assert words(row["Set"]) == ("any data set" if f.everywhere else " or ".join(f"{n:02X}" for n in f.sets))
-        assert words(row["Descriptor"]) == f"{f.descriptor:02X}"
-        assert words(row["Field length"]) == words(row["Payload length"])
-        if f.min_size == f.max_size:
-            assert words(row["Field length"]) == f"{f.max_size + 2:02X}"
-        if len(f.parameters) <= 8:
-            assert [words(h) for h in row][5:-1] == [p.name for p in f.parameters]
+def test_packets_byte_by_byte(manual: Manual) -> None:
+    """Each byte of a packet that has the field; those of a parameter lead to its row, where its value is."""
+    for f in manual.model.fields:
+        section = manual.field(f)
+        if not f.parameters and f.role == m.COMMAND:
+            continue
+        (ruler,) = RULER.findall(section)
+        *before, (descriptor, data) = codec.split(manual.model, bytes.fromhex(words(ruler)))
+        assert descriptor == f.descriptor and len(before) == (f.role == m.RESPONSE), f.full_name
+        values, trailing = codec.decode(f, data)
+        assert trailing == 0
+        linked = [(x, bytes.fromhex(words(b))) for b, x in re.findall(r"\[(`[0-9A-F ]+`)\]\(#([\w.]+)\)", ruler)]
+        linked = [(anchor, part) for anchor, part in linked if anchor.startswith(f"{f.full_name}.")]
+        assert b"".join(part for _, part in linked) == data, f.full_name
+        anchors = ANCHOR.findall(section)
+        assert all(anchor in anchors for anchor, _ in linked), f.full_name
+        named = [row for row in table_with(section, "Offset", "Name") if "<a" in row["Name"]]
+        rows = {ANCHOR.findall(row["Name"])[0]: row for row in named}
+        for p in f.parameters:
+            value, row = values.get(p.name), rows.get(f"{f.full_name}.{p.name}")
+            if row and isinstance(value, int) and not isinstance(value, bool):
+                said = words(row["Example"])
+                assert re.search(rf"(?<!\w)-?{abs(value)}\b|0x0*{value:X}\b", said), (f.full_name, p.name, said)
 
 
 def test_where_the_specification_says_it(manual: Manual) -> None:
     for f in (f for f in manual.model.fields if f.role != m.RESPONSE):
         assert f.position is not None
-        said = f"In the specification: {'/'.join(f.position.file.split('/')[-2:])}, name: {f.name}.\n"
+        said = f" In the specification: {'/'.join(f.position.file.split('/')[-2:])}, name: {f.name}\n"
         assert words(manual.page(path_of(f))).endswith(said)
 
 
@@ -186,44 +187,28 @@ def test_what_is_uncertain_of_sets_and_types(manual: Manual) -> None:
 
 
 def test_every_form_of_a_command_has_its_row(manual: Manual) -> None:
-    """How it begins, what follows, its length, the whole packet if nothing is open, and how it is answered."""
+    """A packet, what it must have, its length, and how it is answered."""
     for f in (f for f in manual.model.fields if f.role == m.COMMAND):
-        rows = table_with(manual.field(f), "Field begins with", "Answer")
+        rows = table_with(manual.field(f), "Packet", "Reply")
         for c, row in zip(f.calls, rows, strict=True):
             cells = {key: words(value) for key, value in row.items()}
             if c.function:
-                assert cells["Function"] == f"{c.function.letter} {c.function.name}"
-                assert cells["Value"] == f"0x{c.function.value:02X}"
-            selector = [c.function.value] if c.function else []
-            first, *rest = cells["Field begins with"].split()
-            assert first == (f"{int(cells['Field length']):02X}" if cells["Field length"].isdigit() else "LL")
-            assert bytes.fromhex("".join(rest)) == bytes([f.descriptor, *selector])
+                assert cells["Function"] == f"{c.function.name} ({c.function.letter}, 0x{c.function.value:02X})"
             assert cells.get("Required parameters", "") == ", ".join(p.name for p in c.required)
             assert cells.get("Optional parameters", "") == ", ".join(p.name for p in c.optional)
-            check_answer(manual, f, c, row["Answer"])
-        for c, row in zip(
-            manual.samples.sent(f),
-            table_with(manual.field(f), "Packet", "Function") or table_with(manual.field(f), "Packet"),
-            strict=True,
-        ):
-            packet = bytes.fromhex(words(row["Packet"]))
+            check_answer(manual, f, c, row["Reply"])
+            if not any(x is c for x in manual.samples.sent(f)):
+                assert cells["Packet"] == "no device is known to accept it"
+                continue
+            packet = bytes.fromhex(cells["Packet"])
             ((descriptor, data),) = codec.split(manual.model, packet)
             values, trailing = codec.decode(f, data)
             assert (packet[2], descriptor, trailing) == (f.set, f.descriptor, 0)
             assert values.get("function") == (c.function.value if c.function else None)
+            assert not cells["Field length"].isdigit() or int(cells["Field length"]) == len(data) + 2
             assert list(values) == [
                 p.name for p in f.parameters if p.selector or (p in c.required and p.constant is None)
             ]
-            check_said(manual.model, f, values, words(row.get("Values", "")))
-
-
-def check_said(of: m.Model, f: m.Field, values: dict[str, Any], said: str) -> None:
-    """The values of a packet that is ready to be sent are beside it, unless there are too many."""
-    plain = {k: v for k, v in values.items() if k != "function" and isinstance(v, int)}
-    if re.fullmatch(r"\d+ values", said):
-        return
-    for name, value in plain.items():
-        assert re.search(rf"(^|, ){name} = (.*\(|week )?(-?{value}|0x0*{value:X})\b", said), (f.full_name, name, value)
 
 
 def sizes(f: m.Field) -> tuple[int, int]:
@@ -296,7 +281,7 @@ def test_every_type_names_its_users(manual: Manual) -> None:
 def test_nothing_is_ready_to_be_sent_that_no_device_takes(manual: Manual) -> None:
     for f in (f for f in manual.model.fields if f.role == m.COMMAND and f.functions):
         taken = {x.name for _, s in manual.model.supports(f) for x in s.functions} or {x.name for x in f.functions}
-        rows = table_with(manual.field(f), "Packet", "Function")
+        rows = [row for row in table_with(manual.field(f), "Packet", "Function") if row["Packet"].startswith("`")]
         assert {words(row["Function"]).partition(" ")[0] for row in rows} == taken, f.full_name
 
 

@@ -48,7 +48,7 @@ SENTENCES = [
     ("tools.formats", "Not acknowledged if suppress_ack is true."),
     ("tools.formats", "Between a counter and its array. Deprecated."),
     ("tools.hello", "Sent by the device; the host answers."),
-    ("tools.hello", "Probably supported by Model C."),
+    ("tools.hello", "No device is certain to support it."),
     ("tools.stripes", "Of a stripe. Unit: m."),
     ("tools.stripes", "Of all stripes. Unit: deg. Range: -180 to 180."),
 ]
@@ -56,21 +56,20 @@ SENTENCES = [
 #: What C says in other words.
 IN_C = {
     "Occurs in measurements (0x80) and copy (0x92).": "Occurs in MIP_MEASUREMENTS_SET and MIP_COPY_SET.",
-    "Probably supported by Model C.": "No device is certain to support it.",
 }
 
 #: What pages of the reference have in columns, and not in sentences: the row of a parameter.
 ROWS = [
-    ("measurements.radio", "1 | 4 | strength | s32 | | less than 1 | connected |"),
-    ("measurements.radio", "5 | 4 | noise | float | m | greater than 0, at most 10 | connected |"),
-    ("tools.settings", "| port | u8 | | 0 to 8 | |"),
-    ("tools.settings", "| baud | u32 | Bd | | 115200 |"),
-    ("tools.capture_bias", "| time | u16 | s | 1 to 30 |"),
-    ("tools.bias", "| bias | vector3f | g |"),
+    ("measurements.radio", "1 | 4 | strength | s32 | 1 | | less than 1 | connected |"),
+    ("measurements.radio", "5 | 4 | noise | float | 1 m | m | greater than 0, at most 10 | connected |"),
+    ("tools.settings", "| port | u8 | 1 | | | 0 to 8 | |"),
+    ("tools.settings", "| baud | u32 | 9600 Bd | write and apply | Bd | | 115200 |"),
+    ("tools.capture_bias", "| time | u16 | 20 s | s | 1 to 30 |"),
+    ("tools.bias", "| bias | vector3f | x 0.5, y 0.25, z 0 g | write | g |"),
     ("measurements.breeze", "| -1 to 1, magnitude 0.5 to 1.5 | 1, 0, 0, 0 |"),
-    ("tools.poll", "80 | descriptor_set | 0x80 Measurements |"),
-    ("tools.poll", "01 | first | 0x01 Acceleration |"),
-    ("tools.poll", "| descriptors | 0x01 Acceleration, 0x02 Numbers, 0xD3 Timestamp, 0x7F |"),
+    ("tools.poll", "| descriptor_set | u8 | 0x80 Measurements |"),
+    ("tools.poll", "| first | u8 | 0x01 Acceleration |"),
+    ("tools.poll", "| descriptors | u8[count] | 0x01 Acceleration, 0x02 Numbers, 0xD3 Timestamp, 0x7F |"),
 ]
 
 

@@ -48,8 +48,8 @@ def test_a_text_stays_as_it_is(api: object) -> None:
 
 def test_a_text_needs_no_import() -> None:
     f, samples = talking()
-    assert python.Programs(samples).command(f).startswith("from mip_protocol import it\n\n")
-    assert rust.Programs(samples).command(f).startswith("use mip_protocol::{VarText, it};\n\n")
+    assert python.Programs(samples).command(f).startswith("from mip_protocol import it\ndevice.")
+    assert rust.Programs(samples).command(f).startswith("use mip_protocol::{VarText, it};\ndevice.")
 
 
 def test_python_imports_what_it_uses() -> None:
@@ -69,6 +69,6 @@ def test_rust_imports_what_it_uses() -> None:
     samples = SampleValues(of)
     for f in of.fields:
         programs = rust.Programs(samples)
-        head, _, body = (programs.command(f) if f.role == m.COMMAND else programs.data(f)).partition("\n\n")
+        head, _, body = (programs.command(f) if f.role == m.COMMAND else programs.data(f)).partition("\n")
         for name in re.findall(r"\w+", head.partition("::")[2]):
             assert re.search(rf"\b{name}\b", body), f.full_name

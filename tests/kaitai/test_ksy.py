@@ -68,6 +68,22 @@ def test_what_a_count_must_obey() -> None:
     }
 
 
+def test_a_union_has_a_type_of_its_own() -> None:
+    circle = ksy(file("invented"))["types"]["tools_circle"]
+    assert [(a["id"], a["type"]) for a in circle["seq"]] == [
+        ("center", "point"), ("fill", "u1"), ("filling", "filling_cases"),
+    ]  # fmt: skip
+    chosen = {a["id"]: (a["type"], a["if"]) for a in circle["types"]["filling_cases"]["seq"]}
+    assert chosen["striped"] == ("tools_stripes", "_parent.fill == tools_fill::striped")
+
+
+def test_after_an_impossible_length_nothing_is_a_field() -> None:
+    conditions = {a["id"]: a.get("if") for a in ksy(file("invented"))["types"]["field"]["seq"]}
+    assert conditions == {
+        "length": None, "malformed": "not is_sound", "descriptor": "is_sound", "content": "is_sound",
+    }  # fmt: skip
+
+
 @specs
 def test_what_is_referred_to_exists(spec: str) -> None:
     tree = ksy(file(spec))

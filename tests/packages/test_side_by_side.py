@@ -190,6 +190,7 @@ def test_what_refers_to_other_languages(packages: Packages) -> None:
         "c": "my_device_tools_light",
         "python": "my_device_protocol.tools.Light",
         "rust": "my_device_protocol::tools::Light",
+        "javascript": "my-device-protocol/tools_.Light",
     }
     page = (packages["my_device"] / "markdown/docs/fields/tools/light.md").read_text("utf-8")
     for shown in ("my_device_call_tools_light_write(", "from my_device_protocol import", "use my_device_protocol::"):

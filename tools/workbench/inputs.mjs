@@ -145,8 +145,8 @@ function hexOf(value, size) {
 function rateInput({ protocol, device, values, outer }, set) {
     const { base } = baseOf(protocol, device, outer);
     if (!base) return undefined;
-    const number = element("input", { value: String(values.decimation), spellcheck: "false" });
-    const rate = element("input", { inputmode: "decimal", spellcheck: "false", "aria-label": "Rate in Hz", class: "mip-hertz" });
+    const number = element("input", { value: String(values.decimation), spellcheck: "false", class: "mip-short" });
+    const rate = element("input", { inputmode: "decimal", spellcheck: "false", "aria-label": "Rate in Hz", class: "mip-short mip-hertz" });
     const tell = () => {
         const hertz = base / values.decimation;
         rate.value = Number.isFinite(hertz) ? String(Number(hertz.toPrecision(6))) : "";

@@ -75,13 +75,17 @@ def flat(expression: Expression) -> str:
 
 
 def laid_out(expression: Expression, width: int) -> str:
-    """With a line for each of what is in brackets, if one line is too long.
+    """With what is in brackets on a line of its own, or on one for each, if one line is too long.
 
     >>> inner = Brackets("f(", ["3", "')'"], ")")
     >>> print(laid_out(Brackets("x = {", [Brackets("{", ["1", "2"], "}"), inner], "};"), 14))
     x = {
         {1, 2},
         f(3, ')'),
+    };
+    >>> print(laid_out(Brackets("list[] = {", ["1", "2"], "};"), 14))
+    list[] = {
+        1, 2
     };
     >>> print(laid_out(Brackets("g(", [inner], ")", comma=""), 9))
     g(
@@ -94,5 +98,8 @@ def laid_out(expression: Expression, width: int) -> str:
     line = flat(expression)
     if len(line) <= width or isinstance(expression, str) or not expression.items:
         return line
+    inner = ", ".join(map(flat, expression.items)) + (expression.alone if len(expression.items) == 1 else "")
+    if len(inner) <= width - 4:
+        return f"{expression.head}\n    {inner}\n{expression.tail}"
     each = [laid_out(item, width - 5).replace("\n", "\n    ") for item in expression.items]
     return "".join([expression.head, "\n    ", ",\n    ".join(each), expression.comma, "\n", expression.tail])

@@ -66,6 +66,12 @@ pub(crate) fn judge(bytes: &[u8]) -> Candidate {
     }
 }
 
+/// Do bytes end with the checksum of those before?
+#[inline(never)] // at each place where packets are searched
+fn has_checksum(bytes: &[u8]) -> bool {
+    matches!(*bytes, [ref head @ .., a, b] if [a, b] == checksum(head))
+}
+
 /// The first byte, and those up to the next that may begin a packet.
 pub(crate) fn noise(bytes: &[u8]) -> usize {
     bytes.iter().skip(1).take_while(|b| **b != SYNC[0]).count().wrapping_add(1)
@@ -161,10 +167,20 @@ impl Parser {
                 }
                 Candidate::Bad => {}
             }
-        } else if HOST && input.len() == 1 && self.missing > 1 {
-            // Byte by byte.
-            *chunk = self.fill(input);
-            return None;
+        } else if HOST && self.missing > 0 {
+            // The next part of a candidate, or the rest of it.
+            if input.len() < self.missing.into() {
+                self.extend(input);
+                *chunk = &[];
+                return None;
+            }
+            let (part, rest) = input.split_at(usize::from(self.missing).min(input.len()));
+            let size = self.complete(part);
+            if size > 0 {
+                *chunk = rest;
+                let (packet, _) = self.buffer.split_at(size.min(MAX_PACKET));
+                return Some(Packet::trusted(packet));
+            }
         }
         let (size, left) = self.step(input);
         let (searched, rest) = input.split_at(input.len().saturating_sub(left));
@@ -315,28 +331,58 @@ impl Parser {
         self.length = short(rest.len());
     }
 
-    /// Takes the first bytes of a candidate of this size.
+    /// Takes the first bytes of a candidate of this size, if nothing is held back.
     #[cold] // beside whole packets
     fn hold(&mut self, bytes: &[u8], size: usize) {
-        if !bytes.is_empty() {
-            self.missing = short(size);
+        if bytes.is_empty() {
+            return;
+        }
+        if let Some(places) = self.buffer.get_mut(..bytes.len()) {
+            self.length = short(bytes.len());
+            self.missing = short(size.wrapping_sub(bytes.len()));
+            places.copy_from_slice(bytes);
+        }
+    }
+
+    /// Takes the missing bytes. If they make the candidate a packet, nothing is held back any more:
+    /// returns the size of the packet, which is at the front of the buffer. Else returns 0, and they
+    /// are still missing.
+    #[inline]
+    fn complete(&mut self, bytes: &[u8]) -> usize {
+        let start = usize::from(self.length);
+        let size = start.wrapping_add(bytes.len());
+        if let Some(places) = self.buffer.get_mut(start..size) {
+            places.copy_from_slice(bytes);
+            let (held, _) = self.buffer.split_at(size.min(MAX_PACKET));
+            if size > HEADER && has_checksum(held) {
+                (self.length, self.missing) = (0, 0);
+                return size;
+            }
+        }
+        0
+    }
+
+    /// Takes some of the missing bytes.
+    #[inline]
+    fn extend(&mut self, bytes: &[u8]) {
+        let start = usize::from(self.length);
+        if let ([byte], Some(place)) = (bytes, self.buffer.get_mut(start)) {
+            *place = *byte;
+            (self.length, self.missing) =
+                (self.length.wrapping_add(1), self.missing.wrapping_sub(1));
+        } else {
             self.fill(bytes);
         }
     }
 
     /// Takes the missing bytes, as far as they are there. Returns those behind.
-    #[inline]
     fn fill<'i>(&mut self, input: &'i [u8]) -> &'i [u8] {
         let start = usize::from(self.length);
         let count = usize::from(self.missing).min(input.len());
         self.length = self.length.wrapping_add(short(count));
         self.missing = self.missing.wrapping_sub(short(count));
         let (head, tail) = input.split_at(count);
-        let free = self.buffer.get_mut(start..).unwrap_or_default();
-        match (free, head) {
-            ([place, ..], [byte]) if HOST => *place = *byte,
-            (free, head) => copy(free, head),
-        }
+        copy(self.buffer.get_mut(start..).unwrap_or_default(), head);
         tail
     }
 }

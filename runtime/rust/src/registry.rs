@@ -342,7 +342,7 @@ impl Visitor for Decode {
 
     #[inline]
     fn visit<T: Listed>(self, field: &RawField<'_>) -> Self::Output {
-        decode::<T>(field)
+        decode::<T>(field.data)
     }
 
     fn unknown(self, _: &RawField<'_>) -> Self::Output {
@@ -351,12 +351,12 @@ impl Visitor for Decode {
 }
 
 #[inline(never)] // so that finding the type needs no stack, and only jumps here
-fn decode<T: Listed>(field: &RawField<'_>) -> Option<Result<AnyField, DecodeError>> {
-    let mut reader = Reader::new(field.data);
-    Some(match T::decode_from(&mut reader) {
-        Ok(value) => Ok(value.into_any()),
-        Err(_) => Err(wrong(reader, T::NAME)),
-    })
+fn decode<T: Listed>(data: &[u8]) -> Option<Result<AnyField, DecodeError>> {
+    let mut reader = Reader::new(data);
+    match T::decode_from(&mut reader) {
+        Ok(value) => Some(Ok(value.into_any())),
+        Err(_) => wrong(reader, T::NAME),
+    }
 }
 
 struct DecodeWithTrailing;
@@ -383,14 +383,15 @@ fn decode_with_trailing<T: Listed>(field: &RawField<'_>) -> Option<Result<Decode
             field: value.into_any(),
             left_over: reader.remaining(),
         })),
-        Err(_) => Some(Err(wrong(reader, T::NAME))),
+        Err(_) => wrong(reader, T::NAME),
     }
 }
 
-/// Once for all types.
+/// What `decode` returns then, once for all types.
 #[cold]
-fn wrong(reader: Reader<'_>, field: &'static str) -> DecodeError {
-    reader.error(field)
+#[inline(never)]
+fn wrong<T>(reader: Reader<'_>, field: &'static str) -> Option<Result<T, DecodeError>> {
+    Some(Err(reader.error(field)))
 }
 
 struct Describe;

@@ -70,11 +70,12 @@ static const char *add(struct session *s, struct mip_builder *builder, const str
         return mip_error_name(error);
     }
     c->request.exchange = entry->command->exchange;
-    mip_client_wait(&s->client, &c->request, builder->buffer + start, s->now);
+    c->request.asked = mip_requested(c->request.exchange, builder->buffer + start);
+    mip_client_wait(&s->client, &c->request, s->now);
     *end = c;
     const struct mip_response *asked = c->request.asked;
     /* What has several layouts is decoded when it has come. */
-    if (asked != NULL && asked->layout == NULL) {
+    if (asked != NULL && asked->descriptor != 0 && asked->layout == NULL) {
         size_t i = 0;
         while (mip_registry_link(entry, i)->descriptor != asked->descriptor) {
             i++;

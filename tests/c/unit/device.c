@@ -568,15 +568,18 @@ static void parser_time_out(uint32_t start) {
     CHECK(is(mip_call_tools_ping(&device), MIP_ACKNOWLEDGED, 0, MIP_OK) && seen.count == 1);
 }
 
-/* What an observer was told, with what handlers were called in between: "a." is a packet with an acceleration. */
+/* What an observer was told, with what handlers were called in between: "(a)" is a packet with an acceleration, "~" a
+ * gap of six bytes. */
 static char told[100];
 static uint32_t gap;
 
-static void tell(void *user, const struct mip_device *of) {
+static void tell(void *user, const struct mip_device *of, bool ends) {
     CHECK(user == &gap && of == &device && of->packet != NULL && of->heard == line.clock);
     CHECK(!mip_device_poll(&device) && mip_call_tools_ping(&device).outcome == MIP_BUSY);
-    strcat(told, of->parser.skipped != gap ? "~." : ".");
-    gap = of->parser.skipped;
+    const uint32_t skipped = mip_gap(of, &gap);
+    CHECK(skipped == 0 || (skipped == 6 && !ends));
+    strcat(told, skipped > 0 ? "~(" : ends ? ")"
+                                           : "(");
 }
 
 static void tell_accel(void *user, const struct mip_field *field, uint32_t arrived) {
@@ -586,7 +589,7 @@ static void tell_accel(void *user, const struct mip_field *field, uint32_t arriv
     strcat(told, "a");
 }
 
-/* Each packet ends once, whatever is in it: also answers, no field, and a field that is cut. */
+/* Each packet begins and ends once, whatever is in it: also answers, no field, and a field that is cut. */
 static void observers(void) {
     static const struct mip_handler accels[] = {{&mip_measurements_accel_codec, MIP_ANY_SET, tell_accel, NULL}};
     static const struct mip_observer observer = {tell, &gap};
@@ -605,42 +608,43 @@ static void observers(void) {
     bytes_come(&line, 10, cut, sizeof(cut));
     CHECK(mip_call_tools_ping(&device).outcome == MIP_ACKNOWLEDGED);
     poll_for(1000);
-    CHECK(strcmp(told, "aa..~...") == 0);
+    CHECK(strcmp(told, "(aa)()~()()()") == 0);
 
     device.observer = NULL;
     COMES(10, 0x80, ACCEL);
     poll_for(1000);
-    CHECK(strcmp(told, "aa..~...a") == 0);
+    CHECK(strcmp(told, "(aa)()~()()()a") == 0);
 }
 
 static void dawdle(void *user, const struct mip_field *field, uint32_t arrived) {
     (void)field;
     (void)arrived;
-    ((struct line *)user)->clock += 300;
+    ((struct line *)user)->clock += 40;
 }
 
 /* A host that is slow does not take what waits to be read for an answer that has not come. */
 static void backlog(void) {
     static const struct mip_handler slow[] = {{&mip_measurements_accel_codec, MIP_ANY_SET, dawdle, &line}};
     fresh(slow, 1);
+    device.client.timeout = 100;
     for (int i = 0; i < 14; i++) { /* more than one read takes */
         COMES(0, 0x80, ACCEL "\x14\x66                  ");
     }
     COMES(0, 0x01, PONG);
-    CHECK(is(mip_call_tools_ping(&device), MIP_ACKNOWLEDGED, 0, MIP_OK) && line.clock >= 5000 + 1000);
+    CHECK(is(mip_call_tools_ping(&device), MIP_ACKNOWLEDGED, 0, MIP_OK) && line.clock >= 5000 + 400);
 
-    /* Nor does it wait longer than twice its time-out, */
+    /* Nor does it wait longer than its time-out and MIP_BACKLOG, */
     fresh(NULL, 0);
     line.endless = true;
     line.takes = 10;
     device.client.timeout = 50;
-    CHECK(is(mip_call_tools_ping(&device), MIP_TIMED_OUT, 0, MIP_OK) && line.clock == 5100);
+    CHECK(is(mip_call_tools_ping(&device), MIP_TIMED_OUT, 0, MIP_OK) && line.clock == 5000 + 50 + MIP_BACKLOG);
 
     /* or for ever. */
     fresh(NULL, 0);
     line.endless = true;
     line.takes = 10;
-    CHECK(is(mip_call_tools_ping(&device), MIP_TIMED_OUT, 0, MIP_OK) && line.clock == 7000);
+    CHECK(is(mip_call_tools_ping(&device), MIP_TIMED_OUT, 0, MIP_OK) && line.clock == 6000 + MIP_BACKLOG);
 }
 
 int main(void) {

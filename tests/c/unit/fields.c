@@ -287,7 +287,7 @@ static void constants(void) {
     CHECK(mip_tools_status_long_decode(&status, &field) == MIP_ERROR_LAYOUT && status.uptime == 0);
     field = field_of(1, 4, "126802");
     CHECK(mip_tools_status_decode(&command, &field) == MIP_ERROR_CONSTANT && command.selector == 0);
-    CHECK(sizeof(MIP_TOOLS_STATUS_NAME) == sizeof("tools.status") && mip_tools_status_exchange.timeout == 2500);
+    CHECK(sizeof(MIP_TOOLS_STATUS_NAME) == sizeof("tools.status") && mip_tools_status_exchange.timeout == 10 /* 2.5 s */);
     /* Keywords, and a parameter with the name of a member that generated code uses itself. */
     struct mip_3d_default d;
     mip_3d_default_make(&d, 1, 2, 3, 4, 5);

@@ -91,6 +91,18 @@ fn the_checksum_is_right_after_each_field() {
     }
 }
 
+/// The header of this packet ends with the checksum of what is in front of it.
+#[test]
+fn a_header_is_no_packet() {
+    let mut packet = PacketBuilder::new(0xDA);
+    packet.push_raw(0x01, &[0; 0x4F - 2]).unwrap();
+    let bytes = packet.bytes();
+    assert_eq!(checksum(&bytes[..2]), bytes[2..4]);
+    for cut in 1..bytes.len() {
+        assert_eq!(parse(bytes, &[cut]), (vec![bytes.to_vec()], 0), "{cut}");
+    }
+}
+
 #[test]
 fn an_empty_packet_is_legal() {
     for set in 0..=0xFF {

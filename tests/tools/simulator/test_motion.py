@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from functools import cache
 from math import atan2, cos, degrees, dist, hypot, isclose, pi, radians, sin, sqrt
 from pathlib import Path
 from random import Random
@@ -55,28 +56,37 @@ FLIGHT = [
     for t in range(0, 1400, 3)
 ]
 ANGLES = "roll [deg],pitch [deg],yaw [deg]"
-MOTIONS: dict[str, Motion] = {
-    "standing": Standing(-33.0, 151.0, 20.0, heading=200, pitch=12, roll=-7),
-    "circle": Circle(20, 5),
-    "fast circle": Circle(300, 60, -78.0, 170.0),
-    "track": Track(TOWN, acceleration=LIMIT),
-    "loop": Track(TOWN, acceleration=LIMIT, loop=True),
-    "trajectory": trajectory(
+#: Each is made when a test needs it: reading long ones takes half a second.
+MOTIONS: dict[str, Callable[[], Motion]] = {
+    "standing": lambda: Standing(-33.0, 151.0, 20.0, heading=200, pitch=12, roll=-7),
+    "circle": lambda: Circle(20, 5),
+    "fast circle": lambda: Circle(300, 60, -78.0, 170.0),
+    "track": lambda: Track(TOWN, acceleration=LIMIT),
+    "loop": lambda: Track(TOWN, acceleration=LIMIT, loop=True),
+    "trajectory": lambda: trajectory(
         f"time [s],latitude [deg],longitude [deg],height [m],{ANGLES}",
         *((*row[:2], (row[2] + 180) % 360 - 180, *row[3:6], (row[6] + 180) % 360 - 180) for row in FLIGHT),
     ),
-    "local trajectory": trajectory(
+    "local trajectory": lambda: trajectory(
         f"time [ms],east [km],north [ft],down [m],{ANGLES}",
         *((500 * t, sin(t / 5), 900 * cos(t / 5), t, 0, 3, 20 * t) for t in range(0, 1200)),
         latitude=-60.0,
     ),
-    "speeds": trajectory(
+    "speeds": lambda: trajectory(
         "time [s],speed [km/h],pitch [rad],yaw [rad]",
         *((t, 40 + 30 * sin(t / 9), 0.2 * sin(t / 9), t / 12) for t in range(700)),
     ),
-    "across the date line": Track([Waypoint(10, 179.999, 0), Waypoint(10.001, -179.998, 30)], 25.0),
+    "across the date line": lambda: Track([Waypoint(10, 179.999, 0), Waypoint(10.001, -179.998, 30)], 25.0),
 }
-each = pytest.mark.parametrize("motion", MOTIONS.values(), ids=MOTIONS)
+each = pytest.mark.parametrize("motion", MOTIONS, indirect=True)
+made = cache(lambda name: MOTIONS[name]())
+
+
+@pytest.fixture
+def motion(request: pytest.FixtureRequest) -> Motion:
+    return made(request.param)
+
+
 STEP = 1e-3
 
 
@@ -139,7 +149,7 @@ def test_rate_is_the_change_of_the_attitude(motion: Motion) -> None:
 
 @pytest.mark.parametrize("name", ["circle", "track", "loop", "across the date line"])
 def test_vehicles_point_where_they_go(name: str) -> None:
-    moving = [s for s in map(MOTIONS[name].at, times(MOTIONS[name])) if hypot(*s.velocity) > 0.01]
+    moving = [s for s in map(made(name).at, times(made(name))) if hypot(*s.velocity) > 0.01]
     assert moving
     for s in moving:
         north, east, down = s.velocity
@@ -151,7 +161,7 @@ def test_vehicles_point_where_they_go(name: str) -> None:
 @pytest.mark.parametrize("name", ["track", "loop"])
 def test_tracks_are_smooth_and_within_limits(name: str) -> None:
     """The plane of the track stretches by less than 1 %, and with it speeds and accelerations."""
-    track, last, speeds = MOTIONS[name], None, []
+    track, last, speeds = made(name), None, []
     for i in range(60_000):
         s = track.at(i * 0.005)
         heading = euler(s.dcm)[2]
@@ -181,7 +191,7 @@ def places(motion: Motion, end: float) -> list[State]:
 
 def test_tracks_pass_their_waypoints() -> None:
     """At a corner by not more than what the arc cuts off; exactly at the ends, where they stop and stay."""
-    track = MOTIONS["track"]
+    track = made("track")
     assert isinstance(track, Track) and track.duration is not None
     states = places(track, track.duration)
     for p in TOWN:
@@ -203,7 +213,7 @@ def test_tracks_pass_their_waypoints() -> None:
 
 
 def test_loops_come_back() -> None:
-    loop = MOTIONS["loop"]
+    loop = made("loop")
     assert isinstance(loop, Track) and loop.duration is None
     lap = loop._lap.duration
     for t in (200.0, 300.5, 415.25):
@@ -301,7 +311,7 @@ def test_a_track_that_cannot_be_read(tmp_path: Path) -> None:
 
 
 def test_a_trajectory_passes_its_rows() -> None:
-    motion = MOTIONS["trajectory"]
+    motion = made("trajectory")
     for t, latitude, longitude, height, roll, pitch, yaw in FLIGHT:
         state = motion.at(t)
         assert isclose(degrees(state.latitude), latitude, abs_tol=1e-12) and isclose(state.height, height)

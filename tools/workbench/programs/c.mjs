@@ -30,22 +30,17 @@ export function cProgram(names, field, calls) {
         const type = names.type(field);
         return [
             `#include "${header}.h"`,
-            "",
             `struct ${type} value;`,
-            `const ${names.package}_error error = ${type}_decode(&value, &field);`,
-            `if (error == ${names.package.toUpperCase()}_OK) {`,
+            `if (${type}_decode(&value, &field) == ${names.package.toUpperCase()}_OK) {`,
             `    /* ${read || "it holds nothing"} */`,
             ...(field.occurrences?.length > 1 ? ["    /* field.descriptor_set is the set in which it came */"] : []),
-            "} else {",
-            `    /* ${names.package}_error_name(error) says why */`,
             "}",
         ].join("\n");
     }
-    const lines = [`#include "${header}_commands.h"`, ""];
+    const lines = [`#include "${header}_commands.h"`];
     calls.forEach((values, i) => {
-        lines.push(...(i ? [""] : []), ...cCall(names, field, values, i ? "result = " : `struct ${names.package}_result result = `));
+        lines.push(...cCall(names, field, values, i ? "result = " : `struct ${names.package}_result result = `));
     });
-    lines.push(`if (!${names.package}_succeeded(result)) {`, `    /* ${names.package}_result_reason(result) says why */`, "}");
     return lines.join("\n");
 }
 

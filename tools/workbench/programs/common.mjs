@@ -163,6 +163,8 @@ export function laidOut(expression, width) {
     const line = flat(expression);
     if (line.length <= width || typeof expression === "string" || expression.items.length === 0) return line;
     const { head, items, tail, comma } = expression;
+    const inner = flat({ ...expression, head: "", tail: "", pad: "" });
+    if (inner.length <= width - 4) return `${head}\n    ${inner}\n${tail}`;
     const each = items.map((item) => `    ${laidOut(item, width - 5).replaceAll("\n", "\n    ")}`);
     return `${head}\n${each.join(",\n")}${comma}\n${tail}`;
 }

@@ -12,8 +12,7 @@ export function cppProgram(names, field, calls) {
     const lines = [`#include "${header}_commands.hpp"`];
     calls.forEach((values, i) => {
         const name = i ? "answer" : "result";
-        lines.push("", ...call(names, c, field, values, `const auto ${name} = `));
-        lines.push(`if (!${name}) {`, `    // ${name}.reason() says why`, "}");
+        lines.push(...call(names, c, field, values, `const auto ${name} = `));
     });
     return lines.join("\n");
 }
@@ -24,12 +23,9 @@ function reading(names, c, field, header) {
     const read = members.slice(0, 3).join(", ") + (members.length > 3 ? " …" : "");
     return [
         `#include "${header}.hpp"`,
-        "",
         `if (const auto value = field.as<${names.type(field)}>()) {`,
         `    // ${read || "it holds nothing"}`,
         ...(field.occurrences?.length > 1 ? ["    // field.descriptor_set is the set in which it came"] : []),
-        "} else {",
-        "    // it is another field, or too short: field.decode says which",
         "}",
     ].join("\n");
 }

@@ -31,8 +31,8 @@ export function javascriptProgram(names, field, calls) {
         const made = function_ ? `${names.type(field)}.${names.member(function_)}(` : `new ${names.type(field)}(`;
         const given = membersOf(names, field, requiredParameters(names.protocol, field, values), values);
         const call = function_ && !given.items.length ? brackets("", [], "") : given;
-        const head = `${asks ? "const response = " : ""}await device.request(${made}`;
-        lines.push(laidOut(after(head, { ...call, tail: `${call.tail}));` }), 84), ...(asks ? ["console.log(response);"] : []));
+        const head = `${asks ? "console.log(" : ""}await device.request(${made}`;
+        lines.push(laidOut(after(head, { ...call, tail: `${call.tail}))${asks ? ")" : ""};` }), 84));
     }
     return withImports(names, lines);
 }
@@ -41,7 +41,7 @@ export function javascriptProgram(names, field, calls) {
 function withImports(names, lines) {
     const needs = [...names.imports].sort(([a], [b]) => (a < b ? -1 : 1));
     const imports = needs.map(([module, used]) => `import { ${[...used].sort().join(", ")} } from "${module}";`);
-    return [...imports, "", ...lines].join("\n");
+    return [...imports, ...lines].join("\n");
 }
 
 /** An object with the members that a constructor takes: nothing that is reserved. */

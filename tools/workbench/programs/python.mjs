@@ -33,8 +33,8 @@ export function pythonProgram(names, field, calls) {
         const given = asked.map((one) => pythonValue(names, field, one, operationOf(field, one.name), values[one.name]));
         const function_ = field.calls && names.protocol.functions.get(Number(values.function))?.name;
         const asks = responseTo(names.protocol, field, values) !== undefined;
-        const head = `${asks ? "response = " : ""}device.request(${names.type(field)}${function_ ? `.${names.member(function_)}` : ""}(`;
-        lines.push(laidOut(brackets(head, given, "))"), 84), ...(asks ? ["print(response)"] : []));
+        const head = `${asks ? "print(" : ""}device.request(${names.type(field)}${function_ ? `.${names.member(function_)}` : ""}(`;
+        lines.push(laidOut(brackets(head, given, asks ? ")))" : "))"), 84));
     }
     return pythonImports(names, lines.join("\n"));
 }
@@ -42,7 +42,7 @@ export function pythonProgram(names, field, calls) {
 /** A program with what it needs in front. */
 function pythonImports(names, text) {
     const imports = [...names.used].sort().map((name) => (names.local(name) === name ? name : `${name} as ${names.local(name)}`));
-    return `from ${names.package}_protocol import ${imports.join(", ")}\n\n${text}`;
+    return `from ${names.package}_protocol import ${imports.join(", ")}\n${text}`;
 }
 
 function pythonValue(names, record, parameter, op, value) {

@@ -29,9 +29,9 @@ export function rustProgram(names, field, calls) {
         const function_ = field.calls && names.protocol.functions.get(Number(values.function))?.name;
         const made = function_ ? names.table.constructors[function_] : "new";
         const asks = responseTo(names.protocol, field, values) !== undefined;
-        const head = `${asks ? "let response = " : ""}device.request(&${names.type(field)}::${made}(`;
+        const head = `${asks ? 'println!("{:?}", ' : ""}device.request(&${names.type(field)}::${made}(`;
         const given = rustGiven(names, field, required, values);
-        lines.push(laidOut(brackets(head, given, "))?;"), 84), ...(asks ? ['println!("{response:?}");'] : []));
+        lines.push(laidOut(brackets(head, given, asks ? "))?);" : "))?;"), 84));
     }
     return rustUses(names, lines.join("\n"));
 }
@@ -39,7 +39,7 @@ export function rustProgram(names, field, calls) {
 /** A program with what it needs in front. */
 function rustUses(names, text) {
     const used = [...names.used].sort();
-    return `use ${names.package}_protocol::${used.length === 1 ? used[0] : `{${used.join(", ")}}`};\n\n${text}`;
+    return `use ${names.package}_protocol::${used.length === 1 ? used[0] : `{${used.join(", ")}}`};\n${text}`;
 }
 
 /** The arguments of a constructor: no reserved values, and no tag whose union is given. */

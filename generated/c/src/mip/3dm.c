@@ -18,21 +18,16 @@ const struct mip_codec mip_3dm_poll_imu_data_codec = {
     0x0C, 0x01, MIP_COMMAND,           0,           sizeof(struct mip_3dm_poll_imu_data),
     0,    0,    program_poll_imu_data, &mip_program};
 
-static const uint8_t asked_poll_imu_data_1[] = {MIP_WHEN_SET(0), MIP_WHEN_END};
 static const struct mip_response responses_poll_imu_data[] = {
-    {asked_poll_imu_data_1, NULL, 0, false},
+    {NULL, 0x00, 2, MIP_NOT_ZERO, false},
 };
 
-const struct mip_exchange mip_3dm_poll_imu_data_exchange = {0x0C,
-                                                            0x01,
-                                                            0,
-                                                            false,
-                                                            sizeof(responses_poll_imu_data) /
-                                                                sizeof(responses_poll_imu_data[0]),
-                                                            responses_poll_imu_data};
+const struct mip_exchange mip_3dm_poll_imu_data_exchange = {
+    0x0C, 0x01, 0, sizeof(responses_poll_imu_data) / sizeof(responses_poll_imu_data[0]),
+    responses_poll_imu_data};
 
 const struct mip_command mip_3dm_poll_imu_data_command = {&mip_3dm_poll_imu_data_codec,
-                                                          &mip_3dm_poll_imu_data_exchange};
+                                                          &mip_3dm_poll_imu_data_exchange, false};
 
 static const uint8_t program_poll_gnss_data[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_3dm_poll_gnss_data, suppress_ack)),
@@ -55,21 +50,16 @@ const struct mip_codec mip_3dm_poll_gnss_data_codec = {0x0C,
                                                        program_poll_gnss_data,
                                                        &mip_program};
 
-static const uint8_t asked_poll_gnss_data_1[] = {MIP_WHEN_SET(0), MIP_WHEN_END};
 static const struct mip_response responses_poll_gnss_data[] = {
-    {asked_poll_gnss_data_1, NULL, 0, false},
+    {NULL, 0x00, 2, MIP_NOT_ZERO, false},
 };
 
 const struct mip_exchange mip_3dm_poll_gnss_data_exchange = {
-    0x0C,
-    0x02,
-    0,
-    false,
-    sizeof(responses_poll_gnss_data) / sizeof(responses_poll_gnss_data[0]),
+    0x0C, 0x02, 0, sizeof(responses_poll_gnss_data) / sizeof(responses_poll_gnss_data[0]),
     responses_poll_gnss_data};
 
 const struct mip_command mip_3dm_poll_gnss_data_command = {&mip_3dm_poll_gnss_data_codec,
-                                                           &mip_3dm_poll_gnss_data_exchange};
+                                                           &mip_3dm_poll_gnss_data_exchange, false};
 
 static const uint8_t program_poll_filter_data[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_3dm_poll_filter_data, suppress_ack)),
@@ -92,21 +82,16 @@ const struct mip_codec mip_3dm_poll_filter_data_codec = {0x0C,
                                                          program_poll_filter_data,
                                                          &mip_program};
 
-static const uint8_t asked_poll_filter_data_1[] = {MIP_WHEN_SET(0), MIP_WHEN_END};
 static const struct mip_response responses_poll_filter_data[] = {
-    {asked_poll_filter_data_1, NULL, 0, false},
+    {NULL, 0x00, 2, MIP_NOT_ZERO, false},
 };
 
 const struct mip_exchange mip_3dm_poll_filter_data_exchange = {
-    0x0C,
-    0x03,
-    0,
-    false,
-    sizeof(responses_poll_filter_data) / sizeof(responses_poll_filter_data[0]),
+    0x0C, 0x03, 0, sizeof(responses_poll_filter_data) / sizeof(responses_poll_filter_data[0]),
     responses_poll_filter_data};
 
-const struct mip_command mip_3dm_poll_filter_data_command = {&mip_3dm_poll_filter_data_codec,
-                                                             &mip_3dm_poll_filter_data_exchange};
+const struct mip_command mip_3dm_poll_filter_data_command = {
+    &mip_3dm_poll_filter_data_codec, &mip_3dm_poll_filter_data_exchange, false};
 
 static const uint8_t program_poll_nmea_data[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_3dm_poll_nmea_data, suppress_ack)),
@@ -129,21 +114,16 @@ const struct mip_codec mip_3dm_poll_nmea_data_codec = {0x0C,
                                                        program_poll_nmea_data,
                                                        &mip_program};
 
-static const uint8_t asked_poll_nmea_data_1[] = {MIP_WHEN_SET(0), MIP_WHEN_END};
 static const struct mip_response responses_poll_nmea_data[] = {
-    {asked_poll_nmea_data_1, NULL, 0, false},
+    {NULL, 0x00, 2, MIP_NOT_ZERO, false},
 };
 
 const struct mip_exchange mip_3dm_poll_nmea_data_exchange = {
-    0x0C,
-    0x04,
-    0,
-    false,
-    sizeof(responses_poll_nmea_data) / sizeof(responses_poll_nmea_data[0]),
+    0x0C, 0x04, 0, sizeof(responses_poll_nmea_data) / sizeof(responses_poll_nmea_data[0]),
     responses_poll_nmea_data};
 
 const struct mip_command mip_3dm_poll_nmea_data_command = {&mip_3dm_poll_nmea_data_codec,
-                                                           &mip_3dm_poll_nmea_data_exchange};
+                                                           &mip_3dm_poll_nmea_data_exchange, false};
 
 static const uint8_t program_get_imu_base_rate[] = {
     MIP_END,
@@ -160,19 +140,15 @@ const struct mip_codec mip_3dm_get_imu_base_rate_codec = {0x0C,
                                                           NULL};
 
 static const struct mip_response responses_get_imu_base_rate[] = {
-    {NULL, NULL, 0x83, false},
+    {NULL, 0x83, 0, MIP_NOT_ZERO, false},
 };
 
 const struct mip_exchange mip_3dm_get_imu_base_rate_exchange = {
-    0x0C,
-    0x06,
-    0,
-    false,
-    sizeof(responses_get_imu_base_rate) / sizeof(responses_get_imu_base_rate[0]),
+    0x0C, 0x06, 0, sizeof(responses_get_imu_base_rate) / sizeof(responses_get_imu_base_rate[0]),
     responses_get_imu_base_rate};
 
-const struct mip_command mip_3dm_get_imu_base_rate_command = {&mip_3dm_get_imu_base_rate_codec,
-                                                              &mip_3dm_get_imu_base_rate_exchange};
+const struct mip_command mip_3dm_get_imu_base_rate_command = {
+    &mip_3dm_get_imu_base_rate_codec, &mip_3dm_get_imu_base_rate_exchange, false};
 
 static const uint8_t program_get_imu_base_rate_response[] = {
     MIP_16_BITS(1, MIP_AT(struct mip_3dm_get_imu_base_rate_response, rate)),
@@ -206,19 +182,15 @@ const struct mip_codec mip_3dm_get_gnss_base_rate_codec = {
     NULL};
 
 static const struct mip_response responses_get_gnss_base_rate[] = {
-    {NULL, NULL, 0x84, false},
+    {NULL, 0x84, 0, MIP_NOT_ZERO, false},
 };
 
 const struct mip_exchange mip_3dm_get_gnss_base_rate_exchange = {
-    0x0C,
-    0x07,
-    0,
-    false,
-    sizeof(responses_get_gnss_base_rate) / sizeof(responses_get_gnss_base_rate[0]),
+    0x0C, 0x07, 0, sizeof(responses_get_gnss_base_rate) / sizeof(responses_get_gnss_base_rate[0]),
     responses_get_gnss_base_rate};
 
 const struct mip_command mip_3dm_get_gnss_base_rate_command = {
-    &mip_3dm_get_gnss_base_rate_codec, &mip_3dm_get_gnss_base_rate_exchange};
+    &mip_3dm_get_gnss_base_rate_codec, &mip_3dm_get_gnss_base_rate_exchange, false};
 
 static const uint8_t program_get_gnss_base_rate_response[] = {
     MIP_16_BITS(1, MIP_AT(struct mip_3dm_get_gnss_base_rate_response, rate)),
@@ -261,22 +233,16 @@ const struct mip_codec mip_3dm_imu_message_format_codec = {
     program_imu_message_format,
     &mip_program};
 
-static const uint8_t asked_imu_message_format_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                     MIP_WHEN_END};
 static const struct mip_response responses_imu_message_format[] = {
-    {asked_imu_message_format_1, NULL, 0x80, false},
+    {NULL, 0x80, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_3dm_imu_message_format_exchange = {
-    0x0C,
-    0x08,
-    0,
-    true,
-    sizeof(responses_imu_message_format) / sizeof(responses_imu_message_format[0]),
+    0x0C, 0x08, 0, sizeof(responses_imu_message_format) / sizeof(responses_imu_message_format[0]),
     responses_imu_message_format};
 
 const struct mip_command mip_3dm_imu_message_format_command = {
-    &mip_3dm_imu_message_format_codec, &mip_3dm_imu_message_format_exchange};
+    &mip_3dm_imu_message_format_codec, &mip_3dm_imu_message_format_exchange, true};
 
 static const uint8_t program_imu_message_format_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_imu_message_format_response, num_descriptors)),
@@ -326,22 +292,16 @@ const struct mip_codec mip_3dm_gnss_message_format_codec = {
     program_gnss_message_format,
     &mip_program};
 
-static const uint8_t asked_gnss_message_format_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                      MIP_WHEN_END};
 static const struct mip_response responses_gnss_message_format[] = {
-    {asked_gnss_message_format_1, NULL, 0x81, false},
+    {NULL, 0x81, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_3dm_gnss_message_format_exchange = {
-    0x0C,
-    0x09,
-    0,
-    true,
-    sizeof(responses_gnss_message_format) / sizeof(responses_gnss_message_format[0]),
+    0x0C, 0x09, 0, sizeof(responses_gnss_message_format) / sizeof(responses_gnss_message_format[0]),
     responses_gnss_message_format};
 
 const struct mip_command mip_3dm_gnss_message_format_command = {
-    &mip_3dm_gnss_message_format_codec, &mip_3dm_gnss_message_format_exchange};
+    &mip_3dm_gnss_message_format_codec, &mip_3dm_gnss_message_format_exchange, true};
 
 static const uint8_t program_gnss_message_format_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_gnss_message_format_response, num_descriptors)),
@@ -391,22 +351,17 @@ const struct mip_codec mip_3dm_filter_message_format_codec = {
     program_filter_message_format,
     &mip_program};
 
-static const uint8_t asked_filter_message_format_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                        MIP_WHEN_END};
 static const struct mip_response responses_filter_message_format[] = {
-    {asked_filter_message_format_1, NULL, 0x82, false},
+    {NULL, 0x82, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_3dm_filter_message_format_exchange = {
-    0x0C,
-    0x0A,
-    0,
-    true,
+    0x0C, 0x0A, 0,
     sizeof(responses_filter_message_format) / sizeof(responses_filter_message_format[0]),
     responses_filter_message_format};
 
 const struct mip_command mip_3dm_filter_message_format_command = {
-    &mip_3dm_filter_message_format_codec, &mip_3dm_filter_message_format_exchange};
+    &mip_3dm_filter_message_format_codec, &mip_3dm_filter_message_format_exchange, true};
 
 static const uint8_t program_filter_message_format_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_filter_message_format_response, num_descriptors)),
@@ -447,19 +402,16 @@ const struct mip_codec mip_3dm_get_filter_base_rate_codec = {
     NULL};
 
 static const struct mip_response responses_get_filter_base_rate[] = {
-    {NULL, NULL, 0x8A, false},
+    {NULL, 0x8A, 0, MIP_NOT_ZERO, false},
 };
 
 const struct mip_exchange mip_3dm_get_filter_base_rate_exchange = {
-    0x0C,
-    0x0B,
-    0,
-    false,
+    0x0C, 0x0B, 0,
     sizeof(responses_get_filter_base_rate) / sizeof(responses_get_filter_base_rate[0]),
     responses_get_filter_base_rate};
 
 const struct mip_command mip_3dm_get_filter_base_rate_command = {
-    &mip_3dm_get_filter_base_rate_codec, &mip_3dm_get_filter_base_rate_exchange};
+    &mip_3dm_get_filter_base_rate_codec, &mip_3dm_get_filter_base_rate_exchange, false};
 
 static const uint8_t program_get_filter_base_rate_response[] = {
     MIP_16_BITS(1, MIP_AT(struct mip_3dm_get_filter_base_rate_response, rate)),
@@ -502,22 +454,16 @@ const struct mip_codec mip_3dm_nmea_message_format_codec = {
     program_nmea_message_format,
     &mip_program};
 
-static const uint8_t asked_nmea_message_format_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                      MIP_WHEN_END};
 static const struct mip_response responses_nmea_message_format[] = {
-    {asked_nmea_message_format_1, NULL, 0x8C, false},
+    {NULL, 0x8C, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_3dm_nmea_message_format_exchange = {
-    0x0C,
-    0x0C,
-    0,
-    true,
-    sizeof(responses_nmea_message_format) / sizeof(responses_nmea_message_format[0]),
+    0x0C, 0x0C, 0, sizeof(responses_nmea_message_format) / sizeof(responses_nmea_message_format[0]),
     responses_nmea_message_format};
 
 const struct mip_command mip_3dm_nmea_message_format_command = {
-    &mip_3dm_nmea_message_format_codec, &mip_3dm_nmea_message_format_exchange};
+    &mip_3dm_nmea_message_format_codec, &mip_3dm_nmea_message_format_exchange, true};
 
 static const uint8_t program_nmea_message_format_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_nmea_message_format_response, count)),
@@ -554,21 +500,16 @@ const struct mip_codec mip_3dm_poll_data_codec = {
     0x0C, 0x0D, MIP_COMMAND,       0,           sizeof(struct mip_3dm_poll_data),
     0,    0,    program_poll_data, &mip_program};
 
-static const uint8_t asked_poll_data_1[] = {MIP_WHEN_SET(1), MIP_WHEN_END};
 static const struct mip_response responses_poll_data[] = {
-    {asked_poll_data_1, NULL, 0, false},
+    {NULL, 0x00, 3, MIP_NOT_ZERO, false},
 };
 
-const struct mip_exchange mip_3dm_poll_data_exchange = {0x0C,
-                                                        0x0D,
-                                                        0,
-                                                        false,
-                                                        sizeof(responses_poll_data) /
-                                                            sizeof(responses_poll_data[0]),
-                                                        responses_poll_data};
+const struct mip_exchange mip_3dm_poll_data_exchange = {
+    0x0C, 0x0D, 0, sizeof(responses_poll_data) / sizeof(responses_poll_data[0]),
+    responses_poll_data};
 
 const struct mip_command mip_3dm_poll_data_command = {&mip_3dm_poll_data_codec,
-                                                      &mip_3dm_poll_data_exchange};
+                                                      &mip_3dm_poll_data_exchange, false};
 
 static const uint8_t program_get_base_rate[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_get_base_rate, descriptor_set)),
@@ -580,19 +521,15 @@ const struct mip_codec mip_3dm_get_base_rate_codec = {
     0,    0,    program_get_base_rate, NULL};
 
 static const struct mip_response responses_get_base_rate[] = {
-    {NULL, NULL, 0x8E, false},
+    {NULL, 0x8E, 0, MIP_NOT_ZERO, false},
 };
 
-const struct mip_exchange mip_3dm_get_base_rate_exchange = {0x0C,
-                                                            0x0E,
-                                                            0,
-                                                            false,
-                                                            sizeof(responses_get_base_rate) /
-                                                                sizeof(responses_get_base_rate[0]),
-                                                            responses_get_base_rate};
+const struct mip_exchange mip_3dm_get_base_rate_exchange = {
+    0x0C, 0x0E, 0, sizeof(responses_get_base_rate) / sizeof(responses_get_base_rate[0]),
+    responses_get_base_rate};
 
 const struct mip_command mip_3dm_get_base_rate_command = {&mip_3dm_get_base_rate_codec,
-                                                          &mip_3dm_get_base_rate_exchange};
+                                                          &mip_3dm_get_base_rate_exchange, false};
 
 static const uint8_t program_get_base_rate_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_get_base_rate_response, descriptor_set)),
@@ -636,22 +573,16 @@ const struct mip_codec mip_3dm_message_format_codec = {0x0C,
                                                        program_message_format,
                                                        &mip_program};
 
-static const uint8_t asked_message_format_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                 MIP_WHEN_END};
 static const struct mip_response responses_message_format[] = {
-    {asked_message_format_1, NULL, 0x8F, false},
+    {NULL, 0x8F, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_3dm_message_format_exchange = {
-    0x0C,
-    0x0F,
-    0,
-    true,
-    sizeof(responses_message_format) / sizeof(responses_message_format[0]),
+    0x0C, 0x0F, 0, sizeof(responses_message_format) / sizeof(responses_message_format[0]),
     responses_message_format};
 
 const struct mip_command mip_3dm_message_format_command = {&mip_3dm_message_format_codec,
-                                                           &mip_3dm_message_format_exchange};
+                                                           &mip_3dm_message_format_exchange, true};
 
 static const uint8_t program_message_format_response[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_3dm_message_format_response, descriptor_set)),
@@ -691,10 +622,10 @@ const struct mip_codec mip_3dm_factory_streaming_codec = {0x0C,
                                                           program_factory_streaming,
                                                           NULL};
 
-const struct mip_exchange mip_3dm_factory_streaming_exchange = {0x0C, 0x10, 0, false, 0, NULL};
+const struct mip_exchange mip_3dm_factory_streaming_exchange = {0x0C, 0x10, 0, 0, NULL};
 
-const struct mip_command mip_3dm_factory_streaming_command = {&mip_3dm_factory_streaming_codec,
-                                                              &mip_3dm_factory_streaming_exchange};
+const struct mip_command mip_3dm_factory_streaming_command = {
+    &mip_3dm_factory_streaming_codec, &mip_3dm_factory_streaming_exchange, false};
 
 static const uint8_t program_data_stream_control[] = {
     MIP_REQUIRED(5, 2, 1, 1, 1, 1),
@@ -716,22 +647,16 @@ const struct mip_codec mip_3dm_data_stream_control_codec = {
     program_data_stream_control,
     &mip_program};
 
-static const uint8_t asked_data_stream_control_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                      MIP_WHEN_END};
 static const struct mip_response responses_data_stream_control[] = {
-    {asked_data_stream_control_1, NULL, 0x85, false},
+    {NULL, 0x85, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_3dm_data_stream_control_exchange = {
-    0x0C,
-    0x11,
-    0,
-    true,
-    sizeof(responses_data_stream_control) / sizeof(responses_data_stream_control[0]),
+    0x0C, 0x11, 0, sizeof(responses_data_stream_control) / sizeof(responses_data_stream_control[0]),
     responses_data_stream_control};
 
 const struct mip_command mip_3dm_data_stream_control_command = {
-    &mip_3dm_data_stream_control_codec, &mip_3dm_data_stream_control_exchange};
+    &mip_3dm_data_stream_control_codec, &mip_3dm_data_stream_control_exchange, true};
 
 static const uint8_t program_data_stream_control_response[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_3dm_data_stream_control_response, descriptor_set)),
@@ -766,10 +691,10 @@ const struct mip_codec mip_3dm_raw_rtcm_2_3_message_codec = {
     program_raw_rtcm_2_3_message,
     &mip_program};
 
-const struct mip_exchange mip_3dm_raw_rtcm_2_3_message_exchange = {0x0C, 0x20, 0, false, 0, NULL};
+const struct mip_exchange mip_3dm_raw_rtcm_2_3_message_exchange = {0x0C, 0x20, 0, 0, NULL};
 
 const struct mip_command mip_3dm_raw_rtcm_2_3_message_command = {
-    &mip_3dm_raw_rtcm_2_3_message_codec, &mip_3dm_raw_rtcm_2_3_message_exchange};
+    &mip_3dm_raw_rtcm_2_3_message_codec, &mip_3dm_raw_rtcm_2_3_message_exchange, false};
 
 static const uint8_t program_constellation_settings[] = {
     MIP_REQUIRED(1, 3),
@@ -798,22 +723,17 @@ const struct mip_codec mip_3dm_constellation_settings_codec = {
     program_constellation_settings,
     &mip_program};
 
-static const uint8_t asked_constellation_settings_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                         MIP_WHEN_END};
 static const struct mip_response responses_constellation_settings[] = {
-    {asked_constellation_settings_1, NULL, 0xA0, false},
+    {NULL, 0xA0, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_3dm_constellation_settings_exchange = {
-    0x0C,
-    0x21,
-    0,
-    true,
+    0x0C, 0x21, 0,
     sizeof(responses_constellation_settings) / sizeof(responses_constellation_settings[0]),
     responses_constellation_settings};
 
 const struct mip_command mip_3dm_constellation_settings_command = {
-    &mip_3dm_constellation_settings_codec, &mip_3dm_constellation_settings_exchange};
+    &mip_3dm_constellation_settings_codec, &mip_3dm_constellation_settings_exchange, true};
 
 static const uint8_t program_constellation_settings_response[] = {
     MIP_16_BITS(2, MIP_AT(struct mip_3dm_constellation_settings_response, max_channels_available)),
@@ -864,22 +784,16 @@ const struct mip_codec mip_3dm_gnss_sbas_settings_codec = {
     program_gnss_sbas_settings,
     &mip_program};
 
-static const uint8_t asked_gnss_sbas_settings_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                     MIP_WHEN_END};
 static const struct mip_response responses_gnss_sbas_settings[] = {
-    {asked_gnss_sbas_settings_1, NULL, 0xA1, false},
+    {NULL, 0xA1, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_3dm_gnss_sbas_settings_exchange = {
-    0x0C,
-    0x22,
-    0,
-    true,
-    sizeof(responses_gnss_sbas_settings) / sizeof(responses_gnss_sbas_settings[0]),
+    0x0C, 0x22, 0, sizeof(responses_gnss_sbas_settings) / sizeof(responses_gnss_sbas_settings[0]),
     responses_gnss_sbas_settings};
 
 const struct mip_command mip_3dm_gnss_sbas_settings_command = {
-    &mip_3dm_gnss_sbas_settings_codec, &mip_3dm_gnss_sbas_settings_exchange};
+    &mip_3dm_gnss_sbas_settings_codec, &mip_3dm_gnss_sbas_settings_exchange, true};
 
 static const uint8_t program_gnss_sbas_settings_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_gnss_sbas_settings_response, enable_sbas)),
@@ -922,22 +836,16 @@ const struct mip_codec mip_3dm_gnss_assisted_fix_codec = {0x0C,
                                                           program_gnss_assisted_fix,
                                                           &mip_program};
 
-static const uint8_t asked_gnss_assisted_fix_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                    MIP_WHEN_END};
 static const struct mip_response responses_gnss_assisted_fix[] = {
-    {asked_gnss_assisted_fix_1, NULL, 0xA2, false},
+    {NULL, 0xA2, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_3dm_gnss_assisted_fix_exchange = {
-    0x0C,
-    0x23,
-    0,
-    true,
-    sizeof(responses_gnss_assisted_fix) / sizeof(responses_gnss_assisted_fix[0]),
+    0x0C, 0x23, 0, sizeof(responses_gnss_assisted_fix) / sizeof(responses_gnss_assisted_fix[0]),
     responses_gnss_assisted_fix};
 
-const struct mip_command mip_3dm_gnss_assisted_fix_command = {&mip_3dm_gnss_assisted_fix_codec,
-                                                              &mip_3dm_gnss_assisted_fix_exchange};
+const struct mip_command mip_3dm_gnss_assisted_fix_command = {
+    &mip_3dm_gnss_assisted_fix_codec, &mip_3dm_gnss_assisted_fix_exchange, true};
 
 static const uint8_t program_gnss_assisted_fix_response[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_3dm_gnss_assisted_fix_response, option)),
@@ -977,22 +885,17 @@ const struct mip_codec mip_3dm_gnss_time_assistance_codec = {
     program_gnss_time_assistance,
     &mip_program};
 
-static const uint8_t asked_gnss_time_assistance_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                       MIP_WHEN_END};
 static const struct mip_response responses_gnss_time_assistance[] = {
-    {asked_gnss_time_assistance_1, NULL, 0xA3, false},
+    {NULL, 0xA3, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_3dm_gnss_time_assistance_exchange = {
-    0x0C,
-    0x24,
-    0,
-    true,
+    0x0C, 0x24, 0,
     sizeof(responses_gnss_time_assistance) / sizeof(responses_gnss_time_assistance[0]),
     responses_gnss_time_assistance};
 
 const struct mip_command mip_3dm_gnss_time_assistance_command = {
-    &mip_3dm_gnss_time_assistance_codec, &mip_3dm_gnss_time_assistance_exchange};
+    &mip_3dm_gnss_time_assistance_codec, &mip_3dm_gnss_time_assistance_exchange, true};
 
 static const uint8_t program_gnss_time_assistance_response[] = {
     MIP_DOUBLES(1, MIP_AT(struct mip_3dm_gnss_time_assistance_response, tow)),
@@ -1030,22 +933,16 @@ const struct mip_codec mip_3dm_pps_source_control_codec = {
     program_pps_source_control,
     &mip_program};
 
-static const uint8_t asked_pps_source_control_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                     MIP_WHEN_END};
 static const struct mip_response responses_pps_source_control[] = {
-    {asked_pps_source_control_1, NULL, 0xA8, false},
+    {NULL, 0xA8, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_3dm_pps_source_control_exchange = {
-    0x0C,
-    0x28,
-    0,
-    true,
-    sizeof(responses_pps_source_control) / sizeof(responses_pps_source_control[0]),
+    0x0C, 0x28, 0, sizeof(responses_pps_source_control) / sizeof(responses_pps_source_control[0]),
     responses_pps_source_control};
 
 const struct mip_command mip_3dm_pps_source_control_command = {
-    &mip_3dm_pps_source_control_codec, &mip_3dm_pps_source_control_exchange};
+    &mip_3dm_pps_source_control_codec, &mip_3dm_pps_source_control_exchange, true};
 
 static const uint8_t program_pps_source_control_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_pps_source_control_response, source)),
@@ -1079,19 +976,15 @@ const struct mip_codec mip_3dm_get_event_support_codec = {0x0C,
                                                           NULL};
 
 static const struct mip_response responses_get_event_support[] = {
-    {NULL, NULL, 0xB4, false},
+    {NULL, 0xB4, 0, MIP_NOT_ZERO, false},
 };
 
 const struct mip_exchange mip_3dm_get_event_support_exchange = {
-    0x0C,
-    0x2A,
-    0,
-    false,
-    sizeof(responses_get_event_support) / sizeof(responses_get_event_support[0]),
+    0x0C, 0x2A, 0, sizeof(responses_get_event_support) / sizeof(responses_get_event_support[0]),
     responses_get_event_support};
 
-const struct mip_command mip_3dm_get_event_support_command = {&mip_3dm_get_event_support_codec,
-                                                              &mip_3dm_get_event_support_exchange};
+const struct mip_command mip_3dm_get_event_support_command = {
+    &mip_3dm_get_event_support_codec, &mip_3dm_get_event_support_exchange, false};
 
 static const uint8_t program_get_event_support_response[] = {
     MIP_8_BITS(3, MIP_AT(struct mip_3dm_get_event_support_response, query)),
@@ -1128,22 +1021,16 @@ const struct mip_codec mip_3dm_event_control_codec = {
     0x0C, 0x2B, MIP_COMMAND,           0,           sizeof(struct mip_3dm_event_control),
     0,    0,    program_event_control, &mip_program};
 
-static const uint8_t asked_event_control_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                MIP_WHEN_END};
 static const struct mip_response responses_event_control[] = {
-    {asked_event_control_1, NULL, 0xB5, false},
+    {NULL, 0xB5, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_3dm_event_control_exchange = {0x0C,
-                                                            0x2B,
-                                                            0,
-                                                            true,
-                                                            sizeof(responses_event_control) /
-                                                                sizeof(responses_event_control[0]),
-                                                            responses_event_control};
+const struct mip_exchange mip_3dm_event_control_exchange = {
+    0x0C, 0x2B, 0, sizeof(responses_event_control) / sizeof(responses_event_control[0]),
+    responses_event_control};
 
 const struct mip_command mip_3dm_event_control_command = {&mip_3dm_event_control_codec,
-                                                          &mip_3dm_event_control_exchange};
+                                                          &mip_3dm_event_control_exchange, true};
 
 static const uint8_t program_event_control_response[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_3dm_event_control_response, instance)),
@@ -1181,19 +1068,16 @@ const struct mip_codec mip_3dm_get_event_trigger_status_codec = {
     &mip_program};
 
 static const struct mip_response responses_get_event_trigger_status[] = {
-    {NULL, NULL, 0xB6, false},
+    {NULL, 0xB6, 0, MIP_NOT_ZERO, false},
 };
 
 const struct mip_exchange mip_3dm_get_event_trigger_status_exchange = {
-    0x0C,
-    0x2C,
-    0,
-    false,
+    0x0C, 0x2C, 0,
     sizeof(responses_get_event_trigger_status) / sizeof(responses_get_event_trigger_status[0]),
     responses_get_event_trigger_status};
 
 const struct mip_command mip_3dm_get_event_trigger_status_command = {
-    &mip_3dm_get_event_trigger_status_codec, &mip_3dm_get_event_trigger_status_exchange};
+    &mip_3dm_get_event_trigger_status_codec, &mip_3dm_get_event_trigger_status_exchange, false};
 
 static const uint8_t program_get_event_trigger_status_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_get_event_trigger_status_response, count)),
@@ -1237,19 +1121,16 @@ const struct mip_codec mip_3dm_get_event_action_status_codec = {
     &mip_program};
 
 static const struct mip_response responses_get_event_action_status[] = {
-    {NULL, NULL, 0xB7, false},
+    {NULL, 0xB7, 0, MIP_NOT_ZERO, false},
 };
 
 const struct mip_exchange mip_3dm_get_event_action_status_exchange = {
-    0x0C,
-    0x2D,
-    0,
-    false,
+    0x0C, 0x2D, 0,
     sizeof(responses_get_event_action_status) / sizeof(responses_get_event_action_status[0]),
     responses_get_event_action_status};
 
 const struct mip_command mip_3dm_get_event_action_status_command = {
-    &mip_3dm_get_event_action_status_codec, &mip_3dm_get_event_action_status_exchange};
+    &mip_3dm_get_event_action_status_codec, &mip_3dm_get_event_action_status_exchange, false};
 
 static const uint8_t program_get_event_action_status_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_get_event_action_status_response, count)),
@@ -1315,22 +1196,17 @@ const struct mip_codec mip_3dm_event_trigger_config_codec = {
     program_event_trigger_config,
     &mip_program};
 
-static const uint8_t asked_event_trigger_config_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                       MIP_WHEN_END};
 static const struct mip_response responses_event_trigger_config[] = {
-    {asked_event_trigger_config_1, NULL, 0xB8, false},
+    {NULL, 0xB8, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_3dm_event_trigger_config_exchange = {
-    0x0C,
-    0x2E,
-    0,
-    true,
+    0x0C, 0x2E, 0,
     sizeof(responses_event_trigger_config) / sizeof(responses_event_trigger_config[0]),
     responses_event_trigger_config};
 
 const struct mip_command mip_3dm_event_trigger_config_command = {
-    &mip_3dm_event_trigger_config_codec, &mip_3dm_event_trigger_config_exchange};
+    &mip_3dm_event_trigger_config_codec, &mip_3dm_event_trigger_config_exchange, true};
 
 static const uint8_t program_event_trigger_config_response[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_3dm_event_trigger_config_response, instance)),
@@ -1407,22 +1283,16 @@ const struct mip_codec mip_3dm_event_action_config_codec = {
     program_event_action_config,
     &mip_program};
 
-static const uint8_t asked_event_action_config_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                      MIP_WHEN_END};
 static const struct mip_response responses_event_action_config[] = {
-    {asked_event_action_config_1, NULL, 0xB9, false},
+    {NULL, 0xB9, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_3dm_event_action_config_exchange = {
-    0x0C,
-    0x2F,
-    0,
-    true,
-    sizeof(responses_event_action_config) / sizeof(responses_event_action_config[0]),
+    0x0C, 0x2F, 0, sizeof(responses_event_action_config) / sizeof(responses_event_action_config[0]),
     responses_event_action_config};
 
 const struct mip_command mip_3dm_event_action_config_command = {
-    &mip_3dm_event_action_config_codec, &mip_3dm_event_action_config_exchange};
+    &mip_3dm_event_action_config_codec, &mip_3dm_event_action_config_exchange, true};
 
 static const uint8_t program_event_action_config_response[] = {
     MIP_8_BITS(3, MIP_AT(struct mip_3dm_event_action_config_response, instance)),
@@ -1472,10 +1342,10 @@ const struct mip_codec mip_3dm_device_settings_codec = {0x0C,
                                                         program_device_settings,
                                                         NULL};
 
-const struct mip_exchange mip_3dm_device_settings_exchange = {0x0C, 0x30, 2000, true, 0, NULL};
+const struct mip_exchange mip_3dm_device_settings_exchange = {0x0C, 0x30, 8, 0, NULL};
 
-const struct mip_command mip_3dm_device_settings_command = {&mip_3dm_device_settings_codec,
-                                                            &mip_3dm_device_settings_exchange};
+const struct mip_command mip_3dm_device_settings_command = {
+    &mip_3dm_device_settings_codec, &mip_3dm_device_settings_exchange, true};
 
 static const uint8_t program_sensor_to_vehicle_transform_euler[] = {
     MIP_REQUIRED(1, 3),
@@ -1499,24 +1369,19 @@ const struct mip_codec mip_3dm_sensor_to_vehicle_transform_euler_codec = {
     program_sensor_to_vehicle_transform_euler,
     &mip_program};
 
-static const uint8_t asked_sensor_to_vehicle_transform_euler_1[] = {
-    MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_sensor_to_vehicle_transform_euler[] = {
-    {asked_sensor_to_vehicle_transform_euler_1, NULL, 0xB1, false},
+    {NULL, 0xB1, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_3dm_sensor_to_vehicle_transform_euler_exchange = {
-    0x0C,
-    0x31,
-    0,
-    true,
+    0x0C, 0x31, 0,
     sizeof(responses_sensor_to_vehicle_transform_euler) /
         sizeof(responses_sensor_to_vehicle_transform_euler[0]),
     responses_sensor_to_vehicle_transform_euler};
 
 const struct mip_command mip_3dm_sensor_to_vehicle_transform_euler_command = {
     &mip_3dm_sensor_to_vehicle_transform_euler_codec,
-    &mip_3dm_sensor_to_vehicle_transform_euler_exchange};
+    &mip_3dm_sensor_to_vehicle_transform_euler_exchange, true};
 
 static const uint8_t program_sensor_to_vehicle_transform_euler_response[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_3dm_sensor_to_vehicle_transform_euler_response, roll)),
@@ -1552,24 +1417,19 @@ const struct mip_codec mip_3dm_sensor_to_vehicle_transform_quaternion_codec = {
     program_sensor_to_vehicle_transform_quaternion,
     &mip_program};
 
-static const uint8_t asked_sensor_to_vehicle_transform_quaternion_1[] = {
-    MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_sensor_to_vehicle_transform_quaternion[] = {
-    {asked_sensor_to_vehicle_transform_quaternion_1, NULL, 0xB2, false},
+    {NULL, 0xB2, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_3dm_sensor_to_vehicle_transform_quaternion_exchange = {
-    0x0C,
-    0x32,
-    0,
-    true,
+    0x0C, 0x32, 0,
     sizeof(responses_sensor_to_vehicle_transform_quaternion) /
         sizeof(responses_sensor_to_vehicle_transform_quaternion[0]),
     responses_sensor_to_vehicle_transform_quaternion};
 
 const struct mip_command mip_3dm_sensor_to_vehicle_transform_quaternion_command = {
     &mip_3dm_sensor_to_vehicle_transform_quaternion_codec,
-    &mip_3dm_sensor_to_vehicle_transform_quaternion_exchange};
+    &mip_3dm_sensor_to_vehicle_transform_quaternion_exchange, true};
 
 static const uint8_t program_sensor_to_vehicle_transform_quaternion_response[] = {
     MIP_32_BITS(4, MIP_AT(struct mip_3dm_sensor_to_vehicle_transform_quaternion_response, q)),
@@ -1605,24 +1465,19 @@ const struct mip_codec mip_3dm_sensor_to_vehicle_transform_dcm_codec = {
     program_sensor_to_vehicle_transform_dcm,
     &mip_program};
 
-static const uint8_t asked_sensor_to_vehicle_transform_dcm_1[] = {
-    MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_sensor_to_vehicle_transform_dcm[] = {
-    {asked_sensor_to_vehicle_transform_dcm_1, NULL, 0xB3, false},
+    {NULL, 0xB3, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_3dm_sensor_to_vehicle_transform_dcm_exchange = {
-    0x0C,
-    0x33,
-    0,
-    true,
+    0x0C, 0x33, 0,
     sizeof(responses_sensor_to_vehicle_transform_dcm) /
         sizeof(responses_sensor_to_vehicle_transform_dcm[0]),
     responses_sensor_to_vehicle_transform_dcm};
 
 const struct mip_command mip_3dm_sensor_to_vehicle_transform_dcm_command = {
     &mip_3dm_sensor_to_vehicle_transform_dcm_codec,
-    &mip_3dm_sensor_to_vehicle_transform_dcm_exchange};
+    &mip_3dm_sensor_to_vehicle_transform_dcm_exchange, true};
 
 static const uint8_t program_sensor_to_vehicle_transform_dcm_response[] = {
     MIP_32_BITS(9, MIP_AT(struct mip_3dm_sensor_to_vehicle_transform_dcm_response, dcm)),
@@ -1657,22 +1512,16 @@ const struct mip_codec mip_3dm_gps_dynamics_mode_codec = {0x0C,
                                                           program_gps_dynamics_mode,
                                                           &mip_program};
 
-static const uint8_t asked_gps_dynamics_mode_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                    MIP_WHEN_END};
 static const struct mip_response responses_gps_dynamics_mode[] = {
-    {asked_gps_dynamics_mode_1, NULL, 0x92, false},
+    {NULL, 0x92, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_3dm_gps_dynamics_mode_exchange = {
-    0x0C,
-    0x34,
-    0,
-    true,
-    sizeof(responses_gps_dynamics_mode) / sizeof(responses_gps_dynamics_mode[0]),
+    0x0C, 0x34, 0, sizeof(responses_gps_dynamics_mode) / sizeof(responses_gps_dynamics_mode[0]),
     responses_gps_dynamics_mode};
 
-const struct mip_command mip_3dm_gps_dynamics_mode_command = {&mip_3dm_gps_dynamics_mode_codec,
-                                                              &mip_3dm_gps_dynamics_mode_exchange};
+const struct mip_command mip_3dm_gps_dynamics_mode_command = {
+    &mip_3dm_gps_dynamics_mode_codec, &mip_3dm_gps_dynamics_mode_exchange, true};
 
 static const uint8_t program_gps_dynamics_mode_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_gps_dynamics_mode_response, mode)),
@@ -1722,22 +1571,17 @@ const struct mip_codec mip_3dm_imu_signal_conditioning_codec = {
     program_imu_signal_conditioning,
     &mip_program};
 
-static const uint8_t asked_imu_signal_conditioning_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                          MIP_WHEN_END};
 static const struct mip_response responses_imu_signal_conditioning[] = {
-    {asked_imu_signal_conditioning_1, NULL, 0x86, false},
+    {NULL, 0x86, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_3dm_imu_signal_conditioning_exchange = {
-    0x0C,
-    0x35,
-    0,
-    true,
+    0x0C, 0x35, 0,
     sizeof(responses_imu_signal_conditioning) / sizeof(responses_imu_signal_conditioning[0]),
     responses_imu_signal_conditioning};
 
 const struct mip_command mip_3dm_imu_signal_conditioning_command = {
-    &mip_3dm_imu_signal_conditioning_codec, &mip_3dm_imu_signal_conditioning_exchange};
+    &mip_3dm_imu_signal_conditioning_codec, &mip_3dm_imu_signal_conditioning_exchange, true};
 
 static const uint8_t program_imu_signal_conditioning_response[] = {
     MIP_16_BITS(2, MIP_AT(struct mip_3dm_imu_signal_conditioning_response, orientation_decimation)),
@@ -1772,22 +1616,16 @@ const struct mip_codec mip_3dm_imu_timestamp_codec = {
     0x0C, 0x36, MIP_COMMAND,           0,           sizeof(struct mip_3dm_imu_timestamp),
     0,    0,    program_imu_timestamp, &mip_program};
 
-static const uint8_t asked_imu_timestamp_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                MIP_WHEN_END};
 static const struct mip_response responses_imu_timestamp[] = {
-    {asked_imu_timestamp_1, NULL, 0x93, false},
+    {NULL, 0x93, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_3dm_imu_timestamp_exchange = {0x0C,
-                                                            0x36,
-                                                            0,
-                                                            true,
-                                                            sizeof(responses_imu_timestamp) /
-                                                                sizeof(responses_imu_timestamp[0]),
-                                                            responses_imu_timestamp};
+const struct mip_exchange mip_3dm_imu_timestamp_exchange = {
+    0x0C, 0x36, 0, sizeof(responses_imu_timestamp) / sizeof(responses_imu_timestamp[0]),
+    responses_imu_timestamp};
 
 const struct mip_command mip_3dm_imu_timestamp_command = {&mip_3dm_imu_timestamp_codec,
-                                                          &mip_3dm_imu_timestamp_exchange};
+                                                          &mip_3dm_imu_timestamp_exchange, true};
 
 static const uint8_t program_imu_timestamp_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_imu_timestamp_response, selector)),
@@ -1817,24 +1655,17 @@ const struct mip_codec mip_3dm_accel_bias_codec = {
     0x0C, 0x37, MIP_COMMAND,        0,           sizeof(struct mip_3dm_accel_bias),
     0,    0,    program_accel_bias, &mip_program};
 
-static const uint8_t asked_accel_bias_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_APPLY),
-                                             MIP_WHEN_END};
-static const uint8_t asked_accel_bias_2[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_accel_bias[] = {
-    {asked_accel_bias_1, NULL, 0, false},
-    {asked_accel_bias_2, NULL, 0x9A, false},
+    {NULL, 0x00, 2, MIP_FUNCTION_SELECTOR_APPLY, false},
+    {NULL, 0x9A, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_3dm_accel_bias_exchange = {0x0C,
-                                                         0x37,
-                                                         0,
-                                                         true,
-                                                         sizeof(responses_accel_bias) /
-                                                             sizeof(responses_accel_bias[0]),
-                                                         responses_accel_bias};
+const struct mip_exchange mip_3dm_accel_bias_exchange = {
+    0x0C, 0x37, 0, sizeof(responses_accel_bias) / sizeof(responses_accel_bias[0]),
+    responses_accel_bias};
 
 const struct mip_command mip_3dm_accel_bias_command = {&mip_3dm_accel_bias_codec,
-                                                       &mip_3dm_accel_bias_exchange};
+                                                       &mip_3dm_accel_bias_exchange, true};
 
 static const uint8_t program_accel_bias_response[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_3dm_accel_bias_response, bias)),
@@ -1863,23 +1694,17 @@ const struct mip_codec mip_3dm_gyro_bias_codec = {
     0x0C, 0x38, MIP_COMMAND,       0,           sizeof(struct mip_3dm_gyro_bias),
     0,    0,    program_gyro_bias, &mip_program};
 
-static const uint8_t asked_gyro_bias_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_APPLY), MIP_WHEN_END};
-static const uint8_t asked_gyro_bias_2[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_gyro_bias[] = {
-    {asked_gyro_bias_1, NULL, 0, false},
-    {asked_gyro_bias_2, NULL, 0x9B, false},
+    {NULL, 0x00, 2, MIP_FUNCTION_SELECTOR_APPLY, false},
+    {NULL, 0x9B, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_3dm_gyro_bias_exchange = {0x0C,
-                                                        0x38,
-                                                        0,
-                                                        true,
-                                                        sizeof(responses_gyro_bias) /
-                                                            sizeof(responses_gyro_bias[0]),
-                                                        responses_gyro_bias};
+const struct mip_exchange mip_3dm_gyro_bias_exchange = {
+    0x0C, 0x38, 0, sizeof(responses_gyro_bias) / sizeof(responses_gyro_bias[0]),
+    responses_gyro_bias};
 
 const struct mip_command mip_3dm_gyro_bias_command = {&mip_3dm_gyro_bias_codec,
-                                                      &mip_3dm_gyro_bias_exchange};
+                                                      &mip_3dm_gyro_bias_exchange, true};
 
 static const uint8_t program_gyro_bias_response[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_3dm_gyro_bias_response, bias)),
@@ -1913,19 +1738,15 @@ const struct mip_codec mip_3dm_capture_gyro_bias_codec = {0x0C,
                                                           NULL};
 
 static const struct mip_response responses_capture_gyro_bias[] = {
-    {NULL, NULL, 0x9B, false},
+    {NULL, 0x9B, 0, MIP_NOT_ZERO, false},
 };
 
 const struct mip_exchange mip_3dm_capture_gyro_bias_exchange = {
-    0x0C,
-    0x39,
-    31000,
-    false,
-    sizeof(responses_capture_gyro_bias) / sizeof(responses_capture_gyro_bias[0]),
+    0x0C, 0x39, 124, sizeof(responses_capture_gyro_bias) / sizeof(responses_capture_gyro_bias[0]),
     responses_capture_gyro_bias};
 
-const struct mip_command mip_3dm_capture_gyro_bias_command = {&mip_3dm_capture_gyro_bias_codec,
-                                                              &mip_3dm_capture_gyro_bias_exchange};
+const struct mip_command mip_3dm_capture_gyro_bias_command = {
+    &mip_3dm_capture_gyro_bias_codec, &mip_3dm_capture_gyro_bias_exchange, false};
 
 static const uint8_t program_mag_hard_iron_offset[] = {
     MIP_REQUIRED(6, 1, 0, 0, 0, 0, 1),
@@ -1945,25 +1766,18 @@ const struct mip_codec mip_3dm_mag_hard_iron_offset_codec = {
     program_mag_hard_iron_offset,
     &mip_program};
 
-static const uint8_t asked_mag_hard_iron_offset_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_APPLY),
-                                                       MIP_WHEN_END};
-static const uint8_t asked_mag_hard_iron_offset_2[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                       MIP_WHEN_END};
 static const struct mip_response responses_mag_hard_iron_offset[] = {
-    {asked_mag_hard_iron_offset_1, NULL, 0, false},
-    {asked_mag_hard_iron_offset_2, NULL, 0x9C, false},
+    {NULL, 0x00, 2, MIP_FUNCTION_SELECTOR_APPLY, false},
+    {NULL, 0x9C, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_3dm_mag_hard_iron_offset_exchange = {
-    0x0C,
-    0x3A,
-    0,
-    true,
+    0x0C, 0x3A, 0,
     sizeof(responses_mag_hard_iron_offset) / sizeof(responses_mag_hard_iron_offset[0]),
     responses_mag_hard_iron_offset};
 
 const struct mip_command mip_3dm_mag_hard_iron_offset_command = {
-    &mip_3dm_mag_hard_iron_offset_codec, &mip_3dm_mag_hard_iron_offset_exchange};
+    &mip_3dm_mag_hard_iron_offset_codec, &mip_3dm_mag_hard_iron_offset_exchange, true};
 
 static const uint8_t program_mag_hard_iron_offset_response[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_3dm_mag_hard_iron_offset_response, offset)),
@@ -1999,25 +1813,18 @@ const struct mip_codec mip_3dm_mag_soft_iron_matrix_codec = {
     program_mag_soft_iron_matrix,
     &mip_program};
 
-static const uint8_t asked_mag_soft_iron_matrix_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_APPLY),
-                                                       MIP_WHEN_END};
-static const uint8_t asked_mag_soft_iron_matrix_2[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                       MIP_WHEN_END};
 static const struct mip_response responses_mag_soft_iron_matrix[] = {
-    {asked_mag_soft_iron_matrix_1, NULL, 0, false},
-    {asked_mag_soft_iron_matrix_2, NULL, 0x9D, false},
+    {NULL, 0x00, 2, MIP_FUNCTION_SELECTOR_APPLY, false},
+    {NULL, 0x9D, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_3dm_mag_soft_iron_matrix_exchange = {
-    0x0C,
-    0x3B,
-    0,
-    true,
+    0x0C, 0x3B, 0,
     sizeof(responses_mag_soft_iron_matrix) / sizeof(responses_mag_soft_iron_matrix[0]),
     responses_mag_soft_iron_matrix};
 
 const struct mip_command mip_3dm_mag_soft_iron_matrix_command = {
-    &mip_3dm_mag_soft_iron_matrix_codec, &mip_3dm_mag_soft_iron_matrix_exchange};
+    &mip_3dm_mag_soft_iron_matrix_codec, &mip_3dm_mag_soft_iron_matrix_exchange, true};
 
 static const uint8_t program_mag_soft_iron_matrix_response[] = {
     MIP_32_BITS(9, MIP_AT(struct mip_3dm_mag_soft_iron_matrix_response, matrix)),
@@ -2053,22 +1860,17 @@ const struct mip_codec mip_3dm_coning_sculling_enable_codec = {
     program_coning_sculling_enable,
     &mip_program};
 
-static const uint8_t asked_coning_sculling_enable_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                         MIP_WHEN_END};
 static const struct mip_response responses_coning_sculling_enable[] = {
-    {asked_coning_sculling_enable_1, NULL, 0x9E, false},
+    {NULL, 0x9E, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_3dm_coning_sculling_enable_exchange = {
-    0x0C,
-    0x3E,
-    0,
-    true,
+    0x0C, 0x3E, 0,
     sizeof(responses_coning_sculling_enable) / sizeof(responses_coning_sculling_enable[0]),
     responses_coning_sculling_enable};
 
 const struct mip_command mip_3dm_coning_sculling_enable_command = {
-    &mip_3dm_coning_sculling_enable_codec, &mip_3dm_coning_sculling_enable_exchange};
+    &mip_3dm_coning_sculling_enable_codec, &mip_3dm_coning_sculling_enable_exchange, true};
 
 static const uint8_t program_coning_sculling_enable_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_coning_sculling_enable_response, enable)),
@@ -2103,22 +1905,16 @@ const struct mip_codec mip_3dm_uart_baud_rate_codec = {0x0C,
                                                        program_uart_baud_rate,
                                                        &mip_program};
 
-static const uint8_t asked_uart_baud_rate_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                 MIP_WHEN_END};
 static const struct mip_response responses_uart_baud_rate[] = {
-    {asked_uart_baud_rate_1, NULL, 0x87, false},
+    {NULL, 0x87, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_3dm_uart_baud_rate_exchange = {
-    0x0C,
-    0x40,
-    0,
-    true,
-    sizeof(responses_uart_baud_rate) / sizeof(responses_uart_baud_rate[0]),
+    0x0C, 0x40, 0, sizeof(responses_uart_baud_rate) / sizeof(responses_uart_baud_rate[0]),
     responses_uart_baud_rate};
 
 const struct mip_command mip_3dm_uart_baud_rate_command = {&mip_3dm_uart_baud_rate_codec,
-                                                           &mip_3dm_uart_baud_rate_exchange};
+                                                           &mip_3dm_uart_baud_rate_exchange, true};
 
 static const uint8_t program_uart_baud_rate_response[] = {
     MIP_32_BITS(1, MIP_AT(struct mip_3dm_uart_baud_rate_response, baud)),
@@ -2153,22 +1949,16 @@ const struct mip_codec mip_3dm_gpio_config_codec = {
     0x0C, 0x41, MIP_COMMAND,         0,           sizeof(struct mip_3dm_gpio_config),
     0,    0,    program_gpio_config, &mip_program};
 
-static const uint8_t asked_gpio_config_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                              MIP_WHEN_END};
 static const struct mip_response responses_gpio_config[] = {
-    {asked_gpio_config_1, NULL, 0xC1, false},
+    {NULL, 0xC1, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_3dm_gpio_config_exchange = {0x0C,
-                                                          0x41,
-                                                          0,
-                                                          true,
-                                                          sizeof(responses_gpio_config) /
-                                                              sizeof(responses_gpio_config[0]),
-                                                          responses_gpio_config};
+const struct mip_exchange mip_3dm_gpio_config_exchange = {
+    0x0C, 0x41, 0, sizeof(responses_gpio_config) / sizeof(responses_gpio_config[0]),
+    responses_gpio_config};
 
 const struct mip_command mip_3dm_gpio_config_command = {&mip_3dm_gpio_config_codec,
-                                                        &mip_3dm_gpio_config_exchange};
+                                                        &mip_3dm_gpio_config_exchange, true};
 
 static const uint8_t program_gpio_config_response[] = {
     MIP_8_BITS(4, MIP_AT(struct mip_3dm_gpio_config_response, pin)),
@@ -2199,21 +1989,16 @@ const struct mip_codec mip_3dm_gpio_state_codec = {
     0x0C, 0x42, MIP_COMMAND,        0,           sizeof(struct mip_3dm_gpio_state),
     0,    0,    program_gpio_state, &mip_program};
 
-static const uint8_t asked_gpio_state_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_gpio_state[] = {
-    {asked_gpio_state_1, NULL, 0xC2, false},
+    {NULL, 0xC2, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_3dm_gpio_state_exchange = {0x0C,
-                                                         0x42,
-                                                         0,
-                                                         true,
-                                                         sizeof(responses_gpio_state) /
-                                                             sizeof(responses_gpio_state[0]),
-                                                         responses_gpio_state};
+const struct mip_exchange mip_3dm_gpio_state_exchange = {
+    0x0C, 0x42, 0, sizeof(responses_gpio_state) / sizeof(responses_gpio_state[0]),
+    responses_gpio_state};
 
 const struct mip_command mip_3dm_gpio_state_command = {&mip_3dm_gpio_state_codec,
-                                                       &mip_3dm_gpio_state_exchange};
+                                                       &mip_3dm_gpio_state_exchange, true};
 
 static const uint8_t program_gpio_state_response[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_3dm_gpio_state_response, pin)),
@@ -2252,22 +2037,16 @@ const struct mip_codec mip_3dm_odometer_config_codec = {0x0C,
                                                         program_odometer_config,
                                                         &mip_program};
 
-static const uint8_t asked_odometer_config_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                  MIP_WHEN_END};
 static const struct mip_response responses_odometer_config[] = {
-    {asked_odometer_config_1, NULL, 0xC3, false},
+    {NULL, 0xC3, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_3dm_odometer_config_exchange = {
-    0x0C,
-    0x43,
-    0,
-    true,
-    sizeof(responses_odometer_config) / sizeof(responses_odometer_config[0]),
+    0x0C, 0x43, 0, sizeof(responses_odometer_config) / sizeof(responses_odometer_config[0]),
     responses_odometer_config};
 
-const struct mip_command mip_3dm_odometer_config_command = {&mip_3dm_odometer_config_codec,
-                                                            &mip_3dm_odometer_config_exchange};
+const struct mip_command mip_3dm_odometer_config_command = {
+    &mip_3dm_odometer_config_codec, &mip_3dm_odometer_config_exchange, true};
 
 static const uint8_t program_odometer_config_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_odometer_config_response, mode)),
@@ -2312,22 +2091,16 @@ const struct mip_codec mip_3dm_imu_low_pass_filter_codec = {
     program_imu_low_pass_filter,
     &mip_program};
 
-static const uint8_t asked_imu_low_pass_filter_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                      MIP_WHEN_END};
 static const struct mip_response responses_imu_low_pass_filter[] = {
-    {asked_imu_low_pass_filter_1, NULL, 0x8B, false},
+    {NULL, 0x8B, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_3dm_imu_low_pass_filter_exchange = {
-    0x0C,
-    0x50,
-    0,
-    true,
-    sizeof(responses_imu_low_pass_filter) / sizeof(responses_imu_low_pass_filter[0]),
+    0x0C, 0x50, 0, sizeof(responses_imu_low_pass_filter) / sizeof(responses_imu_low_pass_filter[0]),
     responses_imu_low_pass_filter};
 
 const struct mip_command mip_3dm_imu_low_pass_filter_command = {
-    &mip_3dm_imu_low_pass_filter_codec, &mip_3dm_imu_low_pass_filter_exchange};
+    &mip_3dm_imu_low_pass_filter_codec, &mip_3dm_imu_low_pass_filter_exchange, true};
 
 static const uint8_t program_imu_low_pass_filter_response[] = {
     MIP_8_BITS(3, MIP_AT(struct mip_3dm_imu_low_pass_filter_response, target_descriptor)),
@@ -2371,22 +2144,17 @@ const struct mip_codec mip_3dm_complementary_filter_codec = {
     program_complementary_filter,
     &mip_program};
 
-static const uint8_t asked_complementary_filter_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                       MIP_WHEN_END};
 static const struct mip_response responses_complementary_filter[] = {
-    {asked_complementary_filter_1, NULL, 0x97, false},
+    {NULL, 0x97, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_3dm_complementary_filter_exchange = {
-    0x0C,
-    0x51,
-    0,
-    true,
+    0x0C, 0x51, 0,
     sizeof(responses_complementary_filter) / sizeof(responses_complementary_filter[0]),
     responses_complementary_filter};
 
 const struct mip_command mip_3dm_complementary_filter_command = {
-    &mip_3dm_complementary_filter_codec, &mip_3dm_complementary_filter_exchange};
+    &mip_3dm_complementary_filter_codec, &mip_3dm_complementary_filter_exchange, true};
 
 static const uint8_t program_complementary_filter_response[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_3dm_complementary_filter_response, pitch_roll_enable)),
@@ -2418,22 +2186,16 @@ const struct mip_codec mip_3dm_sensor_range_codec = {
     0x0C, 0x52, MIP_COMMAND,          0,           sizeof(struct mip_3dm_sensor_range),
     0,    0,    program_sensor_range, &mip_program};
 
-static const uint8_t asked_sensor_range_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                               MIP_WHEN_END};
 static const struct mip_response responses_sensor_range[] = {
-    {asked_sensor_range_1, NULL, 0xD2, false},
+    {NULL, 0xD2, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_3dm_sensor_range_exchange = {0x0C,
-                                                           0x52,
-                                                           0,
-                                                           true,
-                                                           sizeof(responses_sensor_range) /
-                                                               sizeof(responses_sensor_range[0]),
-                                                           responses_sensor_range};
+const struct mip_exchange mip_3dm_sensor_range_exchange = {
+    0x0C, 0x52, 0, sizeof(responses_sensor_range) / sizeof(responses_sensor_range[0]),
+    responses_sensor_range};
 
 const struct mip_command mip_3dm_sensor_range_command = {&mip_3dm_sensor_range_codec,
-                                                         &mip_3dm_sensor_range_exchange};
+                                                         &mip_3dm_sensor_range_exchange, true};
 
 static const uint8_t program_sensor_range_response[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_3dm_sensor_range_response, sensor)),
@@ -2468,20 +2230,18 @@ const struct mip_codec mip_3dm_get_calibrated_sensor_ranges_codec = {
     NULL};
 
 static const struct mip_response responses_get_calibrated_sensor_ranges[] = {
-    {NULL, NULL, 0xD3, false},
+    {NULL, 0xD3, 0, MIP_NOT_ZERO, false},
 };
 
 const struct mip_exchange mip_3dm_get_calibrated_sensor_ranges_exchange = {
-    0x0C,
-    0x53,
-    0,
-    false,
+    0x0C, 0x53, 0,
     sizeof(responses_get_calibrated_sensor_ranges) /
         sizeof(responses_get_calibrated_sensor_ranges[0]),
     responses_get_calibrated_sensor_ranges};
 
 const struct mip_command mip_3dm_get_calibrated_sensor_ranges_command = {
-    &mip_3dm_get_calibrated_sensor_ranges_codec, &mip_3dm_get_calibrated_sensor_ranges_exchange};
+    &mip_3dm_get_calibrated_sensor_ranges_codec, &mip_3dm_get_calibrated_sensor_ranges_exchange,
+    false};
 
 static const uint8_t program_get_calibrated_sensor_ranges_response[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_3dm_get_calibrated_sensor_ranges_response, sensor)),
@@ -2531,22 +2291,16 @@ const struct mip_codec mip_3dm_low_pass_filter_codec = {0x0C,
                                                         program_low_pass_filter,
                                                         &mip_program};
 
-static const uint8_t asked_low_pass_filter_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                  MIP_WHEN_END};
 static const struct mip_response responses_low_pass_filter[] = {
-    {asked_low_pass_filter_1, NULL, 0xD4, false},
+    {NULL, 0xD4, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_3dm_low_pass_filter_exchange = {
-    0x0C,
-    0x54,
-    0,
-    true,
-    sizeof(responses_low_pass_filter) / sizeof(responses_low_pass_filter[0]),
+    0x0C, 0x54, 0, sizeof(responses_low_pass_filter) / sizeof(responses_low_pass_filter[0]),
     responses_low_pass_filter};
 
-const struct mip_command mip_3dm_low_pass_filter_command = {&mip_3dm_low_pass_filter_codec,
-                                                            &mip_3dm_low_pass_filter_exchange};
+const struct mip_command mip_3dm_low_pass_filter_command = {
+    &mip_3dm_low_pass_filter_codec, &mip_3dm_low_pass_filter_exchange, true};
 
 static const uint8_t program_low_pass_filter_response[] = {
     MIP_8_BITS(4, MIP_AT(struct mip_3dm_low_pass_filter_response, descriptor_set)),
@@ -2585,22 +2339,16 @@ const struct mip_codec mip_3dm_data_stream_format_codec = {
     program_data_stream_format,
     &mip_program};
 
-static const uint8_t asked_data_stream_format_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                     MIP_WHEN_END};
 static const struct mip_response responses_data_stream_format[] = {
-    {asked_data_stream_format_1, NULL, 0x88, false},
+    {NULL, 0x88, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_3dm_data_stream_format_exchange = {
-    0x0C,
-    0x60,
-    0,
-    true,
-    sizeof(responses_data_stream_format) / sizeof(responses_data_stream_format[0]),
+    0x0C, 0x60, 0, sizeof(responses_data_stream_format) / sizeof(responses_data_stream_format[0]),
     responses_data_stream_format};
 
 const struct mip_command mip_3dm_data_stream_format_command = {
-    &mip_3dm_data_stream_format_codec, &mip_3dm_data_stream_format_exchange};
+    &mip_3dm_data_stream_format_codec, &mip_3dm_data_stream_format_exchange, true};
 
 static const uint8_t program_data_stream_format_response[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_3dm_data_stream_format_response, stream)),
@@ -2638,22 +2386,16 @@ const struct mip_codec mip_3dm_device_power_state_codec = {
     program_device_power_state,
     &mip_program};
 
-static const uint8_t asked_device_power_state_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                     MIP_WHEN_END};
 static const struct mip_response responses_device_power_state[] = {
-    {asked_device_power_state_1, NULL, 0x89, false},
+    {NULL, 0x89, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_3dm_device_power_state_exchange = {
-    0x0C,
-    0x61,
-    5000,
-    true,
-    sizeof(responses_device_power_state) / sizeof(responses_device_power_state[0]),
+    0x0C, 0x61, 20, sizeof(responses_device_power_state) / sizeof(responses_device_power_state[0]),
     responses_device_power_state};
 
 const struct mip_command mip_3dm_device_power_state_command = {
-    &mip_3dm_device_power_state_codec, &mip_3dm_device_power_state_exchange};
+    &mip_3dm_device_power_state_codec, &mip_3dm_device_power_state_exchange, true};
 
 static const uint8_t program_device_power_state_response[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_3dm_device_power_state_response, device)),
@@ -2687,10 +2429,10 @@ const struct mip_codec mip_3dm_gps_advanced_settings_codec = {
     program_gps_advanced_settings,
     NULL};
 
-const struct mip_exchange mip_3dm_gps_advanced_settings_exchange = {0x0C, 0x62, 0, true, 0, NULL};
+const struct mip_exchange mip_3dm_gps_advanced_settings_exchange = {0x0C, 0x62, 0, 0, NULL};
 
 const struct mip_command mip_3dm_gps_advanced_settings_command = {
-    &mip_3dm_gps_advanced_settings_codec, &mip_3dm_gps_advanced_settings_exchange};
+    &mip_3dm_gps_advanced_settings_codec, &mip_3dm_gps_advanced_settings_exchange, true};
 
 static const uint8_t program_device_status[] = {
     MIP_16_BITS(1, MIP_AT(struct mip_3dm_device_status, model_number)),
@@ -2702,34 +2444,28 @@ const struct mip_codec mip_3dm_device_status_codec = {
     0x0C, 0x64, MIP_COMMAND,           3,   sizeof(struct mip_3dm_device_status),
     0,    0,    program_device_status, NULL};
 
-static const uint8_t asked_device_status_1[] = {MIP_WHEN(2, 1), MIP_WHEN_END};
-static const uint8_t asked_device_status_2[] = {MIP_WHEN(2, 2), MIP_WHEN_END};
 static const struct mip_response responses_device_status[] = {
-    {asked_device_status_1, &mip_3dm_device_status_basic_rq1_imu_response_codec, 0x90, true},
-    {asked_device_status_1, &mip_3dm_device_status_basic_response_codec, 0x90, true},
-    {asked_device_status_1, &mip_3dm_device_status_basic_without_state_response_codec, 0x90, true},
-    {asked_device_status_1, &mip_3dm_device_status_basic_gx3_response_codec, 0x90, false},
-    {asked_device_status_2, &mip_3dm_device_status_diagnostic_response_codec, 0x90, true},
-    {asked_device_status_2, &mip_3dm_device_status_diagnostic_gnss_response_codec, 0x90, true},
-    {asked_device_status_2, &mip_3dm_device_status_diagnostic_gq4_45_response_codec, 0x90, true},
-    {asked_device_status_2, &mip_3dm_device_status_diagnostic_rq1_45_response_codec, 0x90, true},
-    {asked_device_status_2, &mip_3dm_device_status_diagnostic_gx4_response_codec, 0x90, true},
-    {asked_device_status_2, &mip_3dm_device_status_diagnostic_imu_response_codec, 0x90, true},
-    {asked_device_status_2, &mip_3dm_device_status_diagnostic_gx4_imu_response_codec, 0x90, true},
-    {asked_device_status_2, &mip_3dm_device_status_diagnostic_rq1_imu_response_codec, 0x90, true},
-    {asked_device_status_2, &mip_3dm_device_status_diagnostic_gx3_response_codec, 0x90, false},
+    {&mip_3dm_device_status_basic_rq1_imu_response_codec, 0x90, 4, 1, true},
+    {&mip_3dm_device_status_basic_response_codec, 0x90, 4, 1, true},
+    {&mip_3dm_device_status_basic_without_state_response_codec, 0x90, 4, 1, true},
+    {&mip_3dm_device_status_basic_gx3_response_codec, 0x90, 4, 1, false},
+    {&mip_3dm_device_status_diagnostic_response_codec, 0x90, 4, 2, true},
+    {&mip_3dm_device_status_diagnostic_gnss_response_codec, 0x90, 4, 2, true},
+    {&mip_3dm_device_status_diagnostic_gq4_45_response_codec, 0x90, 4, 2, true},
+    {&mip_3dm_device_status_diagnostic_rq1_45_response_codec, 0x90, 4, 2, true},
+    {&mip_3dm_device_status_diagnostic_gx4_response_codec, 0x90, 4, 2, true},
+    {&mip_3dm_device_status_diagnostic_imu_response_codec, 0x90, 4, 2, true},
+    {&mip_3dm_device_status_diagnostic_gx4_imu_response_codec, 0x90, 4, 2, true},
+    {&mip_3dm_device_status_diagnostic_rq1_imu_response_codec, 0x90, 4, 2, true},
+    {&mip_3dm_device_status_diagnostic_gx3_response_codec, 0x90, 4, 2, false},
 };
 
-const struct mip_exchange mip_3dm_device_status_exchange = {0x0C,
-                                                            0x64,
-                                                            0,
-                                                            false,
-                                                            sizeof(responses_device_status) /
-                                                                sizeof(responses_device_status[0]),
-                                                            responses_device_status};
+const struct mip_exchange mip_3dm_device_status_exchange = {
+    0x0C, 0x64, 0, sizeof(responses_device_status) / sizeof(responses_device_status[0]),
+    responses_device_status};
 
 const struct mip_command mip_3dm_device_status_command = {&mip_3dm_device_status_codec,
-                                                          &mip_3dm_device_status_exchange};
+                                                          &mip_3dm_device_status_exchange, false};
 
 static const uint8_t program_device_status_basic_rq1_imu_response[] = {
     MIP_LAYOUT(15, 253, 3, 0, 0x18, 1, 0x5E, 2, 0x01),

@@ -169,18 +169,10 @@ static inline mip_error mip_send_3dm_poll_nmea_data(struct mip_client *client,
 static inline struct mip_result
 mip_call_3dm_poll_nmea_data(struct mip_device *device, mip_bool suppress_ack, uint8_t count,
                             const struct mip_nmea_message format_entries[]) {
-    uint8_t data[MIP_MAX_FIELD_DATA];
-    mip_put_8(data, (uint8_t)mip_truth(suppress_ack));
-    mip_put_8(data + 1, (uint8_t)count);
-    for (size_t i = 0; i < count && i < 50; i++) {
-        mip_put_8(data + 2 + 5 * i, (uint8_t)format_entries[i].message_id);
-        mip_put_8(data + 3 + 5 * i, (uint8_t)format_entries[i].talker_id);
-        mip_put_8(data + 4 + 5 * i, (uint8_t)format_entries[i].source_descriptor_set);
-        mip_put_16(data + 5 + 5 * i, (uint16_t)format_entries[i].decimation);
-    }
-    return mip_device_send(device, &mip_3dm_poll_nmea_data_exchange, data,
-                           count <= 50 ? 2 + 5 * (size_t)count : MIP_MAX_FIELD_DATA + 1, NULL,
-                           NULL);
+    struct mip_3dm_poll_nmea_data command;
+    return mip_device_call(
+        device, &mip_3dm_poll_nmea_data_command,
+        mip_3dm_poll_nmea_data_make(&command, suppress_ack, count, format_entries), NULL, NULL);
 }
 
 /**
@@ -211,8 +203,9 @@ static inline mip_error mip_send_3dm_get_imu_base_rate(
 /** Get IMU Data Base Rate. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_get_imu_base_rate(
     struct mip_device *device, struct mip_3dm_get_imu_base_rate_response *response) {
-    return mip_device_send(device, &mip_3dm_get_imu_base_rate_exchange, NULL, 0,
-                           &mip_3dm_get_imu_base_rate_response_codec, response);
+    return mip_device_request(device, &mip_3dm_get_imu_base_rate_exchange,
+                              MIP_NO_DATA(mip_3dm_get_imu_base_rate_exchange), 0,
+                              &mip_3dm_get_imu_base_rate_response_codec, response);
 }
 
 /** What the client knows of the command. */
@@ -234,8 +227,9 @@ static inline mip_error mip_send_3dm_get_gnss_base_rate(
 /** Get GNSS Data Base Rate. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_get_gnss_base_rate(
     struct mip_device *device, struct mip_3dm_get_gnss_base_rate_response *response) {
-    return mip_device_send(device, &mip_3dm_get_gnss_base_rate_exchange, NULL, 0,
-                           &mip_3dm_get_gnss_base_rate_response_codec, response);
+    return mip_device_request(device, &mip_3dm_get_gnss_base_rate_exchange,
+                              MIP_NO_DATA(mip_3dm_get_gnss_base_rate_exchange), 0,
+                              &mip_3dm_get_gnss_base_rate_response_codec, response);
 }
 
 /** What the client knows of the command. */
@@ -273,8 +267,7 @@ mip_call_3dm_imu_message_format_write(struct mip_device *device, uint8_t num_des
     }
     return mip_device_send(device, &mip_3dm_imu_message_format_exchange, data,
                            num_descriptors <= 83 ? 2 + 3 * (size_t)num_descriptors
-                                                 : MIP_MAX_FIELD_DATA + 1,
-                           NULL, NULL);
+                                                 : MIP_MAX_FIELD_DATA + 1);
 }
 
 /** IMU Message Format: read. Return the current setting in a response. See mip_device_call. */
@@ -282,8 +275,8 @@ static inline struct mip_result mip_call_3dm_imu_message_format_read(
     struct mip_device *device, struct mip_3dm_imu_message_format_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_3dm_imu_message_format_exchange, data, 1,
-                           &mip_3dm_imu_message_format_response_codec, response);
+    return mip_device_request(device, &mip_3dm_imu_message_format_exchange, data, 1,
+                              &mip_3dm_imu_message_format_response_codec, response);
 }
 
 /**
@@ -292,21 +285,21 @@ static inline struct mip_result mip_call_3dm_imu_message_format_read(
 static inline struct mip_result mip_call_3dm_imu_message_format_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_3dm_imu_message_format_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_imu_message_format_exchange, data, 1);
 }
 
 /** IMU Message Format: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_imu_message_format_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_3dm_imu_message_format_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_imu_message_format_exchange, data, 1);
 }
 
 /** IMU Message Format: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_imu_message_format_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_3dm_imu_message_format_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_imu_message_format_exchange, data, 1);
 }
 
 /**
@@ -356,8 +349,7 @@ mip_call_3dm_gnss_message_format_write(struct mip_device *device, uint8_t num_de
     }
     return mip_device_send(device, &mip_3dm_gnss_message_format_exchange, data,
                            num_descriptors <= 83 ? 2 + 3 * (size_t)num_descriptors
-                                                 : MIP_MAX_FIELD_DATA + 1,
-                           NULL, NULL);
+                                                 : MIP_MAX_FIELD_DATA + 1);
 }
 
 /** GNSS Message Format: read. Return the current setting in a response. See mip_device_call. */
@@ -365,8 +357,8 @@ static inline struct mip_result mip_call_3dm_gnss_message_format_read(
     struct mip_device *device, struct mip_3dm_gnss_message_format_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_3dm_gnss_message_format_exchange, data, 1,
-                           &mip_3dm_gnss_message_format_response_codec, response);
+    return mip_device_request(device, &mip_3dm_gnss_message_format_exchange, data, 1,
+                              &mip_3dm_gnss_message_format_response_codec, response);
 }
 
 /**
@@ -375,14 +367,14 @@ static inline struct mip_result mip_call_3dm_gnss_message_format_read(
 static inline struct mip_result mip_call_3dm_gnss_message_format_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_3dm_gnss_message_format_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_gnss_message_format_exchange, data, 1);
 }
 
 /** GNSS Message Format: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_gnss_message_format_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_3dm_gnss_message_format_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_gnss_message_format_exchange, data, 1);
 }
 
 /** GNSS Message Format: default. Load the factory default setting. See mip_device_call. */
@@ -390,7 +382,7 @@ static inline struct mip_result
 mip_call_3dm_gnss_message_format_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_3dm_gnss_message_format_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_gnss_message_format_exchange, data, 1);
 }
 
 /**
@@ -441,8 +433,7 @@ mip_call_3dm_filter_message_format_write(struct mip_device *device, uint8_t num_
     }
     return mip_device_send(device, &mip_3dm_filter_message_format_exchange, data,
                            num_descriptors <= 83 ? 2 + 3 * (size_t)num_descriptors
-                                                 : MIP_MAX_FIELD_DATA + 1,
-                           NULL, NULL);
+                                                 : MIP_MAX_FIELD_DATA + 1);
 }
 
 /**
@@ -453,8 +444,8 @@ static inline struct mip_result mip_call_3dm_filter_message_format_read(
     struct mip_device *device, struct mip_3dm_filter_message_format_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_3dm_filter_message_format_exchange, data, 1,
-                           &mip_3dm_filter_message_format_response_codec, response);
+    return mip_device_request(device, &mip_3dm_filter_message_format_exchange, data, 1,
+                              &mip_3dm_filter_message_format_response_codec, response);
 }
 
 /**
@@ -464,14 +455,14 @@ static inline struct mip_result mip_call_3dm_filter_message_format_read(
 static inline struct mip_result mip_call_3dm_filter_message_format_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_3dm_filter_message_format_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_filter_message_format_exchange, data, 1);
 }
 
 /** Estimation Filter Message Format: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_filter_message_format_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_3dm_filter_message_format_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_filter_message_format_exchange, data, 1);
 }
 
 /**
@@ -481,7 +472,7 @@ static inline struct mip_result
 mip_call_3dm_filter_message_format_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_3dm_filter_message_format_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_filter_message_format_exchange, data, 1);
 }
 
 /**
@@ -515,8 +506,9 @@ static inline mip_error mip_send_3dm_get_filter_base_rate(
 /** Get Estimation Filter Data Base Rate. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_get_filter_base_rate(
     struct mip_device *device, struct mip_3dm_get_filter_base_rate_response *response) {
-    return mip_device_send(device, &mip_3dm_get_filter_base_rate_exchange, NULL, 0,
-                           &mip_3dm_get_filter_base_rate_response_codec, response);
+    return mip_device_request(device, &mip_3dm_get_filter_base_rate_exchange,
+                              MIP_NO_DATA(mip_3dm_get_filter_base_rate_exchange), 0,
+                              &mip_3dm_get_filter_base_rate_response_codec, response);
 }
 
 /** What the client knows of the command. */
@@ -554,8 +546,7 @@ static inline struct mip_result mip_call_3dm_nmea_message_format_write(
         mip_put_16(data + 5 + 5 * i, (uint16_t)format_entries[i].decimation);
     }
     return mip_device_send(device, &mip_3dm_nmea_message_format_exchange, data,
-                           count <= 50 ? 2 + 5 * (size_t)count : MIP_MAX_FIELD_DATA + 1, NULL,
-                           NULL);
+                           count <= 50 ? 2 + 5 * (size_t)count : MIP_MAX_FIELD_DATA + 1);
 }
 
 /** NMEA Message Format: read. Return the current setting in a response. See mip_device_call. */
@@ -563,8 +554,8 @@ static inline struct mip_result mip_call_3dm_nmea_message_format_read(
     struct mip_device *device, struct mip_3dm_nmea_message_format_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_3dm_nmea_message_format_exchange, data, 1,
-                           &mip_3dm_nmea_message_format_response_codec, response);
+    return mip_device_request(device, &mip_3dm_nmea_message_format_exchange, data, 1,
+                              &mip_3dm_nmea_message_format_response_codec, response);
 }
 
 /**
@@ -573,14 +564,14 @@ static inline struct mip_result mip_call_3dm_nmea_message_format_read(
 static inline struct mip_result mip_call_3dm_nmea_message_format_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_3dm_nmea_message_format_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_nmea_message_format_exchange, data, 1);
 }
 
 /** NMEA Message Format: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_nmea_message_format_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_3dm_nmea_message_format_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_nmea_message_format_exchange, data, 1);
 }
 
 /** NMEA Message Format: default. Load the factory default setting. See mip_device_call. */
@@ -588,7 +579,7 @@ static inline struct mip_result
 mip_call_3dm_nmea_message_format_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_3dm_nmea_message_format_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_nmea_message_format_exchange, data, 1);
 }
 
 /**
@@ -630,16 +621,10 @@ static inline struct mip_result mip_call_3dm_poll_data(struct mip_device *device
                                                        mip_bool suppress_ack,
                                                        uint8_t num_descriptors,
                                                        const uint8_t descriptors[]) {
-    uint8_t data[MIP_MAX_FIELD_DATA];
-    mip_put_8(data, (uint8_t)descriptor_set);
-    mip_put_8(data + 1, (uint8_t)mip_truth(suppress_ack));
-    mip_put_8(data + 2, (uint8_t)num_descriptors);
-    for (size_t i = 0; i < num_descriptors && i < 250; i++) {
-        mip_put_8(data + 3 + 1 * i, (uint8_t)descriptors[i]);
-    }
-    return mip_device_send(device, &mip_3dm_poll_data_exchange, data,
-                           num_descriptors <= 250 ? 3 + 1 * (size_t)num_descriptors
-                                                  : MIP_MAX_FIELD_DATA + 1,
+    struct mip_3dm_poll_data command;
+    return mip_device_call(device, &mip_3dm_poll_data_command,
+                           mip_3dm_poll_data_make(&command, descriptor_set, suppress_ack,
+                                                  num_descriptors, descriptors),
                            NULL, NULL);
 }
 
@@ -681,8 +666,8 @@ mip_call_3dm_get_base_rate(struct mip_device *device, uint8_t descriptor_set,
                            struct mip_3dm_get_base_rate_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)descriptor_set);
-    return mip_device_send(device, &mip_3dm_get_base_rate_exchange, data, 1,
-                           &mip_3dm_get_base_rate_response_codec, response);
+    return mip_device_request(device, &mip_3dm_get_base_rate_exchange, data, 1,
+                              &mip_3dm_get_base_rate_response_codec, response);
 }
 
 /**
@@ -733,8 +718,7 @@ static inline struct mip_result mip_call_3dm_message_format_write(
     }
     return mip_device_send(device, &mip_3dm_message_format_exchange, data,
                            num_descriptors <= 83 ? 3 + 3 * (size_t)num_descriptors
-                                                 : MIP_MAX_FIELD_DATA + 1,
-                           NULL, NULL);
+                                                 : MIP_MAX_FIELD_DATA + 1);
 }
 
 /**
@@ -748,8 +732,8 @@ mip_call_3dm_message_format_read(struct mip_device *device, uint8_t descriptor_s
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
     mip_put_8(data + 1, (uint8_t)descriptor_set);
-    return mip_device_send(device, &mip_3dm_message_format_exchange, data, 2,
-                           &mip_3dm_message_format_response_codec, response);
+    return mip_device_request(device, &mip_3dm_message_format_exchange, data, 2,
+                              &mip_3dm_message_format_response_codec, response);
 }
 
 /**
@@ -762,7 +746,7 @@ static inline struct mip_result mip_call_3dm_message_format_save(struct mip_devi
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
     mip_put_8(data + 1, (uint8_t)descriptor_set);
-    return mip_device_send(device, &mip_3dm_message_format_exchange, data, 2, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_message_format_exchange, data, 2);
 }
 
 /**
@@ -775,7 +759,7 @@ static inline struct mip_result mip_call_3dm_message_format_load(struct mip_devi
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
     mip_put_8(data + 1, (uint8_t)descriptor_set);
-    return mip_device_send(device, &mip_3dm_message_format_exchange, data, 2, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_message_format_exchange, data, 2);
 }
 
 /**
@@ -788,7 +772,7 @@ static inline struct mip_result mip_call_3dm_message_format_default(struct mip_d
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
     mip_put_8(data + 1, (uint8_t)descriptor_set);
-    return mip_device_send(device, &mip_3dm_message_format_exchange, data, 2, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_message_format_exchange, data, 2);
 }
 
 /**
@@ -827,7 +811,7 @@ static inline struct mip_result mip_call_3dm_factory_streaming(
     uint8_t data[2];
     mip_put_8(data, (uint8_t)action);
     mip_put_8(data + 1, (uint8_t)0);
-    return mip_device_send(device, &mip_3dm_factory_streaming_exchange, data, 2, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_factory_streaming_exchange, data, 2);
 }
 
 /**
@@ -876,7 +860,7 @@ static inline struct mip_result mip_call_3dm_data_stream_control_write(struct mi
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
     mip_put_8(data + 1, (uint8_t)descriptor_set);
     mip_put_8(data + 2, (uint8_t)mip_truth(enable));
-    return mip_device_send(device, &mip_3dm_data_stream_control_exchange, data, 3, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_data_stream_control_exchange, data, 3);
 }
 
 /**
@@ -896,8 +880,8 @@ mip_call_3dm_data_stream_control_read(struct mip_device *device, uint8_t descrip
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
     mip_put_8(data + 1, (uint8_t)descriptor_set);
-    return mip_device_send(device, &mip_3dm_data_stream_control_exchange, data, 2,
-                           &mip_3dm_data_stream_control_response_codec, response);
+    return mip_device_request(device, &mip_3dm_data_stream_control_exchange, data, 2,
+                              &mip_3dm_data_stream_control_response_codec, response);
 }
 
 /**
@@ -916,7 +900,7 @@ static inline struct mip_result mip_call_3dm_data_stream_control_save(struct mip
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
     mip_put_8(data + 1, (uint8_t)descriptor_set);
-    return mip_device_send(device, &mip_3dm_data_stream_control_exchange, data, 2, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_data_stream_control_exchange, data, 2);
 }
 
 /**
@@ -935,7 +919,7 @@ static inline struct mip_result mip_call_3dm_data_stream_control_load(struct mip
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
     mip_put_8(data + 1, (uint8_t)descriptor_set);
-    return mip_device_send(device, &mip_3dm_data_stream_control_exchange, data, 2, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_data_stream_control_exchange, data, 2);
 }
 
 /**
@@ -954,7 +938,7 @@ static inline struct mip_result mip_call_3dm_data_stream_control_default(struct 
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
     mip_put_8(data + 1, (uint8_t)descriptor_set);
-    return mip_device_send(device, &mip_3dm_data_stream_control_exchange, data, 2, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_data_stream_control_exchange, data, 2);
 }
 
 /**
@@ -1046,9 +1030,9 @@ static inline struct mip_result mip_call_3dm_constellation_settings_write(
         mip_put_8(data + 7 + 6 * i, (uint8_t)settings[i].max_channels);
         mip_put_16(data + 8 + 6 * i, (uint16_t)settings[i].option_flags);
     }
-    return mip_device_send(
-        device, &mip_3dm_constellation_settings_exchange, data,
-        config_count <= 41 ? 4 + 6 * (size_t)config_count : MIP_MAX_FIELD_DATA + 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_constellation_settings_exchange, data,
+                           config_count <= 41 ? 4 + 6 * (size_t)config_count
+                                              : MIP_MAX_FIELD_DATA + 1);
 }
 
 /** Constellation Settings: read. Return the current setting in a response. See mip_device_call. */
@@ -1056,8 +1040,8 @@ static inline struct mip_result mip_call_3dm_constellation_settings_read(
     struct mip_device *device, struct mip_3dm_constellation_settings_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_3dm_constellation_settings_exchange, data, 1,
-                           &mip_3dm_constellation_settings_response_codec, response);
+    return mip_device_request(device, &mip_3dm_constellation_settings_exchange, data, 1,
+                              &mip_3dm_constellation_settings_response_codec, response);
 }
 
 /**
@@ -1068,7 +1052,7 @@ static inline struct mip_result
 mip_call_3dm_constellation_settings_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_3dm_constellation_settings_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_constellation_settings_exchange, data, 1);
 }
 
 /** Constellation Settings: load. Load the saved setting. See mip_device_call. */
@@ -1076,7 +1060,7 @@ static inline struct mip_result
 mip_call_3dm_constellation_settings_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_3dm_constellation_settings_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_constellation_settings_exchange, data, 1);
 }
 
 /** Constellation Settings: default. Load the factory default setting. See mip_device_call. */
@@ -1084,7 +1068,7 @@ static inline struct mip_result
 mip_call_3dm_constellation_settings_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_3dm_constellation_settings_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_constellation_settings_exchange, data, 1);
 }
 
 /**
@@ -1139,8 +1123,7 @@ static inline struct mip_result mip_call_3dm_gnss_sbas_settings_write(
     }
     return mip_device_send(device, &mip_3dm_gnss_sbas_settings_exchange, data,
                            num_included_prns <= 124 ? 5 + 2 * (size_t)num_included_prns
-                                                    : MIP_MAX_FIELD_DATA + 1,
-                           NULL, NULL);
+                                                    : MIP_MAX_FIELD_DATA + 1);
 }
 
 /** GNSS SBAS Settings: read. Return the current setting in a response. See mip_device_call. */
@@ -1148,8 +1131,8 @@ static inline struct mip_result mip_call_3dm_gnss_sbas_settings_read(
     struct mip_device *device, struct mip_3dm_gnss_sbas_settings_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_3dm_gnss_sbas_settings_exchange, data, 1,
-                           &mip_3dm_gnss_sbas_settings_response_codec, response);
+    return mip_device_request(device, &mip_3dm_gnss_sbas_settings_exchange, data, 1,
+                              &mip_3dm_gnss_sbas_settings_response_codec, response);
 }
 
 /**
@@ -1158,21 +1141,21 @@ static inline struct mip_result mip_call_3dm_gnss_sbas_settings_read(
 static inline struct mip_result mip_call_3dm_gnss_sbas_settings_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_3dm_gnss_sbas_settings_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_gnss_sbas_settings_exchange, data, 1);
 }
 
 /** GNSS SBAS Settings: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_gnss_sbas_settings_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_3dm_gnss_sbas_settings_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_gnss_sbas_settings_exchange, data, 1);
 }
 
 /** GNSS SBAS Settings: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_gnss_sbas_settings_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_3dm_gnss_sbas_settings_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_gnss_sbas_settings_exchange, data, 1);
 }
 
 /**
@@ -1216,7 +1199,7 @@ static inline struct mip_result mip_call_3dm_gnss_assisted_fix_write(
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
     mip_put_8(data + 1, (uint8_t)option);
     mip_put_8(data + 2, (uint8_t)255);
-    return mip_device_send(device, &mip_3dm_gnss_assisted_fix_exchange, data, 3, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_gnss_assisted_fix_exchange, data, 3);
 }
 
 /** GNSS Assisted Fix: read. Return the current setting in a response. See mip_device_call. */
@@ -1224,8 +1207,8 @@ static inline struct mip_result mip_call_3dm_gnss_assisted_fix_read(
     struct mip_device *device, struct mip_3dm_gnss_assisted_fix_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_3dm_gnss_assisted_fix_exchange, data, 1,
-                           &mip_3dm_gnss_assisted_fix_response_codec, response);
+    return mip_device_request(device, &mip_3dm_gnss_assisted_fix_exchange, data, 1,
+                              &mip_3dm_gnss_assisted_fix_response_codec, response);
 }
 
 /**
@@ -1234,21 +1217,21 @@ static inline struct mip_result mip_call_3dm_gnss_assisted_fix_read(
 static inline struct mip_result mip_call_3dm_gnss_assisted_fix_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_3dm_gnss_assisted_fix_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_gnss_assisted_fix_exchange, data, 1);
 }
 
 /** GNSS Assisted Fix: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_gnss_assisted_fix_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_3dm_gnss_assisted_fix_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_gnss_assisted_fix_exchange, data, 1);
 }
 
 /** GNSS Assisted Fix: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_gnss_assisted_fix_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_3dm_gnss_assisted_fix_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_gnss_assisted_fix_exchange, data, 1);
 }
 
 /**
@@ -1296,7 +1279,7 @@ static inline struct mip_result mip_call_3dm_gnss_time_assistance_write(struct m
     mip_put_double(data + 1, &tow);
     mip_put_16(data + 9, (uint16_t)week_number);
     mip_put_float(data + 11, &accuracy);
-    return mip_device_send(device, &mip_3dm_gnss_time_assistance_exchange, data, 15, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_gnss_time_assistance_exchange, data, 15);
 }
 
 /** GNSS Time Assistance: read. Return the current setting in a response. See mip_device_call. */
@@ -1304,8 +1287,8 @@ static inline struct mip_result mip_call_3dm_gnss_time_assistance_read(
     struct mip_device *device, struct mip_3dm_gnss_time_assistance_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_3dm_gnss_time_assistance_exchange, data, 1,
-                           &mip_3dm_gnss_time_assistance_response_codec, response);
+    return mip_device_request(device, &mip_3dm_gnss_time_assistance_exchange, data, 1,
+                              &mip_3dm_gnss_time_assistance_response_codec, response);
 }
 
 /**
@@ -1351,7 +1334,7 @@ mip_call_3dm_pps_source_control_write(struct mip_device *device, enum mip_3dm_pp
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
     mip_put_8(data + 1, (uint8_t)source);
-    return mip_device_send(device, &mip_3dm_pps_source_control_exchange, data, 2, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_pps_source_control_exchange, data, 2);
 }
 
 /** PPS Source Control: read. Return the current setting in a response. See mip_device_call. */
@@ -1359,8 +1342,8 @@ static inline struct mip_result mip_call_3dm_pps_source_control_read(
     struct mip_device *device, struct mip_3dm_pps_source_control_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_3dm_pps_source_control_exchange, data, 1,
-                           &mip_3dm_pps_source_control_response_codec, response);
+    return mip_device_request(device, &mip_3dm_pps_source_control_exchange, data, 1,
+                              &mip_3dm_pps_source_control_response_codec, response);
 }
 
 /**
@@ -1369,21 +1352,21 @@ static inline struct mip_result mip_call_3dm_pps_source_control_read(
 static inline struct mip_result mip_call_3dm_pps_source_control_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_3dm_pps_source_control_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_pps_source_control_exchange, data, 1);
 }
 
 /** PPS Source Control: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_pps_source_control_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_3dm_pps_source_control_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_pps_source_control_exchange, data, 1);
 }
 
 /** PPS Source Control: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_pps_source_control_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_3dm_pps_source_control_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_pps_source_control_exchange, data, 1);
 }
 
 /**
@@ -1424,8 +1407,8 @@ mip_call_3dm_get_event_support(struct mip_device *device, enum mip_3dm_event_sup
                                struct mip_3dm_get_event_support_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)query);
-    return mip_device_send(device, &mip_3dm_get_event_support_exchange, data, 1,
-                           &mip_3dm_get_event_support_response_codec, response);
+    return mip_device_request(device, &mip_3dm_get_event_support_exchange, data, 1,
+                              &mip_3dm_get_event_support_response_codec, response);
 }
 
 /**
@@ -1472,7 +1455,7 @@ static inline struct mip_result mip_call_3dm_event_control_write(struct mip_devi
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
     mip_put_8(data + 1, (uint8_t)instance);
     mip_put_8(data + 2, (uint8_t)mode);
-    return mip_device_send(device, &mip_3dm_event_control_exchange, data, 3, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_event_control_exchange, data, 3);
 }
 
 /**
@@ -1485,8 +1468,8 @@ static inline struct mip_result mip_call_3dm_event_control_read(
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
     mip_put_8(data + 1, (uint8_t)instance);
-    return mip_device_send(device, &mip_3dm_event_control_exchange, data, 2,
-                           &mip_3dm_event_control_response_codec, response);
+    return mip_device_request(device, &mip_3dm_event_control_exchange, data, 2,
+                              &mip_3dm_event_control_response_codec, response);
 }
 
 /**
@@ -1499,7 +1482,7 @@ static inline struct mip_result mip_call_3dm_event_control_save(struct mip_devic
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
     mip_put_8(data + 1, (uint8_t)instance);
-    return mip_device_send(device, &mip_3dm_event_control_exchange, data, 2, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_event_control_exchange, data, 2);
 }
 
 /**
@@ -1512,7 +1495,7 @@ static inline struct mip_result mip_call_3dm_event_control_load(struct mip_devic
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
     mip_put_8(data + 1, (uint8_t)instance);
-    return mip_device_send(device, &mip_3dm_event_control_exchange, data, 2, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_event_control_exchange, data, 2);
 }
 
 /**
@@ -1525,7 +1508,7 @@ static inline struct mip_result mip_call_3dm_event_control_default(struct mip_de
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
     mip_put_8(data + 1, (uint8_t)instance);
-    return mip_device_send(device, &mip_3dm_event_control_exchange, data, 2, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_event_control_exchange, data, 2);
 }
 
 /**
@@ -1572,10 +1555,10 @@ static inline struct mip_result mip_call_3dm_get_event_trigger_status(
     for (size_t i = 0; i < requested_count && i < 252; i++) {
         mip_put_8(data + 1 + 1 * i, (uint8_t)requested_instances[i]);
     }
-    return mip_device_send(device, &mip_3dm_get_event_trigger_status_exchange, data,
-                           requested_count <= 252 ? 1 + 1 * (size_t)requested_count
-                                                  : MIP_MAX_FIELD_DATA + 1,
-                           &mip_3dm_get_event_trigger_status_response_codec, response);
+    return mip_device_request(device, &mip_3dm_get_event_trigger_status_exchange, data,
+                              requested_count <= 252 ? 1 + 1 * (size_t)requested_count
+                                                     : MIP_MAX_FIELD_DATA + 1,
+                              &mip_3dm_get_event_trigger_status_response_codec, response);
 }
 
 /**
@@ -1621,10 +1604,10 @@ static inline struct mip_result mip_call_3dm_get_event_action_status(
     for (size_t i = 0; i < requested_count && i < 252; i++) {
         mip_put_8(data + 1 + 1 * i, (uint8_t)requested_instances[i]);
     }
-    return mip_device_send(device, &mip_3dm_get_event_action_status_exchange, data,
-                           requested_count <= 252 ? 1 + 1 * (size_t)requested_count
-                                                  : MIP_MAX_FIELD_DATA + 1,
-                           &mip_3dm_get_event_action_status_response_codec, response);
+    return mip_device_request(device, &mip_3dm_get_event_action_status_exchange, data,
+                              requested_count <= 252 ? 1 + 1 * (size_t)requested_count
+                                                     : MIP_MAX_FIELD_DATA + 1,
+                              &mip_3dm_get_event_action_status_response_codec, response);
 }
 
 /**
@@ -1685,8 +1668,8 @@ mip_call_3dm_event_trigger_config_read(struct mip_device *device, uint8_t instan
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
     mip_put_8(data + 1, (uint8_t)instance);
-    return mip_device_send(device, &mip_3dm_event_trigger_config_exchange, data, 2,
-                           &mip_3dm_event_trigger_config_response_codec, response);
+    return mip_device_request(device, &mip_3dm_event_trigger_config_exchange, data, 2,
+                              &mip_3dm_event_trigger_config_response_codec, response);
 }
 
 /**
@@ -1700,7 +1683,7 @@ static inline struct mip_result mip_call_3dm_event_trigger_config_save(struct mi
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
     mip_put_8(data + 1, (uint8_t)instance);
-    return mip_device_send(device, &mip_3dm_event_trigger_config_exchange, data, 2, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_event_trigger_config_exchange, data, 2);
 }
 
 /**
@@ -1713,7 +1696,7 @@ static inline struct mip_result mip_call_3dm_event_trigger_config_load(struct mi
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
     mip_put_8(data + 1, (uint8_t)instance);
-    return mip_device_send(device, &mip_3dm_event_trigger_config_exchange, data, 2, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_event_trigger_config_exchange, data, 2);
 }
 
 /**
@@ -1726,7 +1709,7 @@ static inline struct mip_result mip_call_3dm_event_trigger_config_default(struct
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
     mip_put_8(data + 1, (uint8_t)instance);
-    return mip_device_send(device, &mip_3dm_event_trigger_config_exchange, data, 2, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_event_trigger_config_exchange, data, 2);
 }
 
 /**
@@ -1789,8 +1772,8 @@ mip_call_3dm_event_action_config_read(struct mip_device *device, uint8_t instanc
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
     mip_put_8(data + 1, (uint8_t)instance);
-    return mip_device_send(device, &mip_3dm_event_action_config_exchange, data, 2,
-                           &mip_3dm_event_action_config_response_codec, response);
+    return mip_device_request(device, &mip_3dm_event_action_config_exchange, data, 2,
+                              &mip_3dm_event_action_config_response_codec, response);
 }
 
 /**
@@ -1804,7 +1787,7 @@ static inline struct mip_result mip_call_3dm_event_action_config_save(struct mip
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
     mip_put_8(data + 1, (uint8_t)instance);
-    return mip_device_send(device, &mip_3dm_event_action_config_exchange, data, 2, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_event_action_config_exchange, data, 2);
 }
 
 /**
@@ -1817,7 +1800,7 @@ static inline struct mip_result mip_call_3dm_event_action_config_load(struct mip
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
     mip_put_8(data + 1, (uint8_t)instance);
-    return mip_device_send(device, &mip_3dm_event_action_config_exchange, data, 2, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_event_action_config_exchange, data, 2);
 }
 
 /**
@@ -1830,7 +1813,7 @@ static inline struct mip_result mip_call_3dm_event_action_config_default(struct 
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
     mip_put_8(data + 1, (uint8_t)instance);
-    return mip_device_send(device, &mip_3dm_event_action_config_exchange, data, 2, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_event_action_config_exchange, data, 2);
 }
 
 /**
@@ -1869,21 +1852,21 @@ static inline mip_error mip_send_3dm_device_settings(struct mip_client *client,
 static inline struct mip_result mip_call_3dm_device_settings_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_3dm_device_settings_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_device_settings_exchange, data, 1);
 }
 
 /** Device Start Up Settings: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_device_settings_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_3dm_device_settings_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_device_settings_exchange, data, 1);
 }
 
 /** Device Start Up Settings: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_device_settings_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_3dm_device_settings_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_device_settings_exchange, data, 1);
 }
 
 /**
@@ -1928,8 +1911,7 @@ static inline struct mip_result mip_call_3dm_sensor_to_vehicle_transform_euler_w
     mip_put_float(data + 1, &roll);
     mip_put_float(data + 5, &pitch);
     mip_put_float(data + 9, &yaw);
-    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_transform_euler_exchange, data, 13,
-                           NULL, NULL);
+    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_transform_euler_exchange, data, 13);
 }
 
 /**
@@ -1941,8 +1923,8 @@ static inline struct mip_result mip_call_3dm_sensor_to_vehicle_transform_euler_r
     struct mip_3dm_sensor_to_vehicle_transform_euler_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_transform_euler_exchange, data, 1,
-                           &mip_3dm_sensor_to_vehicle_transform_euler_response_codec, response);
+    return mip_device_request(device, &mip_3dm_sensor_to_vehicle_transform_euler_exchange, data, 1,
+                              &mip_3dm_sensor_to_vehicle_transform_euler_response_codec, response);
 }
 
 /**
@@ -1953,8 +1935,7 @@ static inline struct mip_result
 mip_call_3dm_sensor_to_vehicle_transform_euler_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_transform_euler_exchange, data, 1,
-                           NULL, NULL);
+    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_transform_euler_exchange, data, 1);
 }
 
 /**
@@ -1964,8 +1945,7 @@ static inline struct mip_result
 mip_call_3dm_sensor_to_vehicle_transform_euler_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_transform_euler_exchange, data, 1,
-                           NULL, NULL);
+    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_transform_euler_exchange, data, 1);
 }
 
 /**
@@ -1976,8 +1956,7 @@ static inline struct mip_result
 mip_call_3dm_sensor_to_vehicle_transform_euler_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_transform_euler_exchange, data, 1,
-                           NULL, NULL);
+    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_transform_euler_exchange, data, 1);
 }
 
 /**
@@ -2025,7 +2004,7 @@ static inline struct mip_result mip_call_3dm_sensor_to_vehicle_transform_quatern
         mip_put_float(data + 1 + 4 * i, &q[i]);
     }
     return mip_device_send(device, &mip_3dm_sensor_to_vehicle_transform_quaternion_exchange, data,
-                           17, NULL, NULL);
+                           17);
 }
 
 /**
@@ -2037,9 +2016,9 @@ static inline struct mip_result mip_call_3dm_sensor_to_vehicle_transform_quatern
     struct mip_3dm_sensor_to_vehicle_transform_quaternion_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_transform_quaternion_exchange, data,
-                           1, &mip_3dm_sensor_to_vehicle_transform_quaternion_response_codec,
-                           response);
+    return mip_device_request(
+        device, &mip_3dm_sensor_to_vehicle_transform_quaternion_exchange, data, 1,
+        &mip_3dm_sensor_to_vehicle_transform_quaternion_response_codec, response);
 }
 
 /**
@@ -2051,7 +2030,7 @@ mip_call_3dm_sensor_to_vehicle_transform_quaternion_save(struct mip_device *devi
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
     return mip_device_send(device, &mip_3dm_sensor_to_vehicle_transform_quaternion_exchange, data,
-                           1, NULL, NULL);
+                           1);
 }
 
 /**
@@ -2063,7 +2042,7 @@ mip_call_3dm_sensor_to_vehicle_transform_quaternion_load(struct mip_device *devi
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
     return mip_device_send(device, &mip_3dm_sensor_to_vehicle_transform_quaternion_exchange, data,
-                           1, NULL, NULL);
+                           1);
 }
 
 /**
@@ -2075,7 +2054,7 @@ mip_call_3dm_sensor_to_vehicle_transform_quaternion_default(struct mip_device *d
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
     return mip_device_send(device, &mip_3dm_sensor_to_vehicle_transform_quaternion_exchange, data,
-                           1, NULL, NULL);
+                           1);
 }
 
 /**
@@ -2123,8 +2102,7 @@ mip_call_3dm_sensor_to_vehicle_transform_dcm_write(struct mip_device *device, co
     for (size_t i = 0; i < 9; i++) {
         mip_put_float(data + 1 + 4 * i, &dcm[i]);
     }
-    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_transform_dcm_exchange, data, 37,
-                           NULL, NULL);
+    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_transform_dcm_exchange, data, 37);
 }
 
 /**
@@ -2135,8 +2113,8 @@ static inline struct mip_result mip_call_3dm_sensor_to_vehicle_transform_dcm_rea
     struct mip_device *device, struct mip_3dm_sensor_to_vehicle_transform_dcm_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_transform_dcm_exchange, data, 1,
-                           &mip_3dm_sensor_to_vehicle_transform_dcm_response_codec, response);
+    return mip_device_request(device, &mip_3dm_sensor_to_vehicle_transform_dcm_exchange, data, 1,
+                              &mip_3dm_sensor_to_vehicle_transform_dcm_response_codec, response);
 }
 
 /**
@@ -2147,8 +2125,7 @@ static inline struct mip_result
 mip_call_3dm_sensor_to_vehicle_transform_dcm_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_transform_dcm_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_transform_dcm_exchange, data, 1);
 }
 
 /**
@@ -2159,8 +2136,7 @@ static inline struct mip_result
 mip_call_3dm_sensor_to_vehicle_transform_dcm_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_transform_dcm_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_transform_dcm_exchange, data, 1);
 }
 
 /**
@@ -2171,8 +2147,7 @@ static inline struct mip_result
 mip_call_3dm_sensor_to_vehicle_transform_dcm_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_transform_dcm_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_transform_dcm_exchange, data, 1);
 }
 
 /**
@@ -2213,7 +2188,7 @@ static inline struct mip_result mip_call_3dm_gps_dynamics_mode_write(
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
     mip_put_8(data + 1, (uint8_t)mode);
-    return mip_device_send(device, &mip_3dm_gps_dynamics_mode_exchange, data, 2, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_gps_dynamics_mode_exchange, data, 2);
 }
 
 /** GPS dynamics mode: read. Return the current setting in a response. See mip_device_call. */
@@ -2221,8 +2196,8 @@ static inline struct mip_result mip_call_3dm_gps_dynamics_mode_read(
     struct mip_device *device, struct mip_3dm_gps_dynamics_mode_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_3dm_gps_dynamics_mode_exchange, data, 1,
-                           &mip_3dm_gps_dynamics_mode_response_codec, response);
+    return mip_device_request(device, &mip_3dm_gps_dynamics_mode_exchange, data, 1,
+                              &mip_3dm_gps_dynamics_mode_response_codec, response);
 }
 
 /**
@@ -2231,21 +2206,21 @@ static inline struct mip_result mip_call_3dm_gps_dynamics_mode_read(
 static inline struct mip_result mip_call_3dm_gps_dynamics_mode_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_3dm_gps_dynamics_mode_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_gps_dynamics_mode_exchange, data, 1);
 }
 
 /** GPS dynamics mode: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_gps_dynamics_mode_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_3dm_gps_dynamics_mode_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_gps_dynamics_mode_exchange, data, 1);
 }
 
 /** GPS dynamics mode: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_gps_dynamics_mode_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_3dm_gps_dynamics_mode_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_gps_dynamics_mode_exchange, data, 1);
 }
 
 /**
@@ -2309,7 +2284,7 @@ static inline struct mip_result mip_call_3dm_imu_signal_conditioning_write(
     mip_put_16(data + 9, (uint16_t)north_compensation);
     mip_put_8(data + 11, (uint8_t)mag_bandwidth);
     mip_put_16(data + 12, (uint16_t)0);
-    return mip_device_send(device, &mip_3dm_imu_signal_conditioning_exchange, data, 14, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_imu_signal_conditioning_exchange, data, 14);
 }
 
 /** IMU signal conditioning: read. Return the current setting in a response. See mip_device_call. */
@@ -2317,8 +2292,8 @@ static inline struct mip_result mip_call_3dm_imu_signal_conditioning_read(
     struct mip_device *device, struct mip_3dm_imu_signal_conditioning_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_3dm_imu_signal_conditioning_exchange, data, 1,
-                           &mip_3dm_imu_signal_conditioning_response_codec, response);
+    return mip_device_request(device, &mip_3dm_imu_signal_conditioning_exchange, data, 1,
+                              &mip_3dm_imu_signal_conditioning_response_codec, response);
 }
 
 /**
@@ -2329,7 +2304,7 @@ static inline struct mip_result
 mip_call_3dm_imu_signal_conditioning_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_3dm_imu_signal_conditioning_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_imu_signal_conditioning_exchange, data, 1);
 }
 
 /** IMU signal conditioning: load. Load the saved setting. See mip_device_call. */
@@ -2337,7 +2312,7 @@ static inline struct mip_result
 mip_call_3dm_imu_signal_conditioning_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_3dm_imu_signal_conditioning_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_imu_signal_conditioning_exchange, data, 1);
 }
 
 /** IMU signal conditioning: default. Load the factory default setting. See mip_device_call. */
@@ -2345,7 +2320,7 @@ static inline struct mip_result
 mip_call_3dm_imu_signal_conditioning_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_3dm_imu_signal_conditioning_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_imu_signal_conditioning_exchange, data, 1);
 }
 
 /**
@@ -2390,7 +2365,7 @@ static inline struct mip_result mip_call_3dm_imu_timestamp_write(
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
     mip_put_8(data + 1, (uint8_t)selector);
     mip_put_32(data + 2, (uint32_t)time);
-    return mip_device_send(device, &mip_3dm_imu_timestamp_exchange, data, 6, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_imu_timestamp_exchange, data, 6);
 }
 
 /**
@@ -2404,8 +2379,8 @@ static inline struct mip_result mip_call_3dm_imu_timestamp_read(
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
     mip_put_8(data + 1, (uint8_t)selector);
-    return mip_device_send(device, &mip_3dm_imu_timestamp_exchange, data, 2,
-                           &mip_3dm_imu_timestamp_response_codec, response);
+    return mip_device_request(device, &mip_3dm_imu_timestamp_exchange, data, 2,
+                              &mip_3dm_imu_timestamp_response_codec, response);
 }
 
 /**
@@ -2452,7 +2427,7 @@ static inline struct mip_result mip_call_3dm_accel_bias_write(struct mip_device 
     for (size_t i = 0; i < 3; i++) {
         mip_put_float(data + 1 + 4 * i, &bias[i]);
     }
-    return mip_device_send(device, &mip_3dm_accel_bias_exchange, data, 13, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_accel_bias_exchange, data, 13);
 }
 
 /**
@@ -2463,8 +2438,8 @@ static inline struct mip_result mip_call_3dm_accel_bias_read(
     struct mip_device *device, struct mip_3dm_accel_bias_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_3dm_accel_bias_exchange, data, 1,
-                           &mip_3dm_accel_bias_response_codec, response);
+    return mip_device_request(device, &mip_3dm_accel_bias_exchange, data, 1,
+                              &mip_3dm_accel_bias_response_codec, response);
 }
 
 /**
@@ -2474,14 +2449,14 @@ static inline struct mip_result mip_call_3dm_accel_bias_read(
 static inline struct mip_result mip_call_3dm_accel_bias_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_3dm_accel_bias_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_accel_bias_exchange, data, 1);
 }
 
 /** Accelerometer Bias Configuration: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_accel_bias_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_3dm_accel_bias_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_accel_bias_exchange, data, 1);
 }
 
 /**
@@ -2490,7 +2465,7 @@ static inline struct mip_result mip_call_3dm_accel_bias_load(struct mip_device *
 static inline struct mip_result mip_call_3dm_accel_bias_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_3dm_accel_bias_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_accel_bias_exchange, data, 1);
 }
 
 /**
@@ -2502,12 +2477,9 @@ static inline struct mip_result mip_call_3dm_accel_bias_default(struct mip_devic
  */
 static inline struct mip_result mip_call_3dm_accel_bias_apply(struct mip_device *device,
                                                               const float bias[3]) {
-    uint8_t data[13];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_APPLY);
-    for (size_t i = 0; i < 3; i++) {
-        mip_put_float(data + 1 + 4 * i, &bias[i]);
-    }
-    return mip_device_send(device, &mip_3dm_accel_bias_exchange, data, 13, NULL, NULL);
+    struct mip_3dm_accel_bias command;
+    return mip_device_call(device, &mip_3dm_accel_bias_command,
+                           mip_3dm_accel_bias_apply(&command, bias), NULL, NULL);
 }
 
 /**
@@ -2554,7 +2526,7 @@ static inline struct mip_result mip_call_3dm_gyro_bias_write(struct mip_device *
     for (size_t i = 0; i < 3; i++) {
         mip_put_float(data + 1 + 4 * i, &bias[i]);
     }
-    return mip_device_send(device, &mip_3dm_gyro_bias_exchange, data, 13, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_gyro_bias_exchange, data, 13);
 }
 
 /**
@@ -2565,8 +2537,8 @@ static inline struct mip_result mip_call_3dm_gyro_bias_read(
     struct mip_device *device, struct mip_3dm_gyro_bias_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_3dm_gyro_bias_exchange, data, 1,
-                           &mip_3dm_gyro_bias_response_codec, response);
+    return mip_device_request(device, &mip_3dm_gyro_bias_exchange, data, 1,
+                              &mip_3dm_gyro_bias_response_codec, response);
 }
 
 /**
@@ -2576,21 +2548,21 @@ static inline struct mip_result mip_call_3dm_gyro_bias_read(
 static inline struct mip_result mip_call_3dm_gyro_bias_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_3dm_gyro_bias_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_gyro_bias_exchange, data, 1);
 }
 
 /** Gyroscope Bias Configuration: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_gyro_bias_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_3dm_gyro_bias_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_gyro_bias_exchange, data, 1);
 }
 
 /** Gyroscope Bias Configuration: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_gyro_bias_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_3dm_gyro_bias_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_gyro_bias_exchange, data, 1);
 }
 
 /**
@@ -2602,12 +2574,9 @@ static inline struct mip_result mip_call_3dm_gyro_bias_default(struct mip_device
  */
 static inline struct mip_result mip_call_3dm_gyro_bias_apply(struct mip_device *device,
                                                              const float bias[3]) {
-    uint8_t data[13];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_APPLY);
-    for (size_t i = 0; i < 3; i++) {
-        mip_put_float(data + 1 + 4 * i, &bias[i]);
-    }
-    return mip_device_send(device, &mip_3dm_gyro_bias_exchange, data, 13, NULL, NULL);
+    struct mip_3dm_gyro_bias command;
+    return mip_device_call(device, &mip_3dm_gyro_bias_command,
+                           mip_3dm_gyro_bias_apply(&command, bias), NULL, NULL);
 }
 
 /**
@@ -2648,8 +2617,8 @@ mip_call_3dm_capture_gyro_bias(struct mip_device *device, uint16_t averaging_tim
                                struct mip_3dm_gyro_bias_response *response) {
     uint8_t data[2];
     mip_put_16(data, (uint16_t)averaging_time_ms);
-    return mip_device_send(device, &mip_3dm_capture_gyro_bias_exchange, data, 2,
-                           &mip_3dm_gyro_bias_response_codec, response);
+    return mip_device_request(device, &mip_3dm_capture_gyro_bias_exchange, data, 2,
+                              &mip_3dm_gyro_bias_response_codec, response);
 }
 
 /**
@@ -2693,7 +2662,7 @@ static inline struct mip_result mip_call_3dm_mag_hard_iron_offset_write(struct m
     for (size_t i = 0; i < 3; i++) {
         mip_put_float(data + 1 + 4 * i, &offset[i]);
     }
-    return mip_device_send(device, &mip_3dm_mag_hard_iron_offset_exchange, data, 13, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_mag_hard_iron_offset_exchange, data, 13);
 }
 
 /**
@@ -2704,8 +2673,8 @@ static inline struct mip_result mip_call_3dm_mag_hard_iron_offset_read(
     struct mip_device *device, struct mip_3dm_mag_hard_iron_offset_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_3dm_mag_hard_iron_offset_exchange, data, 1,
-                           &mip_3dm_mag_hard_iron_offset_response_codec, response);
+    return mip_device_request(device, &mip_3dm_mag_hard_iron_offset_exchange, data, 1,
+                              &mip_3dm_mag_hard_iron_offset_response_codec, response);
 }
 
 /**
@@ -2715,14 +2684,14 @@ static inline struct mip_result mip_call_3dm_mag_hard_iron_offset_read(
 static inline struct mip_result mip_call_3dm_mag_hard_iron_offset_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_3dm_mag_hard_iron_offset_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_mag_hard_iron_offset_exchange, data, 1);
 }
 
 /** Magnetometer Hard Iron Offset: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_mag_hard_iron_offset_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_3dm_mag_hard_iron_offset_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_mag_hard_iron_offset_exchange, data, 1);
 }
 
 /**
@@ -2732,7 +2701,7 @@ static inline struct mip_result
 mip_call_3dm_mag_hard_iron_offset_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_3dm_mag_hard_iron_offset_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_mag_hard_iron_offset_exchange, data, 1);
 }
 
 /**
@@ -2744,12 +2713,9 @@ mip_call_3dm_mag_hard_iron_offset_default(struct mip_device *device) {
  */
 static inline struct mip_result mip_call_3dm_mag_hard_iron_offset_apply(struct mip_device *device,
                                                                         const float offset[3]) {
-    uint8_t data[13];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_APPLY);
-    for (size_t i = 0; i < 3; i++) {
-        mip_put_float(data + 1 + 4 * i, &offset[i]);
-    }
-    return mip_device_send(device, &mip_3dm_mag_hard_iron_offset_exchange, data, 13, NULL, NULL);
+    struct mip_3dm_mag_hard_iron_offset command;
+    return mip_device_call(device, &mip_3dm_mag_hard_iron_offset_command,
+                           mip_3dm_mag_hard_iron_offset_apply(&command, offset), NULL, NULL);
 }
 
 /**
@@ -2793,7 +2759,7 @@ static inline struct mip_result mip_call_3dm_mag_soft_iron_matrix_write(struct m
     for (size_t i = 0; i < 9; i++) {
         mip_put_float(data + 1 + 4 * i, &matrix[i]);
     }
-    return mip_device_send(device, &mip_3dm_mag_soft_iron_matrix_exchange, data, 37, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_mag_soft_iron_matrix_exchange, data, 37);
 }
 
 /**
@@ -2804,8 +2770,8 @@ static inline struct mip_result mip_call_3dm_mag_soft_iron_matrix_read(
     struct mip_device *device, struct mip_3dm_mag_soft_iron_matrix_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_3dm_mag_soft_iron_matrix_exchange, data, 1,
-                           &mip_3dm_mag_soft_iron_matrix_response_codec, response);
+    return mip_device_request(device, &mip_3dm_mag_soft_iron_matrix_exchange, data, 1,
+                              &mip_3dm_mag_soft_iron_matrix_response_codec, response);
 }
 
 /**
@@ -2815,14 +2781,14 @@ static inline struct mip_result mip_call_3dm_mag_soft_iron_matrix_read(
 static inline struct mip_result mip_call_3dm_mag_soft_iron_matrix_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_3dm_mag_soft_iron_matrix_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_mag_soft_iron_matrix_exchange, data, 1);
 }
 
 /** Magnetometer Soft Iron Matrix: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_mag_soft_iron_matrix_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_3dm_mag_soft_iron_matrix_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_mag_soft_iron_matrix_exchange, data, 1);
 }
 
 /**
@@ -2832,7 +2798,7 @@ static inline struct mip_result
 mip_call_3dm_mag_soft_iron_matrix_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_3dm_mag_soft_iron_matrix_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_mag_soft_iron_matrix_exchange, data, 1);
 }
 
 /**
@@ -2844,12 +2810,9 @@ mip_call_3dm_mag_soft_iron_matrix_default(struct mip_device *device) {
  */
 static inline struct mip_result mip_call_3dm_mag_soft_iron_matrix_apply(struct mip_device *device,
                                                                         const float matrix[9]) {
-    uint8_t data[37];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_APPLY);
-    for (size_t i = 0; i < 9; i++) {
-        mip_put_float(data + 1 + 4 * i, &matrix[i]);
-    }
-    return mip_device_send(device, &mip_3dm_mag_soft_iron_matrix_exchange, data, 37, NULL, NULL);
+    struct mip_3dm_mag_soft_iron_matrix command;
+    return mip_device_call(device, &mip_3dm_mag_soft_iron_matrix_command,
+                           mip_3dm_mag_soft_iron_matrix_apply(&command, matrix), NULL, NULL);
 }
 
 /**
@@ -2890,7 +2853,7 @@ static inline struct mip_result mip_call_3dm_coning_sculling_enable_write(struct
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
     mip_put_8(data + 1, (uint8_t)mip_truth(enable));
-    return mip_device_send(device, &mip_3dm_coning_sculling_enable_exchange, data, 2, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_coning_sculling_enable_exchange, data, 2);
 }
 
 /**
@@ -2900,8 +2863,8 @@ static inline struct mip_result mip_call_3dm_coning_sculling_enable_read(
     struct mip_device *device, struct mip_3dm_coning_sculling_enable_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_3dm_coning_sculling_enable_exchange, data, 1,
-                           &mip_3dm_coning_sculling_enable_response_codec, response);
+    return mip_device_request(device, &mip_3dm_coning_sculling_enable_exchange, data, 1,
+                              &mip_3dm_coning_sculling_enable_response_codec, response);
 }
 
 /**
@@ -2912,7 +2875,7 @@ static inline struct mip_result
 mip_call_3dm_coning_sculling_enable_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_3dm_coning_sculling_enable_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_coning_sculling_enable_exchange, data, 1);
 }
 
 /** Coning and Sculling Enable: load. Load the saved setting. See mip_device_call. */
@@ -2920,7 +2883,7 @@ static inline struct mip_result
 mip_call_3dm_coning_sculling_enable_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_3dm_coning_sculling_enable_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_coning_sculling_enable_exchange, data, 1);
 }
 
 /** Coning and Sculling Enable: default. Load the factory default setting. See mip_device_call. */
@@ -2928,7 +2891,7 @@ static inline struct mip_result
 mip_call_3dm_coning_sculling_enable_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_3dm_coning_sculling_enable_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_coning_sculling_enable_exchange, data, 1);
 }
 
 /**
@@ -2970,7 +2933,7 @@ static inline struct mip_result mip_call_3dm_uart_baud_rate_write(struct mip_dev
     uint8_t data[5];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
     mip_put_32(data + 1, (uint32_t)baud);
-    return mip_device_send(device, &mip_3dm_uart_baud_rate_exchange, data, 5, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_uart_baud_rate_exchange, data, 5);
 }
 
 /** UART Baud Rate: read. Return the current setting in a response. See mip_device_call. */
@@ -2978,29 +2941,29 @@ static inline struct mip_result mip_call_3dm_uart_baud_rate_read(
     struct mip_device *device, struct mip_3dm_uart_baud_rate_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_3dm_uart_baud_rate_exchange, data, 1,
-                           &mip_3dm_uart_baud_rate_response_codec, response);
+    return mip_device_request(device, &mip_3dm_uart_baud_rate_exchange, data, 1,
+                              &mip_3dm_uart_baud_rate_response_codec, response);
 }
 
 /** UART Baud Rate: save. Save the current setting to non-volatile memory. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_uart_baud_rate_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_3dm_uart_baud_rate_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_uart_baud_rate_exchange, data, 1);
 }
 
 /** UART Baud Rate: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_uart_baud_rate_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_3dm_uart_baud_rate_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_uart_baud_rate_exchange, data, 1);
 }
 
 /** UART Baud Rate: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_uart_baud_rate_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_3dm_uart_baud_rate_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_uart_baud_rate_exchange, data, 1);
 }
 
 /**
@@ -3059,7 +3022,7 @@ static inline struct mip_result mip_call_3dm_gpio_config_write(struct mip_device
     mip_put_8(data + 2, (uint8_t)feature);
     mip_put_8(data + 3, (uint8_t)behavior);
     mip_put_8(data + 4, (uint8_t)pin_mode);
-    return mip_device_send(device, &mip_3dm_gpio_config_exchange, data, 5, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_gpio_config_exchange, data, 5);
 }
 
 /**
@@ -3072,8 +3035,8 @@ static inline struct mip_result mip_call_3dm_gpio_config_read(
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
     mip_put_8(data + 1, (uint8_t)pin);
-    return mip_device_send(device, &mip_3dm_gpio_config_exchange, data, 2,
-                           &mip_3dm_gpio_config_response_codec, response);
+    return mip_device_request(device, &mip_3dm_gpio_config_exchange, data, 2,
+                              &mip_3dm_gpio_config_response_codec, response);
 }
 
 /**
@@ -3086,7 +3049,7 @@ static inline struct mip_result mip_call_3dm_gpio_config_save(struct mip_device 
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
     mip_put_8(data + 1, (uint8_t)pin);
-    return mip_device_send(device, &mip_3dm_gpio_config_exchange, data, 2, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_gpio_config_exchange, data, 2);
 }
 
 /**
@@ -3099,7 +3062,7 @@ static inline struct mip_result mip_call_3dm_gpio_config_load(struct mip_device 
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
     mip_put_8(data + 1, (uint8_t)pin);
-    return mip_device_send(device, &mip_3dm_gpio_config_exchange, data, 2, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_gpio_config_exchange, data, 2);
 }
 
 /**
@@ -3112,7 +3075,7 @@ static inline struct mip_result mip_call_3dm_gpio_config_default(struct mip_devi
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
     mip_put_8(data + 1, (uint8_t)pin);
-    return mip_device_send(device, &mip_3dm_gpio_config_exchange, data, 2, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_gpio_config_exchange, data, 2);
 }
 
 /**
@@ -3157,7 +3120,7 @@ static inline struct mip_result mip_call_3dm_gpio_state_write(struct mip_device 
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
     mip_put_8(data + 1, (uint8_t)pin);
     mip_put_8(data + 2, (uint8_t)mip_truth(state));
-    return mip_device_send(device, &mip_3dm_gpio_state_exchange, data, 3, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_gpio_state_exchange, data, 3);
 }
 
 /**
@@ -3170,8 +3133,8 @@ static inline struct mip_result mip_call_3dm_gpio_state_read(
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
     mip_put_8(data + 1, (uint8_t)pin);
-    return mip_device_send(device, &mip_3dm_gpio_state_exchange, data, 2,
-                           &mip_3dm_gpio_state_response_codec, response);
+    return mip_device_request(device, &mip_3dm_gpio_state_exchange, data, 2,
+                              &mip_3dm_gpio_state_response_codec, response);
 }
 
 /**
@@ -3222,7 +3185,7 @@ static inline struct mip_result mip_call_3dm_odometer_config_write(struct mip_de
     mip_put_8(data + 1, (uint8_t)mode);
     mip_put_float(data + 2, &scaling);
     mip_put_float(data + 6, &uncertainty);
-    return mip_device_send(device, &mip_3dm_odometer_config_exchange, data, 10, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_odometer_config_exchange, data, 10);
 }
 
 /** Odometer Configuration: read. Return the current setting in a response. See mip_device_call. */
@@ -3230,8 +3193,8 @@ static inline struct mip_result mip_call_3dm_odometer_config_read(
     struct mip_device *device, struct mip_3dm_odometer_config_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_3dm_odometer_config_exchange, data, 1,
-                           &mip_3dm_odometer_config_response_codec, response);
+    return mip_device_request(device, &mip_3dm_odometer_config_exchange, data, 1,
+                              &mip_3dm_odometer_config_response_codec, response);
 }
 
 /**
@@ -3241,21 +3204,21 @@ static inline struct mip_result mip_call_3dm_odometer_config_read(
 static inline struct mip_result mip_call_3dm_odometer_config_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_3dm_odometer_config_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_odometer_config_exchange, data, 1);
 }
 
 /** Odometer Configuration: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_odometer_config_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_3dm_odometer_config_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_odometer_config_exchange, data, 1);
 }
 
 /** Odometer Configuration: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_odometer_config_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_3dm_odometer_config_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_odometer_config_exchange, data, 1);
 }
 
 /**
@@ -3312,7 +3275,7 @@ static inline struct mip_result mip_call_3dm_imu_low_pass_filter_write(struct mi
     mip_put_8(data + 3, (uint8_t)mip_truth(manual));
     mip_put_16(data + 4, (uint16_t)frequency);
     mip_put_8(data + 6, (uint8_t)0);
-    return mip_device_send(device, &mip_3dm_imu_low_pass_filter_exchange, data, 7, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_imu_low_pass_filter_exchange, data, 7);
 }
 
 /**
@@ -3330,8 +3293,8 @@ mip_call_3dm_imu_low_pass_filter_read(struct mip_device *device, uint8_t target_
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
     mip_put_8(data + 1, (uint8_t)target_descriptor);
-    return mip_device_send(device, &mip_3dm_imu_low_pass_filter_exchange, data, 2,
-                           &mip_3dm_imu_low_pass_filter_response_codec, response);
+    return mip_device_request(device, &mip_3dm_imu_low_pass_filter_exchange, data, 2,
+                              &mip_3dm_imu_low_pass_filter_response_codec, response);
 }
 
 /**
@@ -3348,7 +3311,7 @@ static inline struct mip_result mip_call_3dm_imu_low_pass_filter_save(struct mip
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
     mip_put_8(data + 1, (uint8_t)target_descriptor);
-    return mip_device_send(device, &mip_3dm_imu_low_pass_filter_exchange, data, 2, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_imu_low_pass_filter_exchange, data, 2);
 }
 
 /**
@@ -3364,7 +3327,7 @@ static inline struct mip_result mip_call_3dm_imu_low_pass_filter_load(struct mip
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
     mip_put_8(data + 1, (uint8_t)target_descriptor);
-    return mip_device_send(device, &mip_3dm_imu_low_pass_filter_exchange, data, 2, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_imu_low_pass_filter_exchange, data, 2);
 }
 
 /**
@@ -3381,7 +3344,7 @@ mip_call_3dm_imu_low_pass_filter_default(struct mip_device *device, uint8_t targ
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
     mip_put_8(data + 1, (uint8_t)target_descriptor);
-    return mip_device_send(device, &mip_3dm_imu_low_pass_filter_exchange, data, 2, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_imu_low_pass_filter_exchange, data, 2);
 }
 
 /**
@@ -3435,7 +3398,7 @@ static inline struct mip_result mip_call_3dm_complementary_filter_write(
     mip_put_8(data + 2, (uint8_t)mip_truth(heading_enable));
     mip_put_float(data + 3, &pitch_roll_time_constant);
     mip_put_float(data + 7, &heading_time_constant);
-    return mip_device_send(device, &mip_3dm_complementary_filter_exchange, data, 11, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_complementary_filter_exchange, data, 11);
 }
 
 /**
@@ -3446,8 +3409,8 @@ static inline struct mip_result mip_call_3dm_complementary_filter_read(
     struct mip_device *device, struct mip_3dm_complementary_filter_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_3dm_complementary_filter_exchange, data, 1,
-                           &mip_3dm_complementary_filter_response_codec, response);
+    return mip_device_request(device, &mip_3dm_complementary_filter_exchange, data, 1,
+                              &mip_3dm_complementary_filter_response_codec, response);
 }
 
 /**
@@ -3457,14 +3420,14 @@ static inline struct mip_result mip_call_3dm_complementary_filter_read(
 static inline struct mip_result mip_call_3dm_complementary_filter_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_3dm_complementary_filter_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_complementary_filter_exchange, data, 1);
 }
 
 /** Complementary Filter Configuration: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_complementary_filter_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_3dm_complementary_filter_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_complementary_filter_exchange, data, 1);
 }
 
 /**
@@ -3475,7 +3438,7 @@ static inline struct mip_result
 mip_call_3dm_complementary_filter_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_3dm_complementary_filter_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_complementary_filter_exchange, data, 1);
 }
 
 /**
@@ -3520,7 +3483,7 @@ static inline struct mip_result mip_call_3dm_sensor_range_write(
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
     mip_put_8(data + 1, (uint8_t)sensor);
     mip_put_8(data + 2, (uint8_t)setting);
-    return mip_device_send(device, &mip_3dm_sensor_range_exchange, data, 3, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_sensor_range_exchange, data, 3);
 }
 
 /**
@@ -3534,8 +3497,8 @@ mip_call_3dm_sensor_range_read(struct mip_device *device, enum mip_3dm_sensor_ra
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
     mip_put_8(data + 1, (uint8_t)sensor);
-    return mip_device_send(device, &mip_3dm_sensor_range_exchange, data, 2,
-                           &mip_3dm_sensor_range_response_codec, response);
+    return mip_device_request(device, &mip_3dm_sensor_range_exchange, data, 2,
+                              &mip_3dm_sensor_range_response_codec, response);
 }
 
 /**
@@ -3548,7 +3511,7 @@ mip_call_3dm_sensor_range_save(struct mip_device *device, enum mip_3dm_sensor_ra
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
     mip_put_8(data + 1, (uint8_t)sensor);
-    return mip_device_send(device, &mip_3dm_sensor_range_exchange, data, 2, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_sensor_range_exchange, data, 2);
 }
 
 /**
@@ -3561,7 +3524,7 @@ mip_call_3dm_sensor_range_load(struct mip_device *device, enum mip_3dm_sensor_ra
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
     mip_put_8(data + 1, (uint8_t)sensor);
-    return mip_device_send(device, &mip_3dm_sensor_range_exchange, data, 2, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_sensor_range_exchange, data, 2);
 }
 
 /**
@@ -3574,7 +3537,7 @@ static inline struct mip_result mip_call_3dm_sensor_range_default(
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
     mip_put_8(data + 1, (uint8_t)sensor);
-    return mip_device_send(device, &mip_3dm_sensor_range_exchange, data, 2, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_sensor_range_exchange, data, 2);
 }
 
 /**
@@ -3616,8 +3579,8 @@ static inline struct mip_result mip_call_3dm_get_calibrated_sensor_ranges(
     struct mip_3dm_get_calibrated_sensor_ranges_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)sensor);
-    return mip_device_send(device, &mip_3dm_get_calibrated_sensor_ranges_exchange, data, 1,
-                           &mip_3dm_get_calibrated_sensor_ranges_response_codec, response);
+    return mip_device_request(device, &mip_3dm_get_calibrated_sensor_ranges_exchange, data, 1,
+                              &mip_3dm_get_calibrated_sensor_ranges_response_codec, response);
 }
 
 /**
@@ -3672,7 +3635,7 @@ static inline struct mip_result mip_call_3dm_low_pass_filter_write(struct mip_de
     mip_put_8(data + 3, (uint8_t)mip_truth(enable));
     mip_put_8(data + 4, (uint8_t)mip_truth(manual));
     mip_put_float(data + 5, &frequency);
-    return mip_device_send(device, &mip_3dm_low_pass_filter_exchange, data, 9, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_low_pass_filter_exchange, data, 9);
 }
 
 /**
@@ -3689,8 +3652,8 @@ static inline struct mip_result mip_call_3dm_low_pass_filter_read(
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
     mip_put_8(data + 1, (uint8_t)descriptor_set);
     mip_put_8(data + 2, (uint8_t)field_descriptor);
-    return mip_device_send(device, &mip_3dm_low_pass_filter_exchange, data, 3,
-                           &mip_3dm_low_pass_filter_response_codec, response);
+    return mip_device_request(device, &mip_3dm_low_pass_filter_exchange, data, 3,
+                              &mip_3dm_low_pass_filter_response_codec, response);
 }
 
 /**
@@ -3707,7 +3670,7 @@ static inline struct mip_result mip_call_3dm_low_pass_filter_save(struct mip_dev
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
     mip_put_8(data + 1, (uint8_t)descriptor_set);
     mip_put_8(data + 2, (uint8_t)field_descriptor);
-    return mip_device_send(device, &mip_3dm_low_pass_filter_exchange, data, 3, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_low_pass_filter_exchange, data, 3);
 }
 
 /**
@@ -3723,7 +3686,7 @@ static inline struct mip_result mip_call_3dm_low_pass_filter_load(struct mip_dev
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
     mip_put_8(data + 1, (uint8_t)descriptor_set);
     mip_put_8(data + 2, (uint8_t)field_descriptor);
-    return mip_device_send(device, &mip_3dm_low_pass_filter_exchange, data, 3, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_low_pass_filter_exchange, data, 3);
 }
 
 /**
@@ -3739,7 +3702,7 @@ static inline struct mip_result mip_call_3dm_low_pass_filter_default(struct mip_
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
     mip_put_8(data + 1, (uint8_t)descriptor_set);
     mip_put_8(data + 2, (uint8_t)field_descriptor);
-    return mip_device_send(device, &mip_3dm_low_pass_filter_exchange, data, 3, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_low_pass_filter_exchange, data, 3);
 }
 
 /**
@@ -3783,7 +3746,7 @@ static inline struct mip_result mip_call_3dm_data_stream_format_write(
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
     mip_put_8(data + 1, (uint8_t)stream);
     mip_put_8(data + 2, (uint8_t)format);
-    return mip_device_send(device, &mip_3dm_data_stream_format_exchange, data, 3, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_data_stream_format_exchange, data, 3);
 }
 
 /**
@@ -3799,8 +3762,8 @@ static inline struct mip_result mip_call_3dm_data_stream_format_read(
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
     mip_put_8(data + 1, (uint8_t)stream);
     mip_put_8(data + 2, (uint8_t)format);
-    return mip_device_send(device, &mip_3dm_data_stream_format_exchange, data, 3,
-                           &mip_3dm_data_stream_format_response_codec, response);
+    return mip_device_request(device, &mip_3dm_data_stream_format_exchange, data, 3,
+                              &mip_3dm_data_stream_format_response_codec, response);
 }
 
 /**
@@ -3816,7 +3779,7 @@ mip_call_3dm_data_stream_format_save(struct mip_device *device, enum mip_3dm_int
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
     mip_put_8(data + 1, (uint8_t)stream);
     mip_put_8(data + 2, (uint8_t)format);
-    return mip_device_send(device, &mip_3dm_data_stream_format_exchange, data, 3, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_data_stream_format_exchange, data, 3);
 }
 
 /**
@@ -3832,7 +3795,7 @@ mip_call_3dm_data_stream_format_load(struct mip_device *device, enum mip_3dm_int
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
     mip_put_8(data + 1, (uint8_t)stream);
     mip_put_8(data + 2, (uint8_t)format);
-    return mip_device_send(device, &mip_3dm_data_stream_format_exchange, data, 3, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_data_stream_format_exchange, data, 3);
 }
 
 /**
@@ -3848,7 +3811,7 @@ static inline struct mip_result mip_call_3dm_data_stream_format_default(
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
     mip_put_8(data + 1, (uint8_t)stream);
     mip_put_8(data + 2, (uint8_t)format);
-    return mip_device_send(device, &mip_3dm_data_stream_format_exchange, data, 3, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_data_stream_format_exchange, data, 3);
 }
 
 /**
@@ -3893,7 +3856,7 @@ static inline struct mip_result mip_call_3dm_device_power_state_write(
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
     mip_put_8(data + 1, (uint8_t)device_);
     mip_put_8(data + 2, (uint8_t)state);
-    return mip_device_send(device, &mip_3dm_device_power_state_exchange, data, 3, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_device_power_state_exchange, data, 3);
 }
 
 /**
@@ -3907,8 +3870,8 @@ static inline struct mip_result mip_call_3dm_device_power_state_read(
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
     mip_put_8(data + 1, (uint8_t)device_);
-    return mip_device_send(device, &mip_3dm_device_power_state_exchange, data, 2,
-                           &mip_3dm_device_power_state_response_codec, response);
+    return mip_device_request(device, &mip_3dm_device_power_state_exchange, data, 2,
+                              &mip_3dm_device_power_state_response_codec, response);
 }
 
 /**
@@ -3921,7 +3884,7 @@ static inline struct mip_result mip_call_3dm_device_power_state_save(
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
     mip_put_8(data + 1, (uint8_t)device_);
-    return mip_device_send(device, &mip_3dm_device_power_state_exchange, data, 2, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_device_power_state_exchange, data, 2);
 }
 
 /**
@@ -3934,7 +3897,7 @@ static inline struct mip_result mip_call_3dm_device_power_state_load(
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
     mip_put_8(data + 1, (uint8_t)device_);
-    return mip_device_send(device, &mip_3dm_device_power_state_exchange, data, 2, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_device_power_state_exchange, data, 2);
 }
 
 /**
@@ -3947,7 +3910,7 @@ static inline struct mip_result mip_call_3dm_device_power_state_default(
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
     mip_put_8(data + 1, (uint8_t)device_);
-    return mip_device_send(device, &mip_3dm_device_power_state_exchange, data, 2, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_device_power_state_exchange, data, 2);
 }
 
 /**
@@ -3984,14 +3947,14 @@ static inline mip_error mip_send_3dm_gps_advanced_settings(
 static inline struct mip_result mip_call_3dm_gps_advanced_settings_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_3dm_gps_advanced_settings_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_gps_advanced_settings_exchange, data, 1);
 }
 
 /** GPS advanced settings: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_gps_advanced_settings_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_3dm_gps_advanced_settings_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_gps_advanced_settings_exchange, data, 1);
 }
 
 /** GPS advanced settings: default. Load the factory default setting. See mip_device_call. */
@@ -3999,7 +3962,7 @@ static inline struct mip_result
 mip_call_3dm_gps_advanced_settings_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_3dm_gps_advanced_settings_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_3dm_gps_advanced_settings_exchange, data, 1);
 }
 
 /**
@@ -4193,10 +4156,10 @@ static inline mip_error mip_send_for_3dm_device_status_diagnostic_gx3_response(
 static inline struct mip_result
 mip_call_3dm_device_status(struct mip_device *device, uint16_t model_number,
                            enum mip_3dm_device_status_selector status_selector) {
-    uint8_t data[3];
-    mip_put_16(data, (uint16_t)model_number);
-    mip_put_8(data + 2, (uint8_t)status_selector);
-    return mip_device_send(device, &mip_3dm_device_status_exchange, data, 3, NULL, NULL);
+    struct mip_3dm_device_status command;
+    return mip_device_call(device, &mip_3dm_device_status_command,
+                           mip_3dm_device_status_make(&command, model_number, status_selector),
+                           NULL, NULL);
 }
 
 /**
@@ -4208,11 +4171,11 @@ mip_call_3dm_device_status(struct mip_device *device, uint16_t model_number,
 static inline struct mip_result mip_call_for_3dm_device_status_basic_rq1_imu_response(
     struct mip_device *device, uint16_t model_number,
     struct mip_3dm_device_status_basic_rq1_imu_response *response) {
-    uint8_t data[3];
-    mip_put_16(data, (uint16_t)model_number);
-    mip_put_8(data + 2, (uint8_t)MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC);
-    return mip_device_send(device, &mip_3dm_device_status_exchange, data, 3,
-                           &mip_3dm_device_status_basic_rq1_imu_response_codec, response);
+    struct mip_3dm_device_status command;
+    return mip_device_call(
+        device, &mip_3dm_device_status_command,
+        mip_3dm_device_status_make(&command, model_number, MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC),
+        &mip_3dm_device_status_basic_rq1_imu_response_codec, response);
 }
 
 /**
@@ -4224,11 +4187,11 @@ static inline struct mip_result mip_call_for_3dm_device_status_basic_rq1_imu_res
 static inline struct mip_result mip_call_for_3dm_device_status_basic_response(
     struct mip_device *device, uint16_t model_number,
     struct mip_3dm_device_status_basic_response *response) {
-    uint8_t data[3];
-    mip_put_16(data, (uint16_t)model_number);
-    mip_put_8(data + 2, (uint8_t)MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC);
-    return mip_device_send(device, &mip_3dm_device_status_exchange, data, 3,
-                           &mip_3dm_device_status_basic_response_codec, response);
+    struct mip_3dm_device_status command;
+    return mip_device_call(
+        device, &mip_3dm_device_status_command,
+        mip_3dm_device_status_make(&command, model_number, MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC),
+        &mip_3dm_device_status_basic_response_codec, response);
 }
 
 /**
@@ -4240,11 +4203,11 @@ static inline struct mip_result mip_call_for_3dm_device_status_basic_response(
 static inline struct mip_result mip_call_for_3dm_device_status_basic_without_state_response(
     struct mip_device *device, uint16_t model_number,
     struct mip_3dm_device_status_basic_without_state_response *response) {
-    uint8_t data[3];
-    mip_put_16(data, (uint16_t)model_number);
-    mip_put_8(data + 2, (uint8_t)MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC);
-    return mip_device_send(device, &mip_3dm_device_status_exchange, data, 3,
-                           &mip_3dm_device_status_basic_without_state_response_codec, response);
+    struct mip_3dm_device_status command;
+    return mip_device_call(
+        device, &mip_3dm_device_status_command,
+        mip_3dm_device_status_make(&command, model_number, MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC),
+        &mip_3dm_device_status_basic_without_state_response_codec, response);
 }
 
 /**
@@ -4256,11 +4219,11 @@ static inline struct mip_result mip_call_for_3dm_device_status_basic_without_sta
 static inline struct mip_result mip_call_for_3dm_device_status_basic_gx3_response(
     struct mip_device *device, uint16_t model_number,
     struct mip_3dm_device_status_basic_gx3_response *response) {
-    uint8_t data[3];
-    mip_put_16(data, (uint16_t)model_number);
-    mip_put_8(data + 2, (uint8_t)MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC);
-    return mip_device_send(device, &mip_3dm_device_status_exchange, data, 3,
-                           &mip_3dm_device_status_basic_gx3_response_codec, response);
+    struct mip_3dm_device_status command;
+    return mip_device_call(
+        device, &mip_3dm_device_status_command,
+        mip_3dm_device_status_make(&command, model_number, MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC),
+        &mip_3dm_device_status_basic_gx3_response_codec, response);
 }
 
 /**
@@ -4272,10 +4235,10 @@ static inline struct mip_result mip_call_for_3dm_device_status_basic_gx3_respons
 static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_response(
     struct mip_device *device, uint16_t model_number,
     struct mip_3dm_device_status_diagnostic_response *response) {
-    uint8_t data[3];
-    mip_put_16(data, (uint16_t)model_number);
-    mip_put_8(data + 2, (uint8_t)MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC);
-    return mip_device_send(device, &mip_3dm_device_status_exchange, data, 3,
+    struct mip_3dm_device_status command;
+    return mip_device_call(device, &mip_3dm_device_status_command,
+                           mip_3dm_device_status_make(&command, model_number,
+                                                      MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC),
                            &mip_3dm_device_status_diagnostic_response_codec, response);
 }
 
@@ -4288,10 +4251,10 @@ static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_respon
 static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_gnss_response(
     struct mip_device *device, uint16_t model_number,
     struct mip_3dm_device_status_diagnostic_gnss_response *response) {
-    uint8_t data[3];
-    mip_put_16(data, (uint16_t)model_number);
-    mip_put_8(data + 2, (uint8_t)MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC);
-    return mip_device_send(device, &mip_3dm_device_status_exchange, data, 3,
+    struct mip_3dm_device_status command;
+    return mip_device_call(device, &mip_3dm_device_status_command,
+                           mip_3dm_device_status_make(&command, model_number,
+                                                      MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC),
                            &mip_3dm_device_status_diagnostic_gnss_response_codec, response);
 }
 
@@ -4304,10 +4267,10 @@ static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_gnss_r
 static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_gq4_45_response(
     struct mip_device *device, uint16_t model_number,
     struct mip_3dm_device_status_diagnostic_gq4_45_response *response) {
-    uint8_t data[3];
-    mip_put_16(data, (uint16_t)model_number);
-    mip_put_8(data + 2, (uint8_t)MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC);
-    return mip_device_send(device, &mip_3dm_device_status_exchange, data, 3,
+    struct mip_3dm_device_status command;
+    return mip_device_call(device, &mip_3dm_device_status_command,
+                           mip_3dm_device_status_make(&command, model_number,
+                                                      MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC),
                            &mip_3dm_device_status_diagnostic_gq4_45_response_codec, response);
 }
 
@@ -4320,10 +4283,10 @@ static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_gq4_45
 static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_rq1_45_response(
     struct mip_device *device, uint16_t model_number,
     struct mip_3dm_device_status_diagnostic_rq1_45_response *response) {
-    uint8_t data[3];
-    mip_put_16(data, (uint16_t)model_number);
-    mip_put_8(data + 2, (uint8_t)MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC);
-    return mip_device_send(device, &mip_3dm_device_status_exchange, data, 3,
+    struct mip_3dm_device_status command;
+    return mip_device_call(device, &mip_3dm_device_status_command,
+                           mip_3dm_device_status_make(&command, model_number,
+                                                      MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC),
                            &mip_3dm_device_status_diagnostic_rq1_45_response_codec, response);
 }
 
@@ -4336,10 +4299,10 @@ static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_rq1_45
 static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_gx4_response(
     struct mip_device *device, uint16_t model_number,
     struct mip_3dm_device_status_diagnostic_gx4_response *response) {
-    uint8_t data[3];
-    mip_put_16(data, (uint16_t)model_number);
-    mip_put_8(data + 2, (uint8_t)MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC);
-    return mip_device_send(device, &mip_3dm_device_status_exchange, data, 3,
+    struct mip_3dm_device_status command;
+    return mip_device_call(device, &mip_3dm_device_status_command,
+                           mip_3dm_device_status_make(&command, model_number,
+                                                      MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC),
                            &mip_3dm_device_status_diagnostic_gx4_response_codec, response);
 }
 
@@ -4352,10 +4315,10 @@ static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_gx4_re
 static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_imu_response(
     struct mip_device *device, uint16_t model_number,
     struct mip_3dm_device_status_diagnostic_imu_response *response) {
-    uint8_t data[3];
-    mip_put_16(data, (uint16_t)model_number);
-    mip_put_8(data + 2, (uint8_t)MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC);
-    return mip_device_send(device, &mip_3dm_device_status_exchange, data, 3,
+    struct mip_3dm_device_status command;
+    return mip_device_call(device, &mip_3dm_device_status_command,
+                           mip_3dm_device_status_make(&command, model_number,
+                                                      MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC),
                            &mip_3dm_device_status_diagnostic_imu_response_codec, response);
 }
 
@@ -4368,10 +4331,10 @@ static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_imu_re
 static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_gx4_imu_response(
     struct mip_device *device, uint16_t model_number,
     struct mip_3dm_device_status_diagnostic_gx4_imu_response *response) {
-    uint8_t data[3];
-    mip_put_16(data, (uint16_t)model_number);
-    mip_put_8(data + 2, (uint8_t)MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC);
-    return mip_device_send(device, &mip_3dm_device_status_exchange, data, 3,
+    struct mip_3dm_device_status command;
+    return mip_device_call(device, &mip_3dm_device_status_command,
+                           mip_3dm_device_status_make(&command, model_number,
+                                                      MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC),
                            &mip_3dm_device_status_diagnostic_gx4_imu_response_codec, response);
 }
 
@@ -4384,10 +4347,10 @@ static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_gx4_im
 static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_rq1_imu_response(
     struct mip_device *device, uint16_t model_number,
     struct mip_3dm_device_status_diagnostic_rq1_imu_response *response) {
-    uint8_t data[3];
-    mip_put_16(data, (uint16_t)model_number);
-    mip_put_8(data + 2, (uint8_t)MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC);
-    return mip_device_send(device, &mip_3dm_device_status_exchange, data, 3,
+    struct mip_3dm_device_status command;
+    return mip_device_call(device, &mip_3dm_device_status_command,
+                           mip_3dm_device_status_make(&command, model_number,
+                                                      MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC),
                            &mip_3dm_device_status_diagnostic_rq1_imu_response_codec, response);
 }
 
@@ -4400,10 +4363,10 @@ static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_rq1_im
 static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_gx3_response(
     struct mip_device *device, uint16_t model_number,
     struct mip_3dm_device_status_diagnostic_gx3_response *response) {
-    uint8_t data[3];
-    mip_put_16(data, (uint16_t)model_number);
-    mip_put_8(data + 2, (uint8_t)MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC);
-    return mip_device_send(device, &mip_3dm_device_status_exchange, data, 3,
+    struct mip_3dm_device_status command;
+    return mip_device_call(device, &mip_3dm_device_status_command,
+                           mip_3dm_device_status_make(&command, model_number,
+                                                      MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC),
                            &mip_3dm_device_status_diagnostic_gx3_response_codec, response);
 }
 

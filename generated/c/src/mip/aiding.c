@@ -28,22 +28,16 @@ const struct mip_codec mip_aiding_frame_config_codec = {
     0x13, 0x01, MIP_COMMAND,          0,           sizeof(struct mip_aiding_frame_config),
     0,    0,    program_frame_config, &mip_program};
 
-static const uint8_t asked_frame_config_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                               MIP_WHEN_END};
 static const struct mip_response responses_frame_config[] = {
-    {asked_frame_config_1, NULL, 0x81, false},
+    {NULL, 0x81, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_aiding_frame_config_exchange = {0x13,
-                                                              0x01,
-                                                              0,
-                                                              true,
-                                                              sizeof(responses_frame_config) /
-                                                                  sizeof(responses_frame_config[0]),
-                                                              responses_frame_config};
+const struct mip_exchange mip_aiding_frame_config_exchange = {
+    0x13, 0x01, 0, sizeof(responses_frame_config) / sizeof(responses_frame_config[0]),
+    responses_frame_config};
 
-const struct mip_command mip_aiding_frame_config_command = {&mip_aiding_frame_config_codec,
-                                                            &mip_aiding_frame_config_exchange};
+const struct mip_command mip_aiding_frame_config_command = {
+    &mip_aiding_frame_config_codec, &mip_aiding_frame_config_exchange, true};
 
 static const uint8_t program_frame_config_response[] = {
     MIP_8_BITS(3, MIP_AT(struct mip_aiding_frame_config_response, frame_id)),
@@ -80,22 +74,16 @@ const struct mip_codec mip_aiding_echo_control_codec = {
     0x13, 0x1F, MIP_COMMAND,          0,           sizeof(struct mip_aiding_echo_control),
     0,    0,    program_echo_control, &mip_program};
 
-static const uint8_t asked_echo_control_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                               MIP_WHEN_END};
 static const struct mip_response responses_echo_control[] = {
-    {asked_echo_control_1, NULL, 0x9F, false},
+    {NULL, 0x9F, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_aiding_echo_control_exchange = {0x13,
-                                                              0x1F,
-                                                              0,
-                                                              true,
-                                                              sizeof(responses_echo_control) /
-                                                                  sizeof(responses_echo_control[0]),
-                                                              responses_echo_control};
+const struct mip_exchange mip_aiding_echo_control_exchange = {
+    0x13, 0x1F, 0, sizeof(responses_echo_control) / sizeof(responses_echo_control[0]),
+    responses_echo_control};
 
-const struct mip_command mip_aiding_echo_control_command = {&mip_aiding_echo_control_codec,
-                                                            &mip_aiding_echo_control_exchange};
+const struct mip_command mip_aiding_echo_control_command = {
+    &mip_aiding_echo_control_codec, &mip_aiding_echo_control_exchange, true};
 
 static const uint8_t program_echo_control_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_aiding_echo_control_response, mode)),
@@ -127,10 +115,10 @@ const struct mip_codec mip_aiding_ecef_position_codec = {
     0x13, 0x21, MIP_COMMAND,           49,  sizeof(struct mip_aiding_ecef_position),
     0,    0,    program_ecef_position, NULL};
 
-const struct mip_exchange mip_aiding_ecef_position_exchange = {0x13, 0x21, 0, false, 0, NULL};
+const struct mip_exchange mip_aiding_ecef_position_exchange = {0x13, 0x21, 0, 0, NULL};
 
-const struct mip_command mip_aiding_ecef_position_command = {&mip_aiding_ecef_position_codec,
-                                                             &mip_aiding_ecef_position_exchange};
+const struct mip_command mip_aiding_ecef_position_command = {
+    &mip_aiding_ecef_position_codec, &mip_aiding_ecef_position_exchange, false};
 
 static const uint8_t program_llh_position[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_aiding_llh_position, time.timebase)),
@@ -146,10 +134,10 @@ const struct mip_codec mip_aiding_llh_position_codec = {
     0x13, 0x22, MIP_COMMAND,          49,  sizeof(struct mip_aiding_llh_position),
     0,    0,    program_llh_position, NULL};
 
-const struct mip_exchange mip_aiding_llh_position_exchange = {0x13, 0x22, 0, false, 0, NULL};
+const struct mip_exchange mip_aiding_llh_position_exchange = {0x13, 0x22, 0, 0, NULL};
 
-const struct mip_command mip_aiding_llh_position_command = {&mip_aiding_llh_position_codec,
-                                                            &mip_aiding_llh_position_exchange};
+const struct mip_command mip_aiding_llh_position_command = {
+    &mip_aiding_llh_position_codec, &mip_aiding_llh_position_exchange, false};
 
 static const uint8_t program_height_above_ellipsoid[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_aiding_height_above_ellipsoid, time.timebase)),
@@ -171,11 +159,10 @@ const struct mip_codec mip_aiding_height_above_ellipsoid_codec = {
     program_height_above_ellipsoid,
     NULL};
 
-const struct mip_exchange mip_aiding_height_above_ellipsoid_exchange = {0x13,  0x23, 0,
-                                                                        false, 0,    NULL};
+const struct mip_exchange mip_aiding_height_above_ellipsoid_exchange = {0x13, 0x23, 0, 0, NULL};
 
 const struct mip_command mip_aiding_height_above_ellipsoid_command = {
-    &mip_aiding_height_above_ellipsoid_codec, &mip_aiding_height_above_ellipsoid_exchange};
+    &mip_aiding_height_above_ellipsoid_codec, &mip_aiding_height_above_ellipsoid_exchange, false};
 
 static const uint8_t program_ecef_velocity[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_aiding_ecef_velocity, time.timebase)),
@@ -190,10 +177,10 @@ const struct mip_codec mip_aiding_ecef_velocity_codec = {
     0x13, 0x28, MIP_COMMAND,           37,  sizeof(struct mip_aiding_ecef_velocity),
     0,    0,    program_ecef_velocity, NULL};
 
-const struct mip_exchange mip_aiding_ecef_velocity_exchange = {0x13, 0x28, 0, false, 0, NULL};
+const struct mip_exchange mip_aiding_ecef_velocity_exchange = {0x13, 0x28, 0, 0, NULL};
 
-const struct mip_command mip_aiding_ecef_velocity_command = {&mip_aiding_ecef_velocity_codec,
-                                                             &mip_aiding_ecef_velocity_exchange};
+const struct mip_command mip_aiding_ecef_velocity_command = {
+    &mip_aiding_ecef_velocity_codec, &mip_aiding_ecef_velocity_exchange, false};
 
 static const uint8_t program_ned_velocity[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_aiding_ned_velocity, time.timebase)),
@@ -208,10 +195,10 @@ const struct mip_codec mip_aiding_ned_velocity_codec = {
     0x13, 0x29, MIP_COMMAND,          37,  sizeof(struct mip_aiding_ned_velocity),
     0,    0,    program_ned_velocity, NULL};
 
-const struct mip_exchange mip_aiding_ned_velocity_exchange = {0x13, 0x29, 0, false, 0, NULL};
+const struct mip_exchange mip_aiding_ned_velocity_exchange = {0x13, 0x29, 0, 0, NULL};
 
-const struct mip_command mip_aiding_ned_velocity_command = {&mip_aiding_ned_velocity_codec,
-                                                            &mip_aiding_ned_velocity_exchange};
+const struct mip_command mip_aiding_ned_velocity_command = {
+    &mip_aiding_ned_velocity_codec, &mip_aiding_ned_velocity_exchange, false};
 
 static const uint8_t program_body_frame_velocity[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_aiding_body_frame_velocity, time.timebase)),
@@ -233,10 +220,10 @@ const struct mip_codec mip_aiding_body_frame_velocity_codec = {
     program_body_frame_velocity,
     NULL};
 
-const struct mip_exchange mip_aiding_body_frame_velocity_exchange = {0x13, 0x2A, 0, false, 0, NULL};
+const struct mip_exchange mip_aiding_body_frame_velocity_exchange = {0x13, 0x2A, 0, 0, NULL};
 
 const struct mip_command mip_aiding_body_frame_velocity_command = {
-    &mip_aiding_body_frame_velocity_codec, &mip_aiding_body_frame_velocity_exchange};
+    &mip_aiding_body_frame_velocity_codec, &mip_aiding_body_frame_velocity_exchange, false};
 
 static const uint8_t program_true_heading[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_aiding_true_heading, time.timebase)),
@@ -251,10 +238,10 @@ const struct mip_codec mip_aiding_true_heading_codec = {
     0x13, 0x31, MIP_COMMAND,          21,  sizeof(struct mip_aiding_true_heading),
     0,    0,    program_true_heading, NULL};
 
-const struct mip_exchange mip_aiding_true_heading_exchange = {0x13, 0x31, 0, false, 0, NULL};
+const struct mip_exchange mip_aiding_true_heading_exchange = {0x13, 0x31, 0, 0, NULL};
 
-const struct mip_command mip_aiding_true_heading_command = {&mip_aiding_true_heading_codec,
-                                                            &mip_aiding_true_heading_exchange};
+const struct mip_command mip_aiding_true_heading_command = {
+    &mip_aiding_true_heading_codec, &mip_aiding_true_heading_exchange, false};
 
 static const uint8_t program_magnetic_field[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_aiding_magnetic_field, time.timebase)),
@@ -275,10 +262,10 @@ const struct mip_codec mip_aiding_magnetic_field_codec = {0x13,
                                                           program_magnetic_field,
                                                           NULL};
 
-const struct mip_exchange mip_aiding_magnetic_field_exchange = {0x13, 0x32, 0, false, 0, NULL};
+const struct mip_exchange mip_aiding_magnetic_field_exchange = {0x13, 0x32, 0, 0, NULL};
 
-const struct mip_command mip_aiding_magnetic_field_command = {&mip_aiding_magnetic_field_codec,
-                                                              &mip_aiding_magnetic_field_exchange};
+const struct mip_command mip_aiding_magnetic_field_command = {
+    &mip_aiding_magnetic_field_codec, &mip_aiding_magnetic_field_exchange, false};
 
 static const uint8_t program_pressure[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_aiding_pressure, time.timebase)),
@@ -292,7 +279,7 @@ static const uint8_t program_pressure[] = {
 const struct mip_codec mip_aiding_pressure_codec = {
     0x13, 0x33, MIP_COMMAND, 21, sizeof(struct mip_aiding_pressure), 0, 0, program_pressure, NULL};
 
-const struct mip_exchange mip_aiding_pressure_exchange = {0x13, 0x33, 0, false, 0, NULL};
+const struct mip_exchange mip_aiding_pressure_exchange = {0x13, 0x33, 0, 0, NULL};
 
 const struct mip_command mip_aiding_pressure_command = {&mip_aiding_pressure_codec,
-                                                        &mip_aiding_pressure_exchange};
+                                                        &mip_aiding_pressure_exchange, false};

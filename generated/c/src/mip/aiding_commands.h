@@ -72,8 +72,8 @@ static inline struct mip_result mip_call_aiding_frame_config_read(
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
     mip_put_8(data + 1, (uint8_t)frame_id);
     mip_put_8(data + 2, (uint8_t)format);
-    return mip_device_send(device, &mip_aiding_frame_config_exchange, data, 3,
-                           &mip_aiding_frame_config_response_codec, response);
+    return mip_device_request(device, &mip_aiding_frame_config_exchange, data, 3,
+                              &mip_aiding_frame_config_response_codec, response);
 }
 
 /**
@@ -86,7 +86,7 @@ static inline struct mip_result mip_call_aiding_frame_config_save(struct mip_dev
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
     mip_put_8(data + 1, (uint8_t)frame_id);
-    return mip_device_send(device, &mip_aiding_frame_config_exchange, data, 2, NULL, NULL);
+    return mip_device_send(device, &mip_aiding_frame_config_exchange, data, 2);
 }
 
 /**
@@ -99,7 +99,7 @@ static inline struct mip_result mip_call_aiding_frame_config_load(struct mip_dev
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
     mip_put_8(data + 1, (uint8_t)frame_id);
-    return mip_device_send(device, &mip_aiding_frame_config_exchange, data, 2, NULL, NULL);
+    return mip_device_send(device, &mip_aiding_frame_config_exchange, data, 2);
 }
 
 /**
@@ -112,7 +112,7 @@ static inline struct mip_result mip_call_aiding_frame_config_default(struct mip_
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
     mip_put_8(data + 1, (uint8_t)frame_id);
-    return mip_device_send(device, &mip_aiding_frame_config_exchange, data, 2, NULL, NULL);
+    return mip_device_send(device, &mip_aiding_frame_config_exchange, data, 2);
 }
 
 /**
@@ -153,7 +153,7 @@ static inline struct mip_result mip_call_aiding_echo_control_write(struct mip_de
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
     mip_put_8(data + 1, (uint8_t)mode);
-    return mip_device_send(device, &mip_aiding_echo_control_exchange, data, 2, NULL, NULL);
+    return mip_device_send(device, &mip_aiding_echo_control_exchange, data, 2);
 }
 
 /** Echo control: read. Return the current setting in a response. See mip_device_call. */
@@ -161,29 +161,29 @@ static inline struct mip_result mip_call_aiding_echo_control_read(
     struct mip_device *device, struct mip_aiding_echo_control_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_aiding_echo_control_exchange, data, 1,
-                           &mip_aiding_echo_control_response_codec, response);
+    return mip_device_request(device, &mip_aiding_echo_control_exchange, data, 1,
+                              &mip_aiding_echo_control_response_codec, response);
 }
 
 /** Echo control: save. Save the current setting to non-volatile memory. See mip_device_call. */
 static inline struct mip_result mip_call_aiding_echo_control_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_aiding_echo_control_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_aiding_echo_control_exchange, data, 1);
 }
 
 /** Echo control: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_aiding_echo_control_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_aiding_echo_control_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_aiding_echo_control_exchange, data, 1);
 }
 
 /** Echo control: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result mip_call_aiding_echo_control_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_aiding_echo_control_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_aiding_echo_control_exchange, data, 1);
 }
 
 /**

@@ -10,9 +10,10 @@ static const uint8_t program_ping[] = {
 const struct mip_codec mip_base_ping_codec = {
     0x01, 0x01, MIP_COMMAND, 0, sizeof(struct mip_base_ping), 0, 0, program_ping, NULL};
 
-const struct mip_exchange mip_base_ping_exchange = {0x01, 0x01, 0, false, 0, NULL};
+const struct mip_exchange mip_base_ping_exchange = {0x01, 0x01, 0, 0, NULL};
 
-const struct mip_command mip_base_ping_command = {&mip_base_ping_codec, &mip_base_ping_exchange};
+const struct mip_command mip_base_ping_command = {&mip_base_ping_codec, &mip_base_ping_exchange,
+                                                  false};
 
 static const uint8_t program_set_idle[] = {
     MIP_END,
@@ -21,10 +22,10 @@ static const uint8_t program_set_idle[] = {
 const struct mip_codec mip_base_set_idle_codec = {
     0x01, 0x02, MIP_COMMAND, 0, sizeof(struct mip_base_set_idle), 0, 0, program_set_idle, NULL};
 
-const struct mip_exchange mip_base_set_idle_exchange = {0x01, 0x02, 0, false, 0, NULL};
+const struct mip_exchange mip_base_set_idle_exchange = {0x01, 0x02, 0, 0, NULL};
 
 const struct mip_command mip_base_set_idle_command = {&mip_base_set_idle_codec,
-                                                      &mip_base_set_idle_exchange};
+                                                      &mip_base_set_idle_exchange, false};
 
 static const uint8_t program_get_device_info[] = {
     MIP_END,
@@ -41,19 +42,15 @@ const struct mip_codec mip_base_get_device_info_codec = {0x01,
                                                          NULL};
 
 static const struct mip_response responses_get_device_info[] = {
-    {NULL, NULL, 0x81, false},
+    {NULL, 0x81, 0, MIP_NOT_ZERO, false},
 };
 
 const struct mip_exchange mip_base_get_device_info_exchange = {
-    0x01,
-    0x03,
-    0,
-    false,
-    sizeof(responses_get_device_info) / sizeof(responses_get_device_info[0]),
+    0x01, 0x03, 0, sizeof(responses_get_device_info) / sizeof(responses_get_device_info[0]),
     responses_get_device_info};
 
-const struct mip_command mip_base_get_device_info_command = {&mip_base_get_device_info_codec,
-                                                             &mip_base_get_device_info_exchange};
+const struct mip_command mip_base_get_device_info_command = {
+    &mip_base_get_device_info_codec, &mip_base_get_device_info_exchange, false};
 
 static const uint8_t program_get_device_info_response[] = {
     MIP_16_BITS(1, MIP_AT(struct mip_base_get_device_info_response, device_info.firmware_version)),
@@ -92,19 +89,16 @@ const struct mip_codec mip_base_get_device_descriptors_codec = {
     NULL};
 
 static const struct mip_response responses_get_device_descriptors[] = {
-    {NULL, NULL, 0x82, false},
+    {NULL, 0x82, 0, MIP_NOT_ZERO, false},
 };
 
 const struct mip_exchange mip_base_get_device_descriptors_exchange = {
-    0x01,
-    0x04,
-    0,
-    false,
+    0x01, 0x04, 0,
     sizeof(responses_get_device_descriptors) / sizeof(responses_get_device_descriptors[0]),
     responses_get_device_descriptors};
 
 const struct mip_command mip_base_get_device_descriptors_command = {
-    &mip_base_get_device_descriptors_codec, &mip_base_get_device_descriptors_exchange};
+    &mip_base_get_device_descriptors_codec, &mip_base_get_device_descriptors_exchange, false};
 
 static const uint8_t program_get_device_descriptors_response[] = {
     MIP_REST(126, 2, MIP_AT(struct mip_base_get_device_descriptors_response, descriptors_count)),
@@ -132,19 +126,15 @@ const struct mip_codec mip_base_built_in_test_codec = {
     0,    0,    program_built_in_test, NULL};
 
 static const struct mip_response responses_built_in_test[] = {
-    {NULL, NULL, 0x83, false},
+    {NULL, 0x83, 0, MIP_NOT_ZERO, false},
 };
 
-const struct mip_exchange mip_base_built_in_test_exchange = {0x01,
-                                                             0x05,
-                                                             10000,
-                                                             false,
-                                                             sizeof(responses_built_in_test) /
-                                                                 sizeof(responses_built_in_test[0]),
-                                                             responses_built_in_test};
+const struct mip_exchange mip_base_built_in_test_exchange = {
+    0x01, 0x05, 40, sizeof(responses_built_in_test) / sizeof(responses_built_in_test[0]),
+    responses_built_in_test};
 
 const struct mip_command mip_base_built_in_test_command = {&mip_base_built_in_test_codec,
-                                                           &mip_base_built_in_test_exchange};
+                                                           &mip_base_built_in_test_exchange, false};
 
 static const uint8_t program_built_in_test_response[] = {
     MIP_32_BITS(1, MIP_AT(struct mip_base_built_in_test_response, result)),
@@ -169,10 +159,10 @@ static const uint8_t program_resume[] = {
 const struct mip_codec mip_base_resume_codec = {
     0x01, 0x06, MIP_COMMAND, 0, sizeof(struct mip_base_resume), 0, 0, program_resume, NULL};
 
-const struct mip_exchange mip_base_resume_exchange = {0x01, 0x06, 0, false, 0, NULL};
+const struct mip_exchange mip_base_resume_exchange = {0x01, 0x06, 0, 0, NULL};
 
 const struct mip_command mip_base_resume_command = {&mip_base_resume_codec,
-                                                    &mip_base_resume_exchange};
+                                                    &mip_base_resume_exchange, false};
 
 static const uint8_t program_get_extended_descriptors[] = {
     MIP_END,
@@ -190,19 +180,16 @@ const struct mip_codec mip_base_get_extended_descriptors_codec = {
     NULL};
 
 static const struct mip_response responses_get_extended_descriptors[] = {
-    {NULL, NULL, 0x86, false},
+    {NULL, 0x86, 0, MIP_NOT_ZERO, false},
 };
 
 const struct mip_exchange mip_base_get_extended_descriptors_exchange = {
-    0x01,
-    0x07,
-    0,
-    false,
+    0x01, 0x07, 0,
     sizeof(responses_get_extended_descriptors) / sizeof(responses_get_extended_descriptors[0]),
     responses_get_extended_descriptors};
 
 const struct mip_command mip_base_get_extended_descriptors_command = {
-    &mip_base_get_extended_descriptors_codec, &mip_base_get_extended_descriptors_exchange};
+    &mip_base_get_extended_descriptors_codec, &mip_base_get_extended_descriptors_exchange, false};
 
 static const uint8_t program_get_extended_descriptors_response[] = {
     MIP_REST(126, 2, MIP_AT(struct mip_base_get_extended_descriptors_response, descriptors_count)),
@@ -237,19 +224,16 @@ const struct mip_codec mip_base_continuous_built_in_test_codec = {
     NULL};
 
 static const struct mip_response responses_continuous_built_in_test[] = {
-    {NULL, NULL, 0x88, false},
+    {NULL, 0x88, 0, MIP_NOT_ZERO, false},
 };
 
 const struct mip_exchange mip_base_continuous_built_in_test_exchange = {
-    0x01,
-    0x08,
-    0,
-    false,
+    0x01, 0x08, 0,
     sizeof(responses_continuous_built_in_test) / sizeof(responses_continuous_built_in_test[0]),
     responses_continuous_built_in_test};
 
 const struct mip_command mip_base_continuous_built_in_test_command = {
-    &mip_base_continuous_built_in_test_codec, &mip_base_continuous_built_in_test_exchange};
+    &mip_base_continuous_built_in_test_codec, &mip_base_continuous_built_in_test_exchange, false};
 
 static const uint8_t program_continuous_built_in_test_response[] = {
     MIP_8_BITS(16, MIP_AT(struct mip_base_continuous_built_in_test_response, result)),
@@ -280,21 +264,16 @@ const struct mip_codec mip_base_comm_speed_codec = {
     0x01, 0x09, MIP_COMMAND,        0,           sizeof(struct mip_base_comm_speed),
     0,    0,    program_comm_speed, &mip_program};
 
-static const uint8_t asked_comm_speed_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_comm_speed[] = {
-    {asked_comm_speed_1, NULL, 0x89, false},
+    {NULL, 0x89, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_base_comm_speed_exchange = {0x01,
-                                                          0x09,
-                                                          0,
-                                                          true,
-                                                          sizeof(responses_comm_speed) /
-                                                              sizeof(responses_comm_speed[0]),
-                                                          responses_comm_speed};
+const struct mip_exchange mip_base_comm_speed_exchange = {
+    0x01, 0x09, 0, sizeof(responses_comm_speed) / sizeof(responses_comm_speed[0]),
+    responses_comm_speed};
 
 const struct mip_command mip_base_comm_speed_command = {&mip_base_comm_speed_codec,
-                                                        &mip_base_comm_speed_exchange};
+                                                        &mip_base_comm_speed_exchange, true};
 
 static const uint8_t program_comm_speed_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_base_comm_speed_response, port)),
@@ -332,28 +311,20 @@ const struct mip_codec mip_base_gps_time_update_codec = {0x01,
                                                          program_gps_time_update,
                                                          &mip_program};
 
-static const uint8_t asked_gps_time_update_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_APPLY),
-                                                  MIP_WHEN_END};
-static const uint8_t asked_gps_time_update_2[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                  MIP_WHEN(1, 1), MIP_WHEN_END};
-static const uint8_t asked_gps_time_update_3[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                  MIP_WHEN(1, 2), MIP_WHEN_END};
 static const struct mip_response responses_gps_time_update[] = {
-    {asked_gps_time_update_1, NULL, 0, false},
-    {asked_gps_time_update_2, NULL, 0x84, false},
-    {asked_gps_time_update_3, NULL, 0x85, false},
+    {NULL, 0x00, 2, MIP_FUNCTION_SELECTOR_APPLY, false},
+    {NULL, 0x84, 2, MIP_FUNCTION_SELECTOR_READ, true},
+    {NULL, 0x84, 3, 1, false},
+    {NULL, 0x85, 2, MIP_FUNCTION_SELECTOR_READ, true},
+    {NULL, 0x85, 3, 2, false},
 };
 
 const struct mip_exchange mip_base_gps_time_update_exchange = {
-    0x01,
-    0x72,
-    0,
-    true,
-    sizeof(responses_gps_time_update) / sizeof(responses_gps_time_update[0]),
+    0x01, 0x72, 0, sizeof(responses_gps_time_update) / sizeof(responses_gps_time_update[0]),
     responses_gps_time_update};
 
-const struct mip_command mip_base_gps_time_update_command = {&mip_base_gps_time_update_codec,
-                                                             &mip_base_gps_time_update_exchange};
+const struct mip_command mip_base_gps_time_update_command = {
+    &mip_base_gps_time_update_codec, &mip_base_gps_time_update_exchange, true};
 
 static const uint8_t program_gps_time_update_week_number_response[] = {
     MIP_32_BITS(1, MIP_AT(struct mip_base_gps_time_update_week_number_response, week_number)),
@@ -394,7 +365,7 @@ static const uint8_t program_soft_reset[] = {
 const struct mip_codec mip_base_soft_reset_codec = {
     0x01, 0x7E, MIP_COMMAND, 0, sizeof(struct mip_base_soft_reset), 0, 0, program_soft_reset, NULL};
 
-const struct mip_exchange mip_base_soft_reset_exchange = {0x01, 0x7E, 0, false, 0, NULL};
+const struct mip_exchange mip_base_soft_reset_exchange = {0x01, 0x7E, 0, 0, NULL};
 
 const struct mip_command mip_base_soft_reset_command = {&mip_base_soft_reset_codec,
-                                                        &mip_base_soft_reset_exchange};
+                                                        &mip_base_soft_reset_exchange, false};

@@ -32,7 +32,7 @@ static inline mip_error mip_send_base_ping(struct mip_client *client, struct mip
 
 /** Ping. See mip_device_call. */
 static inline struct mip_result mip_call_base_ping(struct mip_device *device) {
-    return mip_device_send(device, &mip_base_ping_exchange, NULL, 0, NULL, NULL);
+    return mip_device_send(device, &mip_base_ping_exchange, MIP_NO_DATA(mip_base_ping_exchange), 0);
 }
 
 /** What the client knows of the command. */
@@ -50,7 +50,8 @@ static inline mip_error mip_send_base_set_idle(struct mip_client *client,
 
 /** Set to idle. See mip_device_call. */
 static inline struct mip_result mip_call_base_set_idle(struct mip_device *device) {
-    return mip_device_send(device, &mip_base_set_idle_exchange, NULL, 0, NULL, NULL);
+    return mip_device_send(device, &mip_base_set_idle_exchange,
+                           MIP_NO_DATA(mip_base_set_idle_exchange), 0);
 }
 
 /** What the client knows of the command. */
@@ -72,8 +73,9 @@ static inline mip_error mip_send_base_get_device_info(
 /** Get device information. See mip_device_call. */
 static inline struct mip_result mip_call_base_get_device_info(
     struct mip_device *device, struct mip_base_get_device_info_response *response) {
-    return mip_device_send(device, &mip_base_get_device_info_exchange, NULL, 0,
-                           &mip_base_get_device_info_response_codec, response);
+    return mip_device_request(device, &mip_base_get_device_info_exchange,
+                              MIP_NO_DATA(mip_base_get_device_info_exchange), 0,
+                              &mip_base_get_device_info_response_codec, response);
 }
 
 /** What the client knows of the command. */
@@ -95,8 +97,9 @@ static inline mip_error mip_send_base_get_device_descriptors(
 /** Get device descriptors. See mip_device_call. */
 static inline struct mip_result mip_call_base_get_device_descriptors(
     struct mip_device *device, struct mip_base_get_device_descriptors_response *response) {
-    return mip_device_send(device, &mip_base_get_device_descriptors_exchange, NULL, 0,
-                           &mip_base_get_device_descriptors_response_codec, response);
+    return mip_device_request(device, &mip_base_get_device_descriptors_exchange,
+                              MIP_NO_DATA(mip_base_get_device_descriptors_exchange), 0,
+                              &mip_base_get_device_descriptors_response_codec, response);
 }
 
 /** What the client knows of the command. */
@@ -118,8 +121,9 @@ static inline mip_error mip_send_base_built_in_test(
 /** Built-in test. See mip_device_call. */
 static inline struct mip_result mip_call_base_built_in_test(
     struct mip_device *device, struct mip_base_built_in_test_response *response) {
-    return mip_device_send(device, &mip_base_built_in_test_exchange, NULL, 0,
-                           &mip_base_built_in_test_response_codec, response);
+    return mip_device_request(device, &mip_base_built_in_test_exchange,
+                              MIP_NO_DATA(mip_base_built_in_test_exchange), 0,
+                              &mip_base_built_in_test_response_codec, response);
 }
 
 /** What the client knows of the command. */
@@ -136,7 +140,8 @@ static inline mip_error mip_send_base_resume(struct mip_client *client, struct m
 
 /** Resume. See mip_device_call. */
 static inline struct mip_result mip_call_base_resume(struct mip_device *device) {
-    return mip_device_send(device, &mip_base_resume_exchange, NULL, 0, NULL, NULL);
+    return mip_device_send(device, &mip_base_resume_exchange, MIP_NO_DATA(mip_base_resume_exchange),
+                           0);
 }
 
 /** What the client knows of the command. */
@@ -159,8 +164,9 @@ static inline mip_error mip_send_base_get_extended_descriptors(
 /** Get device descriptors (extended). See mip_device_call. */
 static inline struct mip_result mip_call_base_get_extended_descriptors(
     struct mip_device *device, struct mip_base_get_extended_descriptors_response *response) {
-    return mip_device_send(device, &mip_base_get_extended_descriptors_exchange, NULL, 0,
-                           &mip_base_get_extended_descriptors_response_codec, response);
+    return mip_device_request(device, &mip_base_get_extended_descriptors_exchange,
+                              MIP_NO_DATA(mip_base_get_extended_descriptors_exchange), 0,
+                              &mip_base_get_extended_descriptors_response_codec, response);
 }
 
 /** What the client knows of the command. */
@@ -182,8 +188,9 @@ static inline mip_error mip_send_base_continuous_built_in_test(
 /** Continuous built-in test. See mip_device_call. */
 static inline struct mip_result mip_call_base_continuous_built_in_test(
     struct mip_device *device, struct mip_base_continuous_built_in_test_response *response) {
-    return mip_device_send(device, &mip_base_continuous_built_in_test_exchange, NULL, 0,
-                           &mip_base_continuous_built_in_test_response_codec, response);
+    return mip_device_request(device, &mip_base_continuous_built_in_test_exchange,
+                              MIP_NO_DATA(mip_base_continuous_built_in_test_exchange), 0,
+                              &mip_base_continuous_built_in_test_response_codec, response);
 }
 
 /** What the client knows of the command. */
@@ -226,7 +233,7 @@ static inline struct mip_result mip_call_base_comm_speed_write(struct mip_device
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
     mip_put_8(data + 1, (uint8_t)port);
     mip_put_32(data + 2, (uint32_t)baud);
-    return mip_device_send(device, &mip_base_comm_speed_exchange, data, 6, NULL, NULL);
+    return mip_device_send(device, &mip_base_comm_speed_exchange, data, 6);
 }
 
 /**
@@ -248,8 +255,8 @@ static inline struct mip_result mip_call_base_comm_speed_read(
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
     mip_put_8(data + 1, (uint8_t)port);
-    return mip_device_send(device, &mip_base_comm_speed_exchange, data, 2,
-                           &mip_base_comm_speed_response_codec, response);
+    return mip_device_request(device, &mip_base_comm_speed_exchange, data, 2,
+                              &mip_base_comm_speed_response_codec, response);
 }
 
 /**
@@ -271,7 +278,7 @@ static inline struct mip_result mip_call_base_comm_speed_save(struct mip_device 
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
     mip_put_8(data + 1, (uint8_t)port);
-    return mip_device_send(device, &mip_base_comm_speed_exchange, data, 2, NULL, NULL);
+    return mip_device_send(device, &mip_base_comm_speed_exchange, data, 2);
 }
 
 /**
@@ -293,7 +300,7 @@ static inline struct mip_result mip_call_base_comm_speed_load(struct mip_device 
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
     mip_put_8(data + 1, (uint8_t)port);
-    return mip_device_send(device, &mip_base_comm_speed_exchange, data, 2, NULL, NULL);
+    return mip_device_send(device, &mip_base_comm_speed_exchange, data, 2);
 }
 
 /**
@@ -315,7 +322,7 @@ static inline struct mip_result mip_call_base_comm_speed_default(struct mip_devi
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
     mip_put_8(data + 1, (uint8_t)port);
-    return mip_device_send(device, &mip_base_comm_speed_exchange, data, 2, NULL, NULL);
+    return mip_device_send(device, &mip_base_comm_speed_exchange, data, 2);
 }
 
 /**
@@ -380,7 +387,7 @@ static inline struct mip_result mip_call_base_gps_time_update_write(
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
     mip_put_8(data + 1, (uint8_t)field_id);
     mip_put_32(data + 2, (uint32_t)value);
-    return mip_device_send(device, &mip_base_gps_time_update_exchange, data, 6, NULL, NULL);
+    return mip_device_send(device, &mip_base_gps_time_update_exchange, data, 6);
 }
 
 /**
@@ -390,10 +397,9 @@ static inline struct mip_result mip_call_base_gps_time_update_write(
  */
 static inline struct mip_result mip_call_base_gps_time_update_read(
     struct mip_device *device, enum mip_base_gps_time_field field_id) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    mip_put_8(data + 1, (uint8_t)field_id);
-    return mip_device_send(device, &mip_base_gps_time_update_exchange, data, 2, NULL, NULL);
+    struct mip_base_gps_time_update command;
+    return mip_device_call(device, &mip_base_gps_time_update_command,
+                           mip_base_gps_time_update_read(&command, field_id), NULL, NULL);
 }
 
 /**
@@ -402,11 +408,11 @@ static inline struct mip_result mip_call_base_gps_time_update_read(
  */
 static inline struct mip_result mip_call_for_base_gps_time_update_week_number_response_read(
     struct mip_device *device, struct mip_base_gps_time_update_week_number_response *response) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    mip_put_8(data + 1, (uint8_t)MIP_BASE_GPS_TIME_FIELD_WEEK_NUMBER);
-    return mip_device_send(device, &mip_base_gps_time_update_exchange, data, 2,
-                           &mip_base_gps_time_update_week_number_response_codec, response);
+    struct mip_base_gps_time_update command;
+    return mip_device_call(
+        device, &mip_base_gps_time_update_command,
+        mip_base_gps_time_update_read(&command, MIP_BASE_GPS_TIME_FIELD_WEEK_NUMBER),
+        &mip_base_gps_time_update_week_number_response_codec, response);
 }
 
 /**
@@ -415,10 +421,9 @@ static inline struct mip_result mip_call_for_base_gps_time_update_week_number_re
  */
 static inline struct mip_result mip_call_for_base_gps_time_update_tow_response_read(
     struct mip_device *device, struct mip_base_gps_time_update_tow_response *response) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    mip_put_8(data + 1, (uint8_t)MIP_BASE_GPS_TIME_FIELD_TOW);
-    return mip_device_send(device, &mip_base_gps_time_update_exchange, data, 2,
+    struct mip_base_gps_time_update command;
+    return mip_device_call(device, &mip_base_gps_time_update_command,
+                           mip_base_gps_time_update_read(&command, MIP_BASE_GPS_TIME_FIELD_TOW),
                            &mip_base_gps_time_update_tow_response_codec, response);
 }
 
@@ -433,11 +438,9 @@ static inline struct mip_result mip_call_for_base_gps_time_update_tow_response_r
  */
 static inline struct mip_result mip_call_base_gps_time_update_apply(
     struct mip_device *device, enum mip_base_gps_time_field field_id, uint32_t value) {
-    uint8_t data[6];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_APPLY);
-    mip_put_8(data + 1, (uint8_t)field_id);
-    mip_put_32(data + 2, (uint32_t)value);
-    return mip_device_send(device, &mip_base_gps_time_update_exchange, data, 6, NULL, NULL);
+    struct mip_base_gps_time_update command;
+    return mip_device_call(device, &mip_base_gps_time_update_command,
+                           mip_base_gps_time_update_apply(&command, field_id, value), NULL, NULL);
 }
 
 /**
@@ -464,7 +467,8 @@ static inline mip_error mip_send_base_soft_reset(struct mip_client *client,
 
 /** Reset device. See mip_device_call. */
 static inline struct mip_result mip_call_base_soft_reset(struct mip_device *device) {
-    return mip_device_send(device, &mip_base_soft_reset_exchange, NULL, 0, NULL, NULL);
+    return mip_device_send(device, &mip_base_soft_reset_exchange,
+                           MIP_NO_DATA(mip_base_soft_reset_exchange), 0);
 }
 
 /** @} */

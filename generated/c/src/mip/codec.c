@@ -199,8 +199,10 @@ bool mip_codec_belongs(const struct mip_codec *codec, uint8_t descriptor_set) {
 
 bool mip_codec_matches(const struct mip_codec *codec, const struct mip_field *field) {
     const struct mip_interpreter *interpreter = codec->interpreter;
-    return interpreter == NULL || interpreter->matches == NULL ||
-           interpreter->matches(codec, field);
+    if (interpreter == NULL || interpreter->matches == NULL) {
+        return true;
+    }
+    return interpreter->matches(codec, field);
 }
 
 /** Is it this field? MIP_OK, or why it is another one. */

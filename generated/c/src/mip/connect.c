@@ -10,8 +10,8 @@ static const uint32_t bauds[] = {115200, 3000000, 921600, 460800, 230400,
                                  57600,  38400,   19200,  9600,   4800};
 
 /** A packet: something has been heard. */
-static void hear(void *user, const struct mip_device *device) {
-    (void)device;
+static void hear(void *user, const struct mip_device *device, bool ends) {
+    (void)device, (void)ends;
     *(bool *)user = true;
 }
 

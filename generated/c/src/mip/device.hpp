@@ -124,11 +124,12 @@ template <class Command, class Response, std::uint8_t... Function> struct fixed_
 
     /** Sends it, and waits for the answer. */
     mip_result call(mip_device *device) const {
-        return send(device, nullptr, nullptr);
+        return mip_device_send(device, &exchange<Command>::answers(), data, sizeof...(Function));
     }
     template <class T> mip_result call(mip_device *device, T *to) const {
         c_type<T> *answer = to;
-        return send(device, &traits<T>::codec(), answer);
+        return mip_device_request(device, &exchange<Command>::answers(), data, sizeof...(Function),
+                                  &traits<T>::codec(), answer);
     }
     /** The structure of C. */
     const command *fill(command *to) const {
@@ -138,12 +139,7 @@ template <class Command, class Response, std::uint8_t... Function> struct fixed_
     }
 
   private:
-    static mip_result send(mip_device *device, const mip_codec *codec, void *answer) {
-        static constexpr std::uint8_t data[] = {Function..., 0};
-        return mip_device_send(device, &exchange<Command>::answers(),
-                               sizeof...(Function) > 0 ? data : nullptr, sizeof...(Function), codec,
-                               answer);
-    }
+    static constexpr std::uint8_t data[] = {Function..., 0};
 };
 
 /* ----------------------------------------------------------------------------------------- ports

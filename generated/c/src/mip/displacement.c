@@ -19,19 +19,15 @@ const struct mip_codec mip_displacement_get_calibration_codec = {
     NULL};
 
 static const struct mip_response responses_get_calibration[] = {
-    {NULL, NULL, 0x81, false},
+    {NULL, 0x81, 0, MIP_NOT_ZERO, false},
 };
 
 const struct mip_exchange mip_displacement_get_calibration_exchange = {
-    0x11,
-    0x01,
-    0,
-    false,
-    sizeof(responses_get_calibration) / sizeof(responses_get_calibration[0]),
+    0x11, 0x01, 0, sizeof(responses_get_calibration) / sizeof(responses_get_calibration[0]),
     responses_get_calibration};
 
 const struct mip_command mip_displacement_get_calibration_command = {
-    &mip_displacement_get_calibration_codec, &mip_displacement_get_calibration_exchange};
+    &mip_displacement_get_calibration_codec, &mip_displacement_get_calibration_exchange, false};
 
 static const uint8_t program_get_calibration_response[] = {
     MIP_32_BITS(2, MIP_AT(struct mip_displacement_get_calibration_response, slope)),
@@ -58,22 +54,16 @@ const struct mip_codec mip_displacement_output_rate_codec = {
     0x11, 0x02, MIP_COMMAND,         1,   sizeof(struct mip_displacement_output_rate),
     0,    0,    program_output_rate, NULL};
 
-static const uint8_t asked_output_rate_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                              MIP_WHEN_END};
 static const struct mip_response responses_output_rate[] = {
-    {asked_output_rate_1, NULL, 0x82, false},
+    {NULL, 0x82, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_displacement_output_rate_exchange = {
-    0x11,
-    0x02,
-    0,
-    true,
-    sizeof(responses_output_rate) / sizeof(responses_output_rate[0]),
+    0x11, 0x02, 0, sizeof(responses_output_rate) / sizeof(responses_output_rate[0]),
     responses_output_rate};
 
 const struct mip_command mip_displacement_output_rate_command = {
-    &mip_displacement_output_rate_codec, &mip_displacement_output_rate_exchange};
+    &mip_displacement_output_rate_codec, &mip_displacement_output_rate_exchange, true};
 
 static const uint8_t program_output_rate_response[] = {
     MIP_32_BITS(1, MIP_AT(struct mip_displacement_output_rate_response, rate)),
@@ -102,7 +92,7 @@ const struct mip_codec mip_displacement_device_time_codec = {
     0x11, 0x04, MIP_COMMAND,         0,           sizeof(struct mip_displacement_device_time),
     0,    0,    program_device_time, &mip_program};
 
-const struct mip_exchange mip_displacement_device_time_exchange = {0x11, 0x04, 0, true, 0, NULL};
+const struct mip_exchange mip_displacement_device_time_exchange = {0x11, 0x04, 0, 0, NULL};
 
 const struct mip_command mip_displacement_device_time_command = {
-    &mip_displacement_device_time_codec, &mip_displacement_device_time_exchange};
+    &mip_displacement_device_time_codec, &mip_displacement_device_time_exchange, true};

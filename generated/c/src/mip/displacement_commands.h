@@ -39,8 +39,9 @@ static inline mip_error mip_send_displacement_get_calibration(
 /** Get Analog to Displacement Calibration. See mip_device_call. */
 static inline struct mip_result mip_call_displacement_get_calibration(
     struct mip_device *device, struct mip_displacement_get_calibration_response *response) {
-    return mip_device_send(device, &mip_displacement_get_calibration_exchange, NULL, 0,
-                           &mip_displacement_get_calibration_response_codec, response);
+    return mip_device_request(device, &mip_displacement_get_calibration_exchange,
+                              MIP_NO_DATA(mip_displacement_get_calibration_exchange), 0,
+                              &mip_displacement_get_calibration_response_codec, response);
 }
 
 /** What the client knows of the command. */
@@ -68,8 +69,8 @@ static inline struct mip_result mip_call_displacement_output_rate_read(
     struct mip_device *device, struct mip_displacement_output_rate_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_displacement_output_rate_exchange, data, 1,
-                           &mip_displacement_output_rate_response_codec, response);
+    return mip_device_request(device, &mip_displacement_output_rate_exchange, data, 1,
+                              &mip_displacement_output_rate_response_codec, response);
 }
 
 /**
@@ -109,7 +110,7 @@ static inline struct mip_result mip_call_displacement_device_time_write(struct m
     uint8_t data[9];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
     mip_put_64(data + 1, (uint64_t)time);
-    return mip_device_send(device, &mip_displacement_device_time_exchange, data, 9, NULL, NULL);
+    return mip_device_send(device, &mip_displacement_device_time_exchange, data, 9);
 }
 
 /**

@@ -10,10 +10,10 @@ static const uint8_t program_reset[] = {
 const struct mip_codec mip_filter_reset_codec = {
     0x0D, 0x01, MIP_COMMAND, 0, sizeof(struct mip_filter_reset), 0, 0, program_reset, NULL};
 
-const struct mip_exchange mip_filter_reset_exchange = {0x0D, 0x01, 0, false, 0, NULL};
+const struct mip_exchange mip_filter_reset_exchange = {0x0D, 0x01, 0, 0, NULL};
 
 const struct mip_command mip_filter_reset_command = {&mip_filter_reset_codec,
-                                                     &mip_filter_reset_exchange};
+                                                     &mip_filter_reset_exchange, false};
 
 static const uint8_t program_set_initial_attitude[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_set_initial_attitude, roll)),
@@ -31,11 +31,10 @@ const struct mip_codec mip_filter_set_initial_attitude_codec = {
     program_set_initial_attitude,
     NULL};
 
-const struct mip_exchange mip_filter_set_initial_attitude_exchange = {0x0D,  0x02, 0,
-                                                                      false, 0,    NULL};
+const struct mip_exchange mip_filter_set_initial_attitude_exchange = {0x0D, 0x02, 0, 0, NULL};
 
 const struct mip_command mip_filter_set_initial_attitude_command = {
-    &mip_filter_set_initial_attitude_codec, &mip_filter_set_initial_attitude_exchange};
+    &mip_filter_set_initial_attitude_codec, &mip_filter_set_initial_attitude_exchange, false};
 
 static const uint8_t program_set_initial_heading[] = {
     MIP_32_BITS(1, MIP_AT(struct mip_filter_set_initial_heading, heading)),
@@ -53,10 +52,10 @@ const struct mip_codec mip_filter_set_initial_heading_codec = {
     program_set_initial_heading,
     NULL};
 
-const struct mip_exchange mip_filter_set_initial_heading_exchange = {0x0D, 0x03, 0, false, 0, NULL};
+const struct mip_exchange mip_filter_set_initial_heading_exchange = {0x0D, 0x03, 0, 0, NULL};
 
 const struct mip_command mip_filter_set_initial_heading_command = {
-    &mip_filter_set_initial_heading_codec, &mip_filter_set_initial_heading_exchange};
+    &mip_filter_set_initial_heading_codec, &mip_filter_set_initial_heading_exchange, false};
 
 static const uint8_t program_set_initial_attitude_from_imu[] = {
     MIP_32_BITS(1, MIP_AT(struct mip_filter_set_initial_attitude_from_imu, declination)),
@@ -74,12 +73,12 @@ const struct mip_codec mip_filter_set_initial_attitude_from_imu_codec = {
     program_set_initial_attitude_from_imu,
     NULL};
 
-const struct mip_exchange mip_filter_set_initial_attitude_from_imu_exchange = {0x0D,  0x04, 0,
-                                                                               false, 0,    NULL};
+const struct mip_exchange mip_filter_set_initial_attitude_from_imu_exchange = {0x0D, 0x04, 0, 0,
+                                                                               NULL};
 
 const struct mip_command mip_filter_set_initial_attitude_from_imu_command = {
     &mip_filter_set_initial_attitude_from_imu_codec,
-    &mip_filter_set_initial_attitude_from_imu_exchange};
+    &mip_filter_set_initial_attitude_from_imu_exchange, false};
 
 static const uint8_t program_run[] = {
     MIP_END,
@@ -88,9 +87,10 @@ static const uint8_t program_run[] = {
 const struct mip_codec mip_filter_run_codec = {
     0x0D, 0x05, MIP_COMMAND, 0, sizeof(struct mip_filter_run), 0, 0, program_run, NULL};
 
-const struct mip_exchange mip_filter_run_exchange = {0x0D, 0x05, 0, false, 0, NULL};
+const struct mip_exchange mip_filter_run_exchange = {0x0D, 0x05, 0, 0, NULL};
 
-const struct mip_command mip_filter_run_command = {&mip_filter_run_codec, &mip_filter_run_exchange};
+const struct mip_command mip_filter_run_command = {&mip_filter_run_codec, &mip_filter_run_exchange,
+                                                   false};
 
 static const uint8_t program_vehicle_dynamics_mode[] = {
     MIP_REQUIRED(1, 1),
@@ -110,22 +110,17 @@ const struct mip_codec mip_filter_vehicle_dynamics_mode_codec = {
     program_vehicle_dynamics_mode,
     &mip_program};
 
-static const uint8_t asked_vehicle_dynamics_mode_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                        MIP_WHEN_END};
 static const struct mip_response responses_vehicle_dynamics_mode[] = {
-    {asked_vehicle_dynamics_mode_1, NULL, 0x80, false},
+    {NULL, 0x80, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_filter_vehicle_dynamics_mode_exchange = {
-    0x0D,
-    0x10,
-    0,
-    true,
+    0x0D, 0x10, 0,
     sizeof(responses_vehicle_dynamics_mode) / sizeof(responses_vehicle_dynamics_mode[0]),
     responses_vehicle_dynamics_mode};
 
 const struct mip_command mip_filter_vehicle_dynamics_mode_command = {
-    &mip_filter_vehicle_dynamics_mode_codec, &mip_filter_vehicle_dynamics_mode_exchange};
+    &mip_filter_vehicle_dynamics_mode_codec, &mip_filter_vehicle_dynamics_mode_exchange, true};
 
 static const uint8_t program_vehicle_dynamics_mode_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_vehicle_dynamics_mode_response, mode)),
@@ -165,24 +160,19 @@ const struct mip_codec mip_filter_sensor_to_vehicle_rotation_euler_codec = {
     program_sensor_to_vehicle_rotation_euler,
     &mip_program};
 
-static const uint8_t asked_sensor_to_vehicle_rotation_euler_1[] = {
-    MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_sensor_to_vehicle_rotation_euler[] = {
-    {asked_sensor_to_vehicle_rotation_euler_1, NULL, 0x81, false},
+    {NULL, 0x81, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_filter_sensor_to_vehicle_rotation_euler_exchange = {
-    0x0D,
-    0x11,
-    0,
-    true,
+    0x0D, 0x11, 0,
     sizeof(responses_sensor_to_vehicle_rotation_euler) /
         sizeof(responses_sensor_to_vehicle_rotation_euler[0]),
     responses_sensor_to_vehicle_rotation_euler};
 
 const struct mip_command mip_filter_sensor_to_vehicle_rotation_euler_command = {
     &mip_filter_sensor_to_vehicle_rotation_euler_codec,
-    &mip_filter_sensor_to_vehicle_rotation_euler_exchange};
+    &mip_filter_sensor_to_vehicle_rotation_euler_exchange, true};
 
 static const uint8_t program_sensor_to_vehicle_rotation_euler_response[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_sensor_to_vehicle_rotation_euler_response, roll)),
@@ -218,22 +208,18 @@ const struct mip_codec mip_filter_sensor_to_vehicle_offset_codec = {
     program_sensor_to_vehicle_offset,
     &mip_program};
 
-static const uint8_t asked_sensor_to_vehicle_offset_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                           MIP_WHEN_END};
 static const struct mip_response responses_sensor_to_vehicle_offset[] = {
-    {asked_sensor_to_vehicle_offset_1, NULL, 0x82, false},
+    {NULL, 0x82, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_filter_sensor_to_vehicle_offset_exchange = {
-    0x0D,
-    0x12,
-    0,
-    true,
+    0x0D, 0x12, 0,
     sizeof(responses_sensor_to_vehicle_offset) / sizeof(responses_sensor_to_vehicle_offset[0]),
     responses_sensor_to_vehicle_offset};
 
 const struct mip_command mip_filter_sensor_to_vehicle_offset_command = {
-    &mip_filter_sensor_to_vehicle_offset_codec, &mip_filter_sensor_to_vehicle_offset_exchange};
+    &mip_filter_sensor_to_vehicle_offset_codec, &mip_filter_sensor_to_vehicle_offset_exchange,
+    true};
 
 static const uint8_t program_sensor_to_vehicle_offset_response[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_sensor_to_vehicle_offset_response, offset)),
@@ -268,22 +254,16 @@ const struct mip_codec mip_filter_antenna_offset_codec = {0x0D,
                                                           program_antenna_offset,
                                                           &mip_program};
 
-static const uint8_t asked_antenna_offset_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                 MIP_WHEN_END};
 static const struct mip_response responses_antenna_offset[] = {
-    {asked_antenna_offset_1, NULL, 0x83, false},
+    {NULL, 0x83, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_filter_antenna_offset_exchange = {
-    0x0D,
-    0x13,
-    0,
-    true,
-    sizeof(responses_antenna_offset) / sizeof(responses_antenna_offset[0]),
+    0x0D, 0x13, 0, sizeof(responses_antenna_offset) / sizeof(responses_antenna_offset[0]),
     responses_antenna_offset};
 
-const struct mip_command mip_filter_antenna_offset_command = {&mip_filter_antenna_offset_codec,
-                                                              &mip_filter_antenna_offset_exchange};
+const struct mip_command mip_filter_antenna_offset_command = {
+    &mip_filter_antenna_offset_codec, &mip_filter_antenna_offset_exchange, true};
 
 static const uint8_t program_antenna_offset_response[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_antenna_offset_response, offset)),
@@ -319,22 +299,16 @@ const struct mip_codec mip_filter_estimation_control_codec = {
     program_estimation_control,
     &mip_program};
 
-static const uint8_t asked_estimation_control_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                     MIP_WHEN_END};
 static const struct mip_response responses_estimation_control[] = {
-    {asked_estimation_control_1, NULL, 0x84, false},
+    {NULL, 0x84, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_filter_estimation_control_exchange = {
-    0x0D,
-    0x14,
-    0,
-    true,
-    sizeof(responses_estimation_control) / sizeof(responses_estimation_control[0]),
+    0x0D, 0x14, 0, sizeof(responses_estimation_control) / sizeof(responses_estimation_control[0]),
     responses_estimation_control};
 
 const struct mip_command mip_filter_estimation_control_command = {
-    &mip_filter_estimation_control_codec, &mip_filter_estimation_control_exchange};
+    &mip_filter_estimation_control_codec, &mip_filter_estimation_control_exchange, true};
 
 static const uint8_t program_estimation_control_response[] = {
     MIP_16_BITS(1, MIP_AT(struct mip_filter_estimation_control_response, flags)),
@@ -363,22 +337,16 @@ const struct mip_codec mip_filter_gnss_source_codec = {
     0x0D, 0x15, MIP_COMMAND,         0,           sizeof(struct mip_filter_gnss_source),
     0,    0,    program_gnss_source, &mip_program};
 
-static const uint8_t asked_gnss_source_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                              MIP_WHEN_END};
 static const struct mip_response responses_gnss_source[] = {
-    {asked_gnss_source_1, NULL, 0x86, false},
+    {NULL, 0x86, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_filter_gnss_source_exchange = {0x0D,
-                                                             0x15,
-                                                             0,
-                                                             true,
-                                                             sizeof(responses_gnss_source) /
-                                                                 sizeof(responses_gnss_source[0]),
-                                                             responses_gnss_source};
+const struct mip_exchange mip_filter_gnss_source_exchange = {
+    0x0D, 0x15, 0, sizeof(responses_gnss_source) / sizeof(responses_gnss_source[0]),
+    responses_gnss_source};
 
 const struct mip_command mip_filter_gnss_source_command = {&mip_filter_gnss_source_codec,
-                                                           &mip_filter_gnss_source_exchange};
+                                                           &mip_filter_gnss_source_exchange, true};
 
 static const uint8_t program_gnss_source_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_gnss_source_response, source)),
@@ -415,11 +383,10 @@ const struct mip_codec mip_filter_external_gnss_update_codec = {
     program_external_gnss_update,
     NULL};
 
-const struct mip_exchange mip_filter_external_gnss_update_exchange = {0x0D,  0x16, 0,
-                                                                      false, 0,    NULL};
+const struct mip_exchange mip_filter_external_gnss_update_exchange = {0x0D, 0x16, 0, 0, NULL};
 
 const struct mip_command mip_filter_external_gnss_update_command = {
-    &mip_filter_external_gnss_update_codec, &mip_filter_external_gnss_update_exchange};
+    &mip_filter_external_gnss_update_codec, &mip_filter_external_gnss_update_exchange, false};
 
 static const uint8_t program_external_heading_update[] = {
     MIP_32_BITS(2, MIP_AT(struct mip_filter_external_heading_update, heading)),
@@ -438,11 +405,10 @@ const struct mip_codec mip_filter_external_heading_update_codec = {
     program_external_heading_update,
     NULL};
 
-const struct mip_exchange mip_filter_external_heading_update_exchange = {0x0D,  0x17, 0,
-                                                                         false, 0,    NULL};
+const struct mip_exchange mip_filter_external_heading_update_exchange = {0x0D, 0x17, 0, 0, NULL};
 
 const struct mip_command mip_filter_external_heading_update_command = {
-    &mip_filter_external_heading_update_codec, &mip_filter_external_heading_update_exchange};
+    &mip_filter_external_heading_update_codec, &mip_filter_external_heading_update_exchange, false};
 
 static const uint8_t program_heading_source[] = {
     MIP_REQUIRED(1, 1),
@@ -461,22 +427,16 @@ const struct mip_codec mip_filter_heading_source_codec = {0x0D,
                                                           program_heading_source,
                                                           &mip_program};
 
-static const uint8_t asked_heading_source_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                 MIP_WHEN_END};
 static const struct mip_response responses_heading_source[] = {
-    {asked_heading_source_1, NULL, 0x87, false},
+    {NULL, 0x87, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_filter_heading_source_exchange = {
-    0x0D,
-    0x18,
-    0,
-    true,
-    sizeof(responses_heading_source) / sizeof(responses_heading_source[0]),
+    0x0D, 0x18, 0, sizeof(responses_heading_source) / sizeof(responses_heading_source[0]),
     responses_heading_source};
 
-const struct mip_command mip_filter_heading_source_command = {&mip_filter_heading_source_codec,
-                                                              &mip_filter_heading_source_exchange};
+const struct mip_command mip_filter_heading_source_command = {
+    &mip_filter_heading_source_codec, &mip_filter_heading_source_exchange, true};
 
 static const uint8_t program_heading_source_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_heading_source_response, source)),
@@ -512,24 +472,19 @@ const struct mip_codec mip_filter_auto_initialization_control_codec = {
     program_auto_initialization_control,
     &mip_program};
 
-static const uint8_t asked_auto_initialization_control_1[] = {
-    MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_auto_initialization_control[] = {
-    {asked_auto_initialization_control_1, NULL, 0x88, false},
+    {NULL, 0x88, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_filter_auto_initialization_control_exchange = {
-    0x0D,
-    0x19,
-    0,
-    true,
+    0x0D, 0x19, 0,
     sizeof(responses_auto_initialization_control) /
         sizeof(responses_auto_initialization_control[0]),
     responses_auto_initialization_control};
 
 const struct mip_command mip_filter_auto_initialization_control_command = {
-    &mip_filter_auto_initialization_control_codec,
-    &mip_filter_auto_initialization_control_exchange};
+    &mip_filter_auto_initialization_control_codec, &mip_filter_auto_initialization_control_exchange,
+    true};
 
 static const uint8_t program_auto_initialization_control_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_auto_initialization_control_response, enable)),
@@ -558,22 +513,16 @@ const struct mip_codec mip_filter_accel_noise_codec = {
     0x0D, 0x1A, MIP_COMMAND,         0,           sizeof(struct mip_filter_accel_noise),
     0,    0,    program_accel_noise, &mip_program};
 
-static const uint8_t asked_accel_noise_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                              MIP_WHEN_END};
 static const struct mip_response responses_accel_noise[] = {
-    {asked_accel_noise_1, NULL, 0x89, false},
+    {NULL, 0x89, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_filter_accel_noise_exchange = {0x0D,
-                                                             0x1A,
-                                                             0,
-                                                             true,
-                                                             sizeof(responses_accel_noise) /
-                                                                 sizeof(responses_accel_noise[0]),
-                                                             responses_accel_noise};
+const struct mip_exchange mip_filter_accel_noise_exchange = {
+    0x0D, 0x1A, 0, sizeof(responses_accel_noise) / sizeof(responses_accel_noise[0]),
+    responses_accel_noise};
 
 const struct mip_command mip_filter_accel_noise_command = {&mip_filter_accel_noise_codec,
-                                                           &mip_filter_accel_noise_exchange};
+                                                           &mip_filter_accel_noise_exchange, true};
 
 static const uint8_t program_accel_noise_response[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_accel_noise_response, noise)),
@@ -602,21 +551,16 @@ const struct mip_codec mip_filter_gyro_noise_codec = {
     0x0D, 0x1B, MIP_COMMAND,        0,           sizeof(struct mip_filter_gyro_noise),
     0,    0,    program_gyro_noise, &mip_program};
 
-static const uint8_t asked_gyro_noise_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_gyro_noise[] = {
-    {asked_gyro_noise_1, NULL, 0x8A, false},
+    {NULL, 0x8A, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_filter_gyro_noise_exchange = {0x0D,
-                                                            0x1B,
-                                                            0,
-                                                            true,
-                                                            sizeof(responses_gyro_noise) /
-                                                                sizeof(responses_gyro_noise[0]),
-                                                            responses_gyro_noise};
+const struct mip_exchange mip_filter_gyro_noise_exchange = {
+    0x0D, 0x1B, 0, sizeof(responses_gyro_noise) / sizeof(responses_gyro_noise[0]),
+    responses_gyro_noise};
 
 const struct mip_command mip_filter_gyro_noise_command = {&mip_filter_gyro_noise_codec,
-                                                          &mip_filter_gyro_noise_exchange};
+                                                          &mip_filter_gyro_noise_exchange, true};
 
 static const uint8_t program_gyro_noise_response[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_gyro_noise_response, noise)),
@@ -654,22 +598,16 @@ const struct mip_codec mip_filter_accel_bias_model_codec = {
     program_accel_bias_model,
     &mip_program};
 
-static const uint8_t asked_accel_bias_model_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                   MIP_WHEN_END};
 static const struct mip_response responses_accel_bias_model[] = {
-    {asked_accel_bias_model_1, NULL, 0x8B, false},
+    {NULL, 0x8B, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_filter_accel_bias_model_exchange = {
-    0x0D,
-    0x1C,
-    0,
-    true,
-    sizeof(responses_accel_bias_model) / sizeof(responses_accel_bias_model[0]),
+    0x0D, 0x1C, 0, sizeof(responses_accel_bias_model) / sizeof(responses_accel_bias_model[0]),
     responses_accel_bias_model};
 
 const struct mip_command mip_filter_accel_bias_model_command = {
-    &mip_filter_accel_bias_model_codec, &mip_filter_accel_bias_model_exchange};
+    &mip_filter_accel_bias_model_codec, &mip_filter_accel_bias_model_exchange, true};
 
 static const uint8_t program_accel_bias_model_response[] = {
     MIP_32_BITS(6, MIP_AT(struct mip_filter_accel_bias_model_response, beta)),
@@ -707,22 +645,16 @@ const struct mip_codec mip_filter_gyro_bias_model_codec = {
     program_gyro_bias_model,
     &mip_program};
 
-static const uint8_t asked_gyro_bias_model_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                  MIP_WHEN_END};
 static const struct mip_response responses_gyro_bias_model[] = {
-    {asked_gyro_bias_model_1, NULL, 0x8C, false},
+    {NULL, 0x8C, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_filter_gyro_bias_model_exchange = {
-    0x0D,
-    0x1D,
-    0,
-    true,
-    sizeof(responses_gyro_bias_model) / sizeof(responses_gyro_bias_model[0]),
+    0x0D, 0x1D, 0, sizeof(responses_gyro_bias_model) / sizeof(responses_gyro_bias_model[0]),
     responses_gyro_bias_model};
 
 const struct mip_command mip_filter_gyro_bias_model_command = {
-    &mip_filter_gyro_bias_model_codec, &mip_filter_gyro_bias_model_exchange};
+    &mip_filter_gyro_bias_model_codec, &mip_filter_gyro_bias_model_exchange, true};
 
 static const uint8_t program_gyro_bias_model_response[] = {
     MIP_32_BITS(6, MIP_AT(struct mip_filter_gyro_bias_model_response, beta)),
@@ -753,21 +685,16 @@ const struct mip_codec mip_filter_auto_zupt_codec = {
     0x0D, 0x1E, MIP_COMMAND,       0,           sizeof(struct mip_filter_auto_zupt),
     0,    0,    program_auto_zupt, &mip_program};
 
-static const uint8_t asked_auto_zupt_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_auto_zupt[] = {
-    {asked_auto_zupt_1, NULL, 0x8D, false},
+    {NULL, 0x8D, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_filter_auto_zupt_exchange = {0x0D,
-                                                           0x1E,
-                                                           0,
-                                                           true,
-                                                           sizeof(responses_auto_zupt) /
-                                                               sizeof(responses_auto_zupt[0]),
-                                                           responses_auto_zupt};
+const struct mip_exchange mip_filter_auto_zupt_exchange = {
+    0x0D, 0x1E, 0, sizeof(responses_auto_zupt) / sizeof(responses_auto_zupt[0]),
+    responses_auto_zupt};
 
 const struct mip_command mip_filter_auto_zupt_command = {&mip_filter_auto_zupt_codec,
-                                                         &mip_filter_auto_zupt_exchange};
+                                                         &mip_filter_auto_zupt_exchange, true};
 
 static const uint8_t program_auto_zupt_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_auto_zupt_response, enable)),
@@ -805,12 +732,12 @@ const struct mip_codec mip_filter_external_heading_update_with_time_codec = {
     program_external_heading_update_with_time,
     NULL};
 
-const struct mip_exchange mip_filter_external_heading_update_with_time_exchange = {
-    0x0D, 0x1F, 0, false, 0, NULL};
+const struct mip_exchange mip_filter_external_heading_update_with_time_exchange = {0x0D, 0x1F, 0, 0,
+                                                                                   NULL};
 
 const struct mip_command mip_filter_external_heading_update_with_time_command = {
     &mip_filter_external_heading_update_with_time_codec,
-    &mip_filter_external_heading_update_with_time_exchange};
+    &mip_filter_external_heading_update_with_time_exchange, false};
 
 static const uint8_t program_auto_angular_zupt[] = {
     MIP_REQUIRED(1, 2),
@@ -832,22 +759,16 @@ const struct mip_codec mip_filter_auto_angular_zupt_codec = {
     program_auto_angular_zupt,
     &mip_program};
 
-static const uint8_t asked_auto_angular_zupt_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                    MIP_WHEN_END};
 static const struct mip_response responses_auto_angular_zupt[] = {
-    {asked_auto_angular_zupt_1, NULL, 0x8E, false},
+    {NULL, 0x8E, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_filter_auto_angular_zupt_exchange = {
-    0x0D,
-    0x20,
-    0,
-    true,
-    sizeof(responses_auto_angular_zupt) / sizeof(responses_auto_angular_zupt[0]),
+    0x0D, 0x20, 0, sizeof(responses_auto_angular_zupt) / sizeof(responses_auto_angular_zupt[0]),
     responses_auto_angular_zupt};
 
 const struct mip_command mip_filter_auto_angular_zupt_command = {
-    &mip_filter_auto_angular_zupt_codec, &mip_filter_auto_angular_zupt_exchange};
+    &mip_filter_auto_angular_zupt_codec, &mip_filter_auto_angular_zupt_exchange, true};
 
 static const uint8_t program_auto_angular_zupt_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_auto_angular_zupt_response, enable)),
@@ -884,22 +805,16 @@ const struct mip_codec mip_filter_tare_orientation_codec = {
     program_tare_orientation,
     &mip_program};
 
-static const uint8_t asked_tare_orientation_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                   MIP_WHEN_END};
 static const struct mip_response responses_tare_orientation[] = {
-    {asked_tare_orientation_1, NULL, 0xA1, false},
+    {NULL, 0xA1, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_filter_tare_orientation_exchange = {
-    0x0D,
-    0x21,
-    0,
-    true,
-    sizeof(responses_tare_orientation) / sizeof(responses_tare_orientation[0]),
+    0x0D, 0x21, 0, sizeof(responses_tare_orientation) / sizeof(responses_tare_orientation[0]),
     responses_tare_orientation};
 
 const struct mip_command mip_filter_tare_orientation_command = {
-    &mip_filter_tare_orientation_codec, &mip_filter_tare_orientation_exchange};
+    &mip_filter_tare_orientation_codec, &mip_filter_tare_orientation_exchange, true};
 
 static const uint8_t program_tare_orientation_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_tare_orientation_response, axes)),
@@ -931,10 +846,10 @@ const struct mip_codec mip_filter_commanded_zupt_codec = {0x0D,
                                                           program_commanded_zupt,
                                                           NULL};
 
-const struct mip_exchange mip_filter_commanded_zupt_exchange = {0x0D, 0x22, 0, false, 0, NULL};
+const struct mip_exchange mip_filter_commanded_zupt_exchange = {0x0D, 0x22, 0, 0, NULL};
 
-const struct mip_command mip_filter_commanded_zupt_command = {&mip_filter_commanded_zupt_codec,
-                                                              &mip_filter_commanded_zupt_exchange};
+const struct mip_command mip_filter_commanded_zupt_command = {
+    &mip_filter_commanded_zupt_codec, &mip_filter_commanded_zupt_exchange, false};
 
 static const uint8_t program_commanded_angular_zupt[] = {
     MIP_END,
@@ -951,11 +866,10 @@ const struct mip_codec mip_filter_commanded_angular_zupt_codec = {
     program_commanded_angular_zupt,
     NULL};
 
-const struct mip_exchange mip_filter_commanded_angular_zupt_exchange = {0x0D,  0x23, 0,
-                                                                        false, 0,    NULL};
+const struct mip_exchange mip_filter_commanded_angular_zupt_exchange = {0x0D, 0x23, 0, 0, NULL};
 
 const struct mip_command mip_filter_commanded_angular_zupt_command = {
-    &mip_filter_commanded_angular_zupt_codec, &mip_filter_commanded_angular_zupt_exchange};
+    &mip_filter_commanded_angular_zupt_codec, &mip_filter_commanded_angular_zupt_exchange, false};
 
 static const uint8_t program_reference_position[] = {
     MIP_REQUIRED(1, 4),
@@ -981,22 +895,16 @@ const struct mip_codec mip_filter_reference_position_codec = {
     program_reference_position,
     &mip_program};
 
-static const uint8_t asked_reference_position_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                     MIP_WHEN_END};
 static const struct mip_response responses_reference_position[] = {
-    {asked_reference_position_1, NULL, 0x90, false},
+    {NULL, 0x90, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_filter_reference_position_exchange = {
-    0x0D,
-    0x26,
-    0,
-    true,
-    sizeof(responses_reference_position) / sizeof(responses_reference_position[0]),
+    0x0D, 0x26, 0, sizeof(responses_reference_position) / sizeof(responses_reference_position[0]),
     responses_reference_position};
 
 const struct mip_command mip_filter_reference_position_command = {
-    &mip_filter_reference_position_codec, &mip_filter_reference_position_exchange};
+    &mip_filter_reference_position_codec, &mip_filter_reference_position_exchange, true};
 
 static const uint8_t program_reference_position_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_reference_position_response, enable)),
@@ -1031,12 +939,12 @@ const struct mip_codec mip_filter_mag_capture_auto_calibration_codec = {
     program_mag_capture_auto_calibration,
     NULL};
 
-const struct mip_exchange mip_filter_mag_capture_auto_calibration_exchange = {0x0D, 0x27, 0,
-                                                                              true, 0,    NULL};
+const struct mip_exchange mip_filter_mag_capture_auto_calibration_exchange = {0x0D, 0x27, 0, 0,
+                                                                              NULL};
 
 const struct mip_command mip_filter_mag_capture_auto_calibration_command = {
     &mip_filter_mag_capture_auto_calibration_codec,
-    &mip_filter_mag_capture_auto_calibration_exchange};
+    &mip_filter_mag_capture_auto_calibration_exchange, true};
 
 static const uint8_t program_gravity_noise[] = {
     MIP_REQUIRED(1, 1),
@@ -1049,22 +957,16 @@ const struct mip_codec mip_filter_gravity_noise_codec = {
     0x0D, 0x28, MIP_COMMAND,           0,           sizeof(struct mip_filter_gravity_noise),
     0,    0,    program_gravity_noise, &mip_program};
 
-static const uint8_t asked_gravity_noise_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                MIP_WHEN_END};
 static const struct mip_response responses_gravity_noise[] = {
-    {asked_gravity_noise_1, NULL, 0x93, false},
+    {NULL, 0x93, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_filter_gravity_noise_exchange = {
-    0x0D,
-    0x28,
-    0,
-    true,
-    sizeof(responses_gravity_noise) / sizeof(responses_gravity_noise[0]),
+    0x0D, 0x28, 0, sizeof(responses_gravity_noise) / sizeof(responses_gravity_noise[0]),
     responses_gravity_noise};
 
-const struct mip_command mip_filter_gravity_noise_command = {&mip_filter_gravity_noise_codec,
-                                                             &mip_filter_gravity_noise_exchange};
+const struct mip_command mip_filter_gravity_noise_command = {
+    &mip_filter_gravity_noise_codec, &mip_filter_gravity_noise_exchange, true};
 
 static const uint8_t program_gravity_noise_response[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_gravity_noise_response, noise)),
@@ -1100,22 +1002,17 @@ const struct mip_codec mip_filter_pressure_altitude_noise_codec = {
     program_pressure_altitude_noise,
     &mip_program};
 
-static const uint8_t asked_pressure_altitude_noise_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                          MIP_WHEN_END};
 static const struct mip_response responses_pressure_altitude_noise[] = {
-    {asked_pressure_altitude_noise_1, NULL, 0x94, false},
+    {NULL, 0x94, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_filter_pressure_altitude_noise_exchange = {
-    0x0D,
-    0x29,
-    0,
-    true,
+    0x0D, 0x29, 0,
     sizeof(responses_pressure_altitude_noise) / sizeof(responses_pressure_altitude_noise[0]),
     responses_pressure_altitude_noise};
 
 const struct mip_command mip_filter_pressure_altitude_noise_command = {
-    &mip_filter_pressure_altitude_noise_codec, &mip_filter_pressure_altitude_noise_exchange};
+    &mip_filter_pressure_altitude_noise_codec, &mip_filter_pressure_altitude_noise_exchange, true};
 
 static const uint8_t program_pressure_altitude_noise_response[] = {
     MIP_32_BITS(1, MIP_AT(struct mip_filter_pressure_altitude_noise_response, noise)),
@@ -1151,22 +1048,17 @@ const struct mip_codec mip_filter_hard_iron_offset_noise_codec = {
     program_hard_iron_offset_noise,
     &mip_program};
 
-static const uint8_t asked_hard_iron_offset_noise_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                         MIP_WHEN_END};
 static const struct mip_response responses_hard_iron_offset_noise[] = {
-    {asked_hard_iron_offset_noise_1, NULL, 0x96, false},
+    {NULL, 0x96, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_filter_hard_iron_offset_noise_exchange = {
-    0x0D,
-    0x2B,
-    0,
-    true,
+    0x0D, 0x2B, 0,
     sizeof(responses_hard_iron_offset_noise) / sizeof(responses_hard_iron_offset_noise[0]),
     responses_hard_iron_offset_noise};
 
 const struct mip_command mip_filter_hard_iron_offset_noise_command = {
-    &mip_filter_hard_iron_offset_noise_codec, &mip_filter_hard_iron_offset_noise_exchange};
+    &mip_filter_hard_iron_offset_noise_codec, &mip_filter_hard_iron_offset_noise_exchange, true};
 
 static const uint8_t program_hard_iron_offset_noise_response[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_hard_iron_offset_noise_response, noise)),
@@ -1202,22 +1094,17 @@ const struct mip_codec mip_filter_soft_iron_matrix_noise_codec = {
     program_soft_iron_matrix_noise,
     &mip_program};
 
-static const uint8_t asked_soft_iron_matrix_noise_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                         MIP_WHEN_END};
 static const struct mip_response responses_soft_iron_matrix_noise[] = {
-    {asked_soft_iron_matrix_noise_1, NULL, 0x97, false},
+    {NULL, 0x97, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_filter_soft_iron_matrix_noise_exchange = {
-    0x0D,
-    0x2C,
-    0,
-    true,
+    0x0D, 0x2C, 0,
     sizeof(responses_soft_iron_matrix_noise) / sizeof(responses_soft_iron_matrix_noise[0]),
     responses_soft_iron_matrix_noise};
 
 const struct mip_command mip_filter_soft_iron_matrix_noise_command = {
-    &mip_filter_soft_iron_matrix_noise_codec, &mip_filter_soft_iron_matrix_noise_exchange};
+    &mip_filter_soft_iron_matrix_noise_codec, &mip_filter_soft_iron_matrix_noise_exchange, true};
 
 static const uint8_t program_soft_iron_matrix_noise_response[] = {
     MIP_32_BITS(9, MIP_AT(struct mip_filter_soft_iron_matrix_noise_response, noise)),
@@ -1253,22 +1140,16 @@ const struct mip_codec mip_filter_enable_measurements_codec = {
     program_enable_measurements,
     &mip_program};
 
-static const uint8_t asked_enable_measurements_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                      MIP_WHEN_END};
 static const struct mip_response responses_enable_measurements[] = {
-    {asked_enable_measurements_1, NULL, 0xB0, false},
+    {NULL, 0xB0, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_filter_enable_measurements_exchange = {
-    0x0D,
-    0x41,
-    0,
-    true,
-    sizeof(responses_enable_measurements) / sizeof(responses_enable_measurements[0]),
+    0x0D, 0x41, 0, sizeof(responses_enable_measurements) / sizeof(responses_enable_measurements[0]),
     responses_enable_measurements};
 
 const struct mip_command mip_filter_enable_measurements_command = {
-    &mip_filter_enable_measurements_codec, &mip_filter_enable_measurements_exchange};
+    &mip_filter_enable_measurements_codec, &mip_filter_enable_measurements_exchange, true};
 
 static const uint8_t program_enable_measurements_response[] = {
     MIP_16_BITS(1, MIP_AT(struct mip_filter_enable_measurements_response, control)),
@@ -1297,21 +1178,16 @@ const struct mip_codec mip_filter_mag_noise_codec = {
     0x0D, 0x42, MIP_COMMAND,       0,           sizeof(struct mip_filter_mag_noise),
     0,    0,    program_mag_noise, &mip_program};
 
-static const uint8_t asked_mag_noise_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_mag_noise[] = {
-    {asked_mag_noise_1, NULL, 0xB1, false},
+    {NULL, 0xB1, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_filter_mag_noise_exchange = {0x0D,
-                                                           0x42,
-                                                           0,
-                                                           true,
-                                                           sizeof(responses_mag_noise) /
-                                                               sizeof(responses_mag_noise[0]),
-                                                           responses_mag_noise};
+const struct mip_exchange mip_filter_mag_noise_exchange = {
+    0x0D, 0x42, 0, sizeof(responses_mag_noise) / sizeof(responses_mag_noise[0]),
+    responses_mag_noise};
 
 const struct mip_command mip_filter_mag_noise_command = {&mip_filter_mag_noise_codec,
-                                                         &mip_filter_mag_noise_exchange};
+                                                         &mip_filter_mag_noise_exchange, true};
 
 static const uint8_t program_mag_noise_response[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_mag_noise_response, noise)),
@@ -1349,24 +1225,19 @@ const struct mip_codec mip_filter_magnetic_declination_source_codec = {
     program_magnetic_declination_source,
     &mip_program};
 
-static const uint8_t asked_magnetic_declination_source_1[] = {
-    MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_magnetic_declination_source[] = {
-    {asked_magnetic_declination_source_1, NULL, 0xB2, false},
+    {NULL, 0xB2, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_filter_magnetic_declination_source_exchange = {
-    0x0D,
-    0x43,
-    0,
-    true,
+    0x0D, 0x43, 0,
     sizeof(responses_magnetic_declination_source) /
         sizeof(responses_magnetic_declination_source[0]),
     responses_magnetic_declination_source};
 
 const struct mip_command mip_filter_magnetic_declination_source_command = {
-    &mip_filter_magnetic_declination_source_codec,
-    &mip_filter_magnetic_declination_source_exchange};
+    &mip_filter_magnetic_declination_source_codec, &mip_filter_magnetic_declination_source_exchange,
+    true};
 
 static const uint8_t program_magnetic_declination_source_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_magnetic_declination_source_response, source)),
@@ -1415,22 +1286,18 @@ const struct mip_codec mip_filter_accel_magnitude_adaptive_codec = {
     program_accel_magnitude_adaptive,
     &mip_program};
 
-static const uint8_t asked_accel_magnitude_adaptive_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                           MIP_WHEN_END};
 static const struct mip_response responses_accel_magnitude_adaptive[] = {
-    {asked_accel_magnitude_adaptive_1, NULL, 0xB3, false},
+    {NULL, 0xB3, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_filter_accel_magnitude_adaptive_exchange = {
-    0x0D,
-    0x44,
-    0,
-    true,
+    0x0D, 0x44, 0,
     sizeof(responses_accel_magnitude_adaptive) / sizeof(responses_accel_magnitude_adaptive[0]),
     responses_accel_magnitude_adaptive};
 
 const struct mip_command mip_filter_accel_magnitude_adaptive_command = {
-    &mip_filter_accel_magnitude_adaptive_codec, &mip_filter_accel_magnitude_adaptive_exchange};
+    &mip_filter_accel_magnitude_adaptive_codec, &mip_filter_accel_magnitude_adaptive_exchange,
+    true};
 
 static const uint8_t program_accel_magnitude_adaptive_response[] = {
     MIP_8_BITS(1,
@@ -1480,22 +1347,17 @@ const struct mip_codec mip_filter_mag_magnitude_adaptive_codec = {
     program_mag_magnitude_adaptive,
     &mip_program};
 
-static const uint8_t asked_mag_magnitude_adaptive_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                         MIP_WHEN_END};
 static const struct mip_response responses_mag_magnitude_adaptive[] = {
-    {asked_mag_magnitude_adaptive_1, NULL, 0xB4, false},
+    {NULL, 0xB4, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_filter_mag_magnitude_adaptive_exchange = {
-    0x0D,
-    0x45,
-    0,
-    true,
+    0x0D, 0x45, 0,
     sizeof(responses_mag_magnitude_adaptive) / sizeof(responses_mag_magnitude_adaptive[0]),
     responses_mag_magnitude_adaptive};
 
 const struct mip_command mip_filter_mag_magnitude_adaptive_command = {
-    &mip_filter_mag_magnitude_adaptive_codec, &mip_filter_mag_magnitude_adaptive_exchange};
+    &mip_filter_mag_magnitude_adaptive_codec, &mip_filter_mag_magnitude_adaptive_exchange, true};
 
 static const uint8_t program_mag_magnitude_adaptive_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_mag_magnitude_adaptive_response, adaptive_measurement)),
@@ -1540,22 +1402,17 @@ const struct mip_codec mip_filter_mag_dip_angle_adaptive_codec = {
     program_mag_dip_angle_adaptive,
     &mip_program};
 
-static const uint8_t asked_mag_dip_angle_adaptive_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                         MIP_WHEN_END};
 static const struct mip_response responses_mag_dip_angle_adaptive[] = {
-    {asked_mag_dip_angle_adaptive_1, NULL, 0xB5, false},
+    {NULL, 0xB5, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_filter_mag_dip_angle_adaptive_exchange = {
-    0x0D,
-    0x46,
-    0,
-    true,
+    0x0D, 0x46, 0,
     sizeof(responses_mag_dip_angle_adaptive) / sizeof(responses_mag_dip_angle_adaptive[0]),
     responses_mag_dip_angle_adaptive};
 
 const struct mip_command mip_filter_mag_dip_angle_adaptive_command = {
-    &mip_filter_mag_dip_angle_adaptive_codec, &mip_filter_mag_dip_angle_adaptive_exchange};
+    &mip_filter_mag_dip_angle_adaptive_codec, &mip_filter_mag_dip_angle_adaptive_exchange, true};
 
 static const uint8_t program_mag_dip_angle_adaptive_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_mag_dip_angle_adaptive_response, enable)),
@@ -1592,22 +1449,16 @@ const struct mip_codec mip_filter_altitude_aiding_codec = {
     program_altitude_aiding,
     &mip_program};
 
-static const uint8_t asked_altitude_aiding_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                  MIP_WHEN_END};
 static const struct mip_response responses_altitude_aiding[] = {
-    {asked_altitude_aiding_1, NULL, 0xB7, false},
+    {NULL, 0xB7, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_filter_altitude_aiding_exchange = {
-    0x0D,
-    0x47,
-    0,
-    true,
-    sizeof(responses_altitude_aiding) / sizeof(responses_altitude_aiding[0]),
+    0x0D, 0x47, 0, sizeof(responses_altitude_aiding) / sizeof(responses_altitude_aiding[0]),
     responses_altitude_aiding};
 
 const struct mip_command mip_filter_altitude_aiding_command = {
-    &mip_filter_altitude_aiding_codec, &mip_filter_altitude_aiding_exchange};
+    &mip_filter_altitude_aiding_codec, &mip_filter_altitude_aiding_exchange, true};
 
 static const uint8_t program_altitude_aiding_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_altitude_aiding_response, selector)),
@@ -1643,22 +1494,16 @@ const struct mip_codec mip_filter_pitch_roll_aiding_codec = {
     program_pitch_roll_aiding,
     &mip_program};
 
-static const uint8_t asked_pitch_roll_aiding_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                    MIP_WHEN_END};
 static const struct mip_response responses_pitch_roll_aiding[] = {
-    {asked_pitch_roll_aiding_1, NULL, 0xBB, false},
+    {NULL, 0xBB, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_filter_pitch_roll_aiding_exchange = {
-    0x0D,
-    0x4B,
-    0,
-    true,
-    sizeof(responses_pitch_roll_aiding) / sizeof(responses_pitch_roll_aiding[0]),
+    0x0D, 0x4B, 0, sizeof(responses_pitch_roll_aiding) / sizeof(responses_pitch_roll_aiding[0]),
     responses_pitch_roll_aiding};
 
 const struct mip_command mip_filter_pitch_roll_aiding_command = {
-    &mip_filter_pitch_roll_aiding_codec, &mip_filter_pitch_roll_aiding_exchange};
+    &mip_filter_pitch_roll_aiding_codec, &mip_filter_pitch_roll_aiding_exchange, true};
 
 static const uint8_t program_pitch_roll_aiding_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_pitch_roll_aiding_response, aiding)),
@@ -1696,24 +1541,19 @@ const struct mip_codec mip_filter_magnetic_inclination_source_codec = {
     program_magnetic_inclination_source,
     &mip_program};
 
-static const uint8_t asked_magnetic_inclination_source_1[] = {
-    MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_magnetic_inclination_source[] = {
-    {asked_magnetic_inclination_source_1, NULL, 0xBC, false},
+    {NULL, 0xBC, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_filter_magnetic_inclination_source_exchange = {
-    0x0D,
-    0x4C,
-    0,
-    true,
+    0x0D, 0x4C, 0,
     sizeof(responses_magnetic_inclination_source) /
         sizeof(responses_magnetic_inclination_source[0]),
     responses_magnetic_inclination_source};
 
 const struct mip_command mip_filter_magnetic_inclination_source_command = {
-    &mip_filter_magnetic_inclination_source_codec,
-    &mip_filter_magnetic_inclination_source_exchange};
+    &mip_filter_magnetic_inclination_source_codec, &mip_filter_magnetic_inclination_source_exchange,
+    true};
 
 static const uint8_t program_magnetic_inclination_source_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_magnetic_inclination_source_response, source)),
@@ -1752,22 +1592,18 @@ const struct mip_codec mip_filter_magnetic_magnitude_source_codec = {
     program_magnetic_magnitude_source,
     &mip_program};
 
-static const uint8_t asked_magnetic_magnitude_source_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                            MIP_WHEN_END};
 static const struct mip_response responses_magnetic_magnitude_source[] = {
-    {asked_magnetic_magnitude_source_1, NULL, 0xBD, false},
+    {NULL, 0xBD, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_filter_magnetic_magnitude_source_exchange = {
-    0x0D,
-    0x4D,
-    0,
-    true,
+    0x0D, 0x4D, 0,
     sizeof(responses_magnetic_magnitude_source) / sizeof(responses_magnetic_magnitude_source[0]),
     responses_magnetic_magnitude_source};
 
 const struct mip_command mip_filter_magnetic_magnitude_source_command = {
-    &mip_filter_magnetic_magnitude_source_codec, &mip_filter_magnetic_magnitude_source_exchange};
+    &mip_filter_magnetic_magnitude_source_codec, &mip_filter_magnetic_magnitude_source_exchange,
+    true};
 
 static const uint8_t program_magnetic_magnitude_source_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_magnetic_magnitude_source_response, source)),
@@ -1804,24 +1640,19 @@ const struct mip_codec mip_filter_sensor_to_vehicle_rotation_dcm_codec = {
     program_sensor_to_vehicle_rotation_dcm,
     &mip_program};
 
-static const uint8_t asked_sensor_to_vehicle_rotation_dcm_1[] = {
-    MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_sensor_to_vehicle_rotation_dcm[] = {
-    {asked_sensor_to_vehicle_rotation_dcm_1, NULL, 0xBE, false},
+    {NULL, 0xBE, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_filter_sensor_to_vehicle_rotation_dcm_exchange = {
-    0x0D,
-    0x4E,
-    0,
-    true,
+    0x0D, 0x4E, 0,
     sizeof(responses_sensor_to_vehicle_rotation_dcm) /
         sizeof(responses_sensor_to_vehicle_rotation_dcm[0]),
     responses_sensor_to_vehicle_rotation_dcm};
 
 const struct mip_command mip_filter_sensor_to_vehicle_rotation_dcm_command = {
     &mip_filter_sensor_to_vehicle_rotation_dcm_codec,
-    &mip_filter_sensor_to_vehicle_rotation_dcm_exchange};
+    &mip_filter_sensor_to_vehicle_rotation_dcm_exchange, true};
 
 static const uint8_t program_sensor_to_vehicle_rotation_dcm_response[] = {
     MIP_32_BITS(9, MIP_AT(struct mip_filter_sensor_to_vehicle_rotation_dcm_response, dcm)),
@@ -1857,24 +1688,19 @@ const struct mip_codec mip_filter_sensor_to_vehicle_quaternion_codec = {
     program_sensor_to_vehicle_quaternion,
     &mip_program};
 
-static const uint8_t asked_sensor_to_vehicle_quaternion_1[] = {
-    MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_sensor_to_vehicle_quaternion[] = {
-    {asked_sensor_to_vehicle_quaternion_1, NULL, 0xBF, false},
+    {NULL, 0xBF, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_filter_sensor_to_vehicle_quaternion_exchange = {
-    0x0D,
-    0x4F,
-    0,
-    true,
+    0x0D, 0x4F, 0,
     sizeof(responses_sensor_to_vehicle_quaternion) /
         sizeof(responses_sensor_to_vehicle_quaternion[0]),
     responses_sensor_to_vehicle_quaternion};
 
 const struct mip_command mip_filter_sensor_to_vehicle_quaternion_command = {
     &mip_filter_sensor_to_vehicle_quaternion_codec,
-    &mip_filter_sensor_to_vehicle_quaternion_exchange};
+    &mip_filter_sensor_to_vehicle_quaternion_exchange, true};
 
 static const uint8_t program_sensor_to_vehicle_quaternion_response[] = {
     MIP_32_BITS(4, MIP_AT(struct mip_filter_sensor_to_vehicle_quaternion_response, q)),
@@ -1912,22 +1738,18 @@ const struct mip_codec mip_filter_aiding_measurement_enable_codec = {
     program_aiding_measurement_enable,
     &mip_program};
 
-static const uint8_t asked_aiding_measurement_enable_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                            MIP_WHEN_END};
 static const struct mip_response responses_aiding_measurement_enable[] = {
-    {asked_aiding_measurement_enable_1, NULL, 0xD0, false},
+    {NULL, 0xD0, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_filter_aiding_measurement_enable_exchange = {
-    0x0D,
-    0x50,
-    0,
-    true,
+    0x0D, 0x50, 0,
     sizeof(responses_aiding_measurement_enable) / sizeof(responses_aiding_measurement_enable[0]),
     responses_aiding_measurement_enable};
 
 const struct mip_command mip_filter_aiding_measurement_enable_command = {
-    &mip_filter_aiding_measurement_enable_codec, &mip_filter_aiding_measurement_enable_exchange};
+    &mip_filter_aiding_measurement_enable_codec, &mip_filter_aiding_measurement_enable_exchange,
+    true};
 
 static const uint8_t program_aiding_measurement_enable_response[] = {
     MIP_16_BITS(1, MIP_AT(struct mip_filter_aiding_measurement_enable_response, aiding_source)),
@@ -1968,22 +1790,17 @@ const struct mip_codec mip_filter_kinematic_constraint_codec = {
     program_kinematic_constraint,
     &mip_program};
 
-static const uint8_t asked_kinematic_constraint_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                       MIP_WHEN_END};
 static const struct mip_response responses_kinematic_constraint[] = {
-    {asked_kinematic_constraint_1, NULL, 0xD1, false},
+    {NULL, 0xD1, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_filter_kinematic_constraint_exchange = {
-    0x0D,
-    0x51,
-    0,
-    true,
+    0x0D, 0x51, 0,
     sizeof(responses_kinematic_constraint) / sizeof(responses_kinematic_constraint[0]),
     responses_kinematic_constraint};
 
 const struct mip_command mip_filter_kinematic_constraint_command = {
-    &mip_filter_kinematic_constraint_codec, &mip_filter_kinematic_constraint_exchange};
+    &mip_filter_kinematic_constraint_codec, &mip_filter_kinematic_constraint_exchange, true};
 
 static const uint8_t program_kinematic_constraint_response[] = {
     MIP_8_BITS(3, MIP_AT(struct mip_filter_kinematic_constraint_response, accel_constraint)),
@@ -2035,22 +1852,17 @@ const struct mip_codec mip_filter_initialization_config_codec = {
     program_initialization_config,
     &mip_program};
 
-static const uint8_t asked_initialization_config_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                        MIP_WHEN_END};
 static const struct mip_response responses_initialization_config[] = {
-    {asked_initialization_config_1, NULL, 0xD2, false},
+    {NULL, 0xD2, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_filter_initialization_config_exchange = {
-    0x0D,
-    0x52,
-    0,
-    true,
+    0x0D, 0x52, 0,
     sizeof(responses_initialization_config) / sizeof(responses_initialization_config[0]),
     responses_initialization_config};
 
 const struct mip_command mip_filter_initialization_config_command = {
-    &mip_filter_initialization_config_codec, &mip_filter_initialization_config_exchange};
+    &mip_filter_initialization_config_codec, &mip_filter_initialization_config_exchange, true};
 
 static const uint8_t program_initialization_config_response[] = {
     MIP_8_BITS(3, MIP_AT(struct mip_filter_initialization_config_response, wait_for_run_command)),
@@ -2091,22 +1903,17 @@ const struct mip_codec mip_filter_adaptive_filter_options_codec = {
     program_adaptive_filter_options,
     &mip_program};
 
-static const uint8_t asked_adaptive_filter_options_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                          MIP_WHEN_END};
 static const struct mip_response responses_adaptive_filter_options[] = {
-    {asked_adaptive_filter_options_1, NULL, 0xD3, false},
+    {NULL, 0xD3, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_filter_adaptive_filter_options_exchange = {
-    0x0D,
-    0x53,
-    0,
-    true,
+    0x0D, 0x53, 0,
     sizeof(responses_adaptive_filter_options) / sizeof(responses_adaptive_filter_options[0]),
     responses_adaptive_filter_options};
 
 const struct mip_command mip_filter_adaptive_filter_options_command = {
-    &mip_filter_adaptive_filter_options_codec, &mip_filter_adaptive_filter_options_exchange};
+    &mip_filter_adaptive_filter_options_codec, &mip_filter_adaptive_filter_options_exchange, true};
 
 static const uint8_t program_adaptive_filter_options_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_adaptive_filter_options_response, level)),
@@ -2145,22 +1952,17 @@ const struct mip_codec mip_filter_multi_antenna_offset_codec = {
     program_multi_antenna_offset,
     &mip_program};
 
-static const uint8_t asked_multi_antenna_offset_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                       MIP_WHEN_END};
 static const struct mip_response responses_multi_antenna_offset[] = {
-    {asked_multi_antenna_offset_1, NULL, 0xD4, false},
+    {NULL, 0xD4, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_filter_multi_antenna_offset_exchange = {
-    0x0D,
-    0x54,
-    0,
-    true,
+    0x0D, 0x54, 0,
     sizeof(responses_multi_antenna_offset) / sizeof(responses_multi_antenna_offset[0]),
     responses_multi_antenna_offset};
 
 const struct mip_command mip_filter_multi_antenna_offset_command = {
-    &mip_filter_multi_antenna_offset_codec, &mip_filter_multi_antenna_offset_exchange};
+    &mip_filter_multi_antenna_offset_codec, &mip_filter_multi_antenna_offset_exchange, true};
 
 static const uint8_t program_multi_antenna_offset_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_multi_antenna_offset_response, receiver_id)),
@@ -2201,22 +2003,18 @@ const struct mip_codec mip_filter_relative_position_config_codec = {
     program_relative_position_config,
     &mip_program};
 
-static const uint8_t asked_relative_position_config_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                           MIP_WHEN_END};
 static const struct mip_response responses_relative_position_config[] = {
-    {asked_relative_position_config_1, NULL, 0xD5, false},
+    {NULL, 0xD5, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_filter_relative_position_config_exchange = {
-    0x0D,
-    0x55,
-    0,
-    true,
+    0x0D, 0x55, 0,
     sizeof(responses_relative_position_config) / sizeof(responses_relative_position_config[0]),
     responses_relative_position_config};
 
 const struct mip_command mip_filter_relative_position_config_command = {
-    &mip_filter_relative_position_config_codec, &mip_filter_relative_position_config_exchange};
+    &mip_filter_relative_position_config_codec, &mip_filter_relative_position_config_exchange,
+    true};
 
 static const uint8_t program_relative_position_config_response[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_filter_relative_position_config_response, source)),
@@ -2256,22 +2054,18 @@ const struct mip_codec mip_filter_reference_point_lever_arm_codec = {
     program_reference_point_lever_arm,
     &mip_program};
 
-static const uint8_t asked_reference_point_lever_arm_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                            MIP_WHEN_END};
 static const struct mip_response responses_reference_point_lever_arm[] = {
-    {asked_reference_point_lever_arm_1, NULL, 0xD6, false},
+    {NULL, 0xD6, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_filter_reference_point_lever_arm_exchange = {
-    0x0D,
-    0x56,
-    0,
-    true,
+    0x0D, 0x56, 0,
     sizeof(responses_reference_point_lever_arm) / sizeof(responses_reference_point_lever_arm[0]),
     responses_reference_point_lever_arm};
 
 const struct mip_command mip_filter_reference_point_lever_arm_command = {
-    &mip_filter_reference_point_lever_arm_codec, &mip_filter_reference_point_lever_arm_exchange};
+    &mip_filter_reference_point_lever_arm_codec, &mip_filter_reference_point_lever_arm_exchange,
+    true};
 
 static const uint8_t program_reference_point_lever_arm_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_reference_point_lever_arm_response, reference_point)),
@@ -2307,10 +2101,10 @@ const struct mip_codec mip_filter_speed_measurement_codec = {
     program_speed_measurement,
     NULL};
 
-const struct mip_exchange mip_filter_speed_measurement_exchange = {0x0D, 0x60, 0, false, 0, NULL};
+const struct mip_exchange mip_filter_speed_measurement_exchange = {0x0D, 0x60, 0, 0, NULL};
 
 const struct mip_command mip_filter_speed_measurement_command = {
-    &mip_filter_speed_measurement_codec, &mip_filter_speed_measurement_exchange};
+    &mip_filter_speed_measurement_codec, &mip_filter_speed_measurement_exchange, false};
 
 static const uint8_t program_speed_lever_arm[] = {
     MIP_REQUIRED(5, 2, 1, 1, 1, 1),
@@ -2333,22 +2127,16 @@ const struct mip_codec mip_filter_speed_lever_arm_codec = {
     program_speed_lever_arm,
     &mip_program};
 
-static const uint8_t asked_speed_lever_arm_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                  MIP_WHEN_END};
 static const struct mip_response responses_speed_lever_arm[] = {
-    {asked_speed_lever_arm_1, NULL, 0xE1, false},
+    {NULL, 0xE1, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_filter_speed_lever_arm_exchange = {
-    0x0D,
-    0x61,
-    0,
-    true,
-    sizeof(responses_speed_lever_arm) / sizeof(responses_speed_lever_arm[0]),
+    0x0D, 0x61, 0, sizeof(responses_speed_lever_arm) / sizeof(responses_speed_lever_arm[0]),
     responses_speed_lever_arm};
 
 const struct mip_command mip_filter_speed_lever_arm_command = {
-    &mip_filter_speed_lever_arm_codec, &mip_filter_speed_lever_arm_exchange};
+    &mip_filter_speed_lever_arm_codec, &mip_filter_speed_lever_arm_exchange, true};
 
 static const uint8_t program_speed_lever_arm_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_speed_lever_arm_response, source)),
@@ -2385,24 +2173,19 @@ const struct mip_codec mip_filter_vertical_gyro_constraint_control_codec = {
     program_vertical_gyro_constraint_control,
     &mip_program};
 
-static const uint8_t asked_vertical_gyro_constraint_control_1[] = {
-    MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_vertical_gyro_constraint_control[] = {
-    {asked_vertical_gyro_constraint_control_1, NULL, 0xE2, false},
+    {NULL, 0xE2, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_filter_vertical_gyro_constraint_control_exchange = {
-    0x0D,
-    0x62,
-    0,
-    true,
+    0x0D, 0x62, 0,
     sizeof(responses_vertical_gyro_constraint_control) /
         sizeof(responses_vertical_gyro_constraint_control[0]),
     responses_vertical_gyro_constraint_control};
 
 const struct mip_command mip_filter_vertical_gyro_constraint_control_command = {
     &mip_filter_vertical_gyro_constraint_control_codec,
-    &mip_filter_vertical_gyro_constraint_control_exchange};
+    &mip_filter_vertical_gyro_constraint_control_exchange, true};
 
 static const uint8_t program_vertical_gyro_constraint_control_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_vertical_gyro_constraint_control_response, enable)),
@@ -2438,24 +2221,19 @@ const struct mip_codec mip_filter_wheeled_vehicle_constraint_control_codec = {
     program_wheeled_vehicle_constraint_control,
     &mip_program};
 
-static const uint8_t asked_wheeled_vehicle_constraint_control_1[] = {
-    MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_wheeled_vehicle_constraint_control[] = {
-    {asked_wheeled_vehicle_constraint_control_1, NULL, 0xE3, false},
+    {NULL, 0xE3, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_filter_wheeled_vehicle_constraint_control_exchange = {
-    0x0D,
-    0x63,
-    0,
-    true,
+    0x0D, 0x63, 0,
     sizeof(responses_wheeled_vehicle_constraint_control) /
         sizeof(responses_wheeled_vehicle_constraint_control[0]),
     responses_wheeled_vehicle_constraint_control};
 
 const struct mip_command mip_filter_wheeled_vehicle_constraint_control_command = {
     &mip_filter_wheeled_vehicle_constraint_control_codec,
-    &mip_filter_wheeled_vehicle_constraint_control_exchange};
+    &mip_filter_wheeled_vehicle_constraint_control_exchange, true};
 
 static const uint8_t program_wheeled_vehicle_constraint_control_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_wheeled_vehicle_constraint_control_response, enable)),
@@ -2493,24 +2271,19 @@ const struct mip_codec mip_filter_gnss_antenna_calibration_control_codec = {
     program_gnss_antenna_calibration_control,
     &mip_program};
 
-static const uint8_t asked_gnss_antenna_calibration_control_1[] = {
-    MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_gnss_antenna_calibration_control[] = {
-    {asked_gnss_antenna_calibration_control_1, NULL, 0xE4, false},
+    {NULL, 0xE4, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_filter_gnss_antenna_calibration_control_exchange = {
-    0x0D,
-    0x64,
-    0,
-    true,
+    0x0D, 0x64, 0,
     sizeof(responses_gnss_antenna_calibration_control) /
         sizeof(responses_gnss_antenna_calibration_control[0]),
     responses_gnss_antenna_calibration_control};
 
 const struct mip_command mip_filter_gnss_antenna_calibration_control_command = {
     &mip_filter_gnss_antenna_calibration_control_codec,
-    &mip_filter_gnss_antenna_calibration_control_exchange};
+    &mip_filter_gnss_antenna_calibration_control_exchange, true};
 
 static const uint8_t program_gnss_antenna_calibration_control_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_gnss_antenna_calibration_control_response, enable)),

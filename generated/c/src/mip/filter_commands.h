@@ -37,7 +37,8 @@ static inline mip_error mip_send_filter_reset(struct mip_client *client,
 
 /** Reset navigation filter. See mip_device_call. */
 static inline struct mip_result mip_call_filter_reset(struct mip_device *device) {
-    return mip_device_send(device, &mip_filter_reset_exchange, NULL, 0, NULL, NULL);
+    return mip_device_send(device, &mip_filter_reset_exchange,
+                           MIP_NO_DATA(mip_filter_reset_exchange), 0);
 }
 
 /** What the client knows of the command. */
@@ -72,7 +73,7 @@ static inline struct mip_result mip_call_filter_set_initial_attitude(struct mip_
     mip_put_float(data, &roll);
     mip_put_float(data + 4, &pitch);
     mip_put_float(data + 8, &heading);
-    return mip_device_send(device, &mip_filter_set_initial_attitude_exchange, data, 12, NULL, NULL);
+    return mip_device_send(device, &mip_filter_set_initial_attitude_exchange, data, 12);
 }
 
 /**
@@ -109,7 +110,7 @@ static inline struct mip_result mip_call_filter_set_initial_heading(struct mip_d
                                                                     float heading) {
     uint8_t data[4];
     mip_put_float(data, &heading);
-    return mip_device_send(device, &mip_filter_set_initial_heading_exchange, data, 4, NULL, NULL);
+    return mip_device_send(device, &mip_filter_set_initial_heading_exchange, data, 4);
 }
 
 /**
@@ -148,8 +149,7 @@ static inline struct mip_result
 mip_call_filter_set_initial_attitude_from_imu(struct mip_device *device, float declination) {
     uint8_t data[4];
     mip_put_float(data, &declination);
-    return mip_device_send(device, &mip_filter_set_initial_attitude_from_imu_exchange, data, 4,
-                           NULL, NULL);
+    return mip_device_send(device, &mip_filter_set_initial_attitude_from_imu_exchange, data, 4);
 }
 
 /**
@@ -178,7 +178,8 @@ static inline mip_error mip_send_filter_run(struct mip_client *client, struct mi
 
 /** Run navigation filter. See mip_device_call. */
 static inline struct mip_result mip_call_filter_run(struct mip_device *device) {
-    return mip_device_send(device, &mip_filter_run_exchange, NULL, 0, NULL, NULL);
+    return mip_device_send(device, &mip_filter_run_exchange, MIP_NO_DATA(mip_filter_run_exchange),
+                           0);
 }
 
 /** What the client knows of the command. */
@@ -211,7 +212,7 @@ static inline struct mip_result mip_call_filter_vehicle_dynamics_mode_write(
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
     mip_put_8(data + 1, (uint8_t)mode);
-    return mip_device_send(device, &mip_filter_vehicle_dynamics_mode_exchange, data, 2, NULL, NULL);
+    return mip_device_send(device, &mip_filter_vehicle_dynamics_mode_exchange, data, 2);
 }
 
 /** Vehicle dynamics mode: read. Return the current setting in a response. See mip_device_call. */
@@ -219,8 +220,8 @@ static inline struct mip_result mip_call_filter_vehicle_dynamics_mode_read(
     struct mip_device *device, struct mip_filter_vehicle_dynamics_mode_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_filter_vehicle_dynamics_mode_exchange, data, 1,
-                           &mip_filter_vehicle_dynamics_mode_response_codec, response);
+    return mip_device_request(device, &mip_filter_vehicle_dynamics_mode_exchange, data, 1,
+                              &mip_filter_vehicle_dynamics_mode_response_codec, response);
 }
 
 /**
@@ -231,7 +232,7 @@ static inline struct mip_result
 mip_call_filter_vehicle_dynamics_mode_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_vehicle_dynamics_mode_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_vehicle_dynamics_mode_exchange, data, 1);
 }
 
 /** Vehicle dynamics mode: load. Load the saved setting. See mip_device_call. */
@@ -239,7 +240,7 @@ static inline struct mip_result
 mip_call_filter_vehicle_dynamics_mode_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_vehicle_dynamics_mode_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_vehicle_dynamics_mode_exchange, data, 1);
 }
 
 /** Vehicle dynamics mode: default. Load the factory default setting. See mip_device_call. */
@@ -247,7 +248,7 @@ static inline struct mip_result
 mip_call_filter_vehicle_dynamics_mode_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_vehicle_dynamics_mode_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_vehicle_dynamics_mode_exchange, data, 1);
 }
 
 /**
@@ -294,8 +295,7 @@ static inline struct mip_result mip_call_filter_sensor_to_vehicle_rotation_euler
     mip_put_float(data + 1, &roll);
     mip_put_float(data + 5, &pitch);
     mip_put_float(data + 9, &yaw);
-    return mip_device_send(device, &mip_filter_sensor_to_vehicle_rotation_euler_exchange, data, 13,
-                           NULL, NULL);
+    return mip_device_send(device, &mip_filter_sensor_to_vehicle_rotation_euler_exchange, data, 13);
 }
 
 /**
@@ -307,8 +307,9 @@ static inline struct mip_result mip_call_filter_sensor_to_vehicle_rotation_euler
     struct mip_filter_sensor_to_vehicle_rotation_euler_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_filter_sensor_to_vehicle_rotation_euler_exchange, data, 1,
-                           &mip_filter_sensor_to_vehicle_rotation_euler_response_codec, response);
+    return mip_device_request(device, &mip_filter_sensor_to_vehicle_rotation_euler_exchange, data,
+                              1, &mip_filter_sensor_to_vehicle_rotation_euler_response_codec,
+                              response);
 }
 
 /**
@@ -319,8 +320,7 @@ static inline struct mip_result
 mip_call_filter_sensor_to_vehicle_rotation_euler_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_sensor_to_vehicle_rotation_euler_exchange, data, 1,
-                           NULL, NULL);
+    return mip_device_send(device, &mip_filter_sensor_to_vehicle_rotation_euler_exchange, data, 1);
 }
 
 /** Sensor to vehicle frame transformation: load. Load the saved setting. See mip_device_call. */
@@ -328,8 +328,7 @@ static inline struct mip_result
 mip_call_filter_sensor_to_vehicle_rotation_euler_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_sensor_to_vehicle_rotation_euler_exchange, data, 1,
-                           NULL, NULL);
+    return mip_device_send(device, &mip_filter_sensor_to_vehicle_rotation_euler_exchange, data, 1);
 }
 
 /**
@@ -340,8 +339,7 @@ static inline struct mip_result
 mip_call_filter_sensor_to_vehicle_rotation_euler_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_sensor_to_vehicle_rotation_euler_exchange, data, 1,
-                           NULL, NULL);
+    return mip_device_send(device, &mip_filter_sensor_to_vehicle_rotation_euler_exchange, data, 1);
 }
 
 /**
@@ -386,8 +384,7 @@ mip_call_filter_sensor_to_vehicle_offset_write(struct mip_device *device, const 
     for (size_t i = 0; i < 3; i++) {
         mip_put_float(data + 1 + 4 * i, &offset[i]);
     }
-    return mip_device_send(device, &mip_filter_sensor_to_vehicle_offset_exchange, data, 13, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_sensor_to_vehicle_offset_exchange, data, 13);
 }
 
 /**
@@ -397,8 +394,8 @@ static inline struct mip_result mip_call_filter_sensor_to_vehicle_offset_read(
     struct mip_device *device, struct mip_filter_sensor_to_vehicle_offset_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_filter_sensor_to_vehicle_offset_exchange, data, 1,
-                           &mip_filter_sensor_to_vehicle_offset_response_codec, response);
+    return mip_device_request(device, &mip_filter_sensor_to_vehicle_offset_exchange, data, 1,
+                              &mip_filter_sensor_to_vehicle_offset_response_codec, response);
 }
 
 /**
@@ -409,8 +406,7 @@ static inline struct mip_result
 mip_call_filter_sensor_to_vehicle_offset_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_sensor_to_vehicle_offset_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_sensor_to_vehicle_offset_exchange, data, 1);
 }
 
 /** Sensor to vehicle offset: load. Load the saved setting. See mip_device_call. */
@@ -418,8 +414,7 @@ static inline struct mip_result
 mip_call_filter_sensor_to_vehicle_offset_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_sensor_to_vehicle_offset_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_sensor_to_vehicle_offset_exchange, data, 1);
 }
 
 /** Sensor to vehicle offset: default. Load the factory default setting. See mip_device_call. */
@@ -427,8 +422,7 @@ static inline struct mip_result
 mip_call_filter_sensor_to_vehicle_offset_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_sensor_to_vehicle_offset_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_sensor_to_vehicle_offset_exchange, data, 1);
 }
 
 /**
@@ -473,7 +467,7 @@ static inline struct mip_result mip_call_filter_antenna_offset_write(struct mip_
     for (size_t i = 0; i < 3; i++) {
         mip_put_float(data + 1 + 4 * i, &offset[i]);
     }
-    return mip_device_send(device, &mip_filter_antenna_offset_exchange, data, 13, NULL, NULL);
+    return mip_device_send(device, &mip_filter_antenna_offset_exchange, data, 13);
 }
 
 /** GNSS antenna offset: read. Return the current setting in a response. See mip_device_call. */
@@ -481,8 +475,8 @@ static inline struct mip_result mip_call_filter_antenna_offset_read(
     struct mip_device *device, struct mip_filter_antenna_offset_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_filter_antenna_offset_exchange, data, 1,
-                           &mip_filter_antenna_offset_response_codec, response);
+    return mip_device_request(device, &mip_filter_antenna_offset_exchange, data, 1,
+                              &mip_filter_antenna_offset_response_codec, response);
 }
 
 /**
@@ -491,21 +485,21 @@ static inline struct mip_result mip_call_filter_antenna_offset_read(
 static inline struct mip_result mip_call_filter_antenna_offset_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_antenna_offset_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_antenna_offset_exchange, data, 1);
 }
 
 /** GNSS antenna offset: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_filter_antenna_offset_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_antenna_offset_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_antenna_offset_exchange, data, 1);
 }
 
 /** GNSS antenna offset: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result mip_call_filter_antenna_offset_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_antenna_offset_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_antenna_offset_exchange, data, 1);
 }
 
 /**
@@ -557,7 +551,7 @@ static inline struct mip_result mip_call_filter_estimation_control_write(
     uint8_t data[3];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
     mip_put_16(data + 1, (uint16_t)flags);
-    return mip_device_send(device, &mip_filter_estimation_control_exchange, data, 3, NULL, NULL);
+    return mip_device_send(device, &mip_filter_estimation_control_exchange, data, 3);
 }
 
 /**
@@ -567,8 +561,8 @@ static inline struct mip_result mip_call_filter_estimation_control_read(
     struct mip_device *device, struct mip_filter_estimation_control_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_filter_estimation_control_exchange, data, 1,
-                           &mip_filter_estimation_control_response_codec, response);
+    return mip_device_request(device, &mip_filter_estimation_control_exchange, data, 1,
+                              &mip_filter_estimation_control_response_codec, response);
 }
 
 /**
@@ -578,14 +572,14 @@ static inline struct mip_result mip_call_filter_estimation_control_read(
 static inline struct mip_result mip_call_filter_estimation_control_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_estimation_control_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_estimation_control_exchange, data, 1);
 }
 
 /** Estimation control flags: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_filter_estimation_control_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_estimation_control_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_estimation_control_exchange, data, 1);
 }
 
 /** Estimation control flags: default. Load the factory default setting. See mip_device_call. */
@@ -593,7 +587,7 @@ static inline struct mip_result
 mip_call_filter_estimation_control_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_estimation_control_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_estimation_control_exchange, data, 1);
 }
 
 /**
@@ -636,7 +630,7 @@ static inline struct mip_result mip_call_filter_gnss_source_write(
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
     mip_put_8(data + 1, (uint8_t)source);
-    return mip_device_send(device, &mip_filter_gnss_source_exchange, data, 2, NULL, NULL);
+    return mip_device_send(device, &mip_filter_gnss_source_exchange, data, 2);
 }
 
 /** GNSS aiding source: read. Return the current setting in a response. See mip_device_call. */
@@ -644,8 +638,8 @@ static inline struct mip_result mip_call_filter_gnss_source_read(
     struct mip_device *device, struct mip_filter_gnss_source_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_filter_gnss_source_exchange, data, 1,
-                           &mip_filter_gnss_source_response_codec, response);
+    return mip_device_request(device, &mip_filter_gnss_source_exchange, data, 1,
+                              &mip_filter_gnss_source_response_codec, response);
 }
 
 /**
@@ -654,21 +648,21 @@ static inline struct mip_result mip_call_filter_gnss_source_read(
 static inline struct mip_result mip_call_filter_gnss_source_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_gnss_source_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_gnss_source_exchange, data, 1);
 }
 
 /** GNSS aiding source: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_filter_gnss_source_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_gnss_source_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_gnss_source_exchange, data, 1);
 }
 
 /** GNSS aiding source: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result mip_call_filter_gnss_source_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_gnss_source_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_gnss_source_exchange, data, 1);
 }
 
 /**
@@ -730,7 +724,7 @@ static inline struct mip_result mip_call_filter_external_gnss_update(
     for (size_t i = 0; i < 3; i++) {
         mip_put_float(data + 58 + 4 * i, &velocity_uncertainty[i]);
     }
-    return mip_device_send(device, &mip_filter_external_gnss_update_exchange, data, 70, NULL, NULL);
+    return mip_device_send(device, &mip_filter_external_gnss_update_exchange, data, 70);
 }
 
 /**
@@ -774,8 +768,7 @@ static inline struct mip_result mip_call_filter_external_heading_update(
     mip_put_float(data, &heading);
     mip_put_float(data + 4, &heading_uncertainty);
     mip_put_8(data + 8, (uint8_t)type);
-    return mip_device_send(device, &mip_filter_external_heading_update_exchange, data, 9, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_external_heading_update_exchange, data, 9);
 }
 
 /**
@@ -830,7 +823,7 @@ static inline struct mip_result mip_call_filter_heading_source_write(
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
     mip_put_8(data + 1, (uint8_t)source);
-    return mip_device_send(device, &mip_filter_heading_source_exchange, data, 2, NULL, NULL);
+    return mip_device_send(device, &mip_filter_heading_source_exchange, data, 2);
 }
 
 /** Heading update control: read. Return the current setting in a response. See mip_device_call. */
@@ -838,8 +831,8 @@ static inline struct mip_result mip_call_filter_heading_source_read(
     struct mip_device *device, struct mip_filter_heading_source_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_filter_heading_source_exchange, data, 1,
-                           &mip_filter_heading_source_response_codec, response);
+    return mip_device_request(device, &mip_filter_heading_source_exchange, data, 1,
+                              &mip_filter_heading_source_response_codec, response);
 }
 
 /**
@@ -849,21 +842,21 @@ static inline struct mip_result mip_call_filter_heading_source_read(
 static inline struct mip_result mip_call_filter_heading_source_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_heading_source_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_heading_source_exchange, data, 1);
 }
 
 /** Heading update control: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_filter_heading_source_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_heading_source_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_heading_source_exchange, data, 1);
 }
 
 /** Heading update control: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result mip_call_filter_heading_source_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_heading_source_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_heading_source_exchange, data, 1);
 }
 
 /**
@@ -906,8 +899,7 @@ mip_call_filter_auto_initialization_control_write(struct mip_device *device, uin
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
     mip_put_8(data + 1, (uint8_t)enable);
-    return mip_device_send(device, &mip_filter_auto_initialization_control_exchange, data, 2, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_auto_initialization_control_exchange, data, 2);
 }
 
 /**
@@ -917,8 +909,8 @@ static inline struct mip_result mip_call_filter_auto_initialization_control_read
     struct mip_device *device, struct mip_filter_auto_initialization_control_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_filter_auto_initialization_control_exchange, data, 1,
-                           &mip_filter_auto_initialization_control_response_codec, response);
+    return mip_device_request(device, &mip_filter_auto_initialization_control_exchange, data, 1,
+                              &mip_filter_auto_initialization_control_response_codec, response);
 }
 
 /**
@@ -929,8 +921,7 @@ static inline struct mip_result
 mip_call_filter_auto_initialization_control_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_auto_initialization_control_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_auto_initialization_control_exchange, data, 1);
 }
 
 /** Automatic initialization: load. Load the saved setting. See mip_device_call. */
@@ -938,8 +929,7 @@ static inline struct mip_result
 mip_call_filter_auto_initialization_control_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_auto_initialization_control_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_auto_initialization_control_exchange, data, 1);
 }
 
 /** Automatic initialization: default. Load the factory default setting. See mip_device_call. */
@@ -947,8 +937,7 @@ static inline struct mip_result
 mip_call_filter_auto_initialization_control_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_auto_initialization_control_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_auto_initialization_control_exchange, data, 1);
 }
 
 /**
@@ -992,7 +981,7 @@ static inline struct mip_result mip_call_filter_accel_noise_write(struct mip_dev
     for (size_t i = 0; i < 3; i++) {
         mip_put_float(data + 1 + 4 * i, &noise[i]);
     }
-    return mip_device_send(device, &mip_filter_accel_noise_exchange, data, 13, NULL, NULL);
+    return mip_device_send(device, &mip_filter_accel_noise_exchange, data, 13);
 }
 
 /** Accelerometer noise: read. Return the current setting in a response. See mip_device_call. */
@@ -1000,8 +989,8 @@ static inline struct mip_result mip_call_filter_accel_noise_read(
     struct mip_device *device, struct mip_filter_accel_noise_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_filter_accel_noise_exchange, data, 1,
-                           &mip_filter_accel_noise_response_codec, response);
+    return mip_device_request(device, &mip_filter_accel_noise_exchange, data, 1,
+                              &mip_filter_accel_noise_response_codec, response);
 }
 
 /**
@@ -1010,21 +999,21 @@ static inline struct mip_result mip_call_filter_accel_noise_read(
 static inline struct mip_result mip_call_filter_accel_noise_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_accel_noise_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_accel_noise_exchange, data, 1);
 }
 
 /** Accelerometer noise: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_filter_accel_noise_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_accel_noise_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_accel_noise_exchange, data, 1);
 }
 
 /** Accelerometer noise: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result mip_call_filter_accel_noise_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_accel_noise_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_accel_noise_exchange, data, 1);
 }
 
 /**
@@ -1070,7 +1059,7 @@ static inline struct mip_result mip_call_filter_gyro_noise_write(struct mip_devi
     for (size_t i = 0; i < 3; i++) {
         mip_put_float(data + 1 + 4 * i, &noise[i]);
     }
-    return mip_device_send(device, &mip_filter_gyro_noise_exchange, data, 13, NULL, NULL);
+    return mip_device_send(device, &mip_filter_gyro_noise_exchange, data, 13);
 }
 
 /** Gyroscope noise: read. Return the current setting in a response. See mip_device_call. */
@@ -1078,29 +1067,29 @@ static inline struct mip_result mip_call_filter_gyro_noise_read(
     struct mip_device *device, struct mip_filter_gyro_noise_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_filter_gyro_noise_exchange, data, 1,
-                           &mip_filter_gyro_noise_response_codec, response);
+    return mip_device_request(device, &mip_filter_gyro_noise_exchange, data, 1,
+                              &mip_filter_gyro_noise_response_codec, response);
 }
 
 /** Gyroscope noise: save. Save the current setting to non-volatile memory. See mip_device_call. */
 static inline struct mip_result mip_call_filter_gyro_noise_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_gyro_noise_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_gyro_noise_exchange, data, 1);
 }
 
 /** Gyroscope noise: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_filter_gyro_noise_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_gyro_noise_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_gyro_noise_exchange, data, 1);
 }
 
 /** Gyroscope noise: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result mip_call_filter_gyro_noise_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_gyro_noise_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_gyro_noise_exchange, data, 1);
 }
 
 /**
@@ -1150,7 +1139,7 @@ static inline struct mip_result mip_call_filter_accel_bias_model_write(struct mi
     for (size_t i = 0; i < 3; i++) {
         mip_put_float(data + 13 + 4 * i, &noise[i]);
     }
-    return mip_device_send(device, &mip_filter_accel_bias_model_exchange, data, 25, NULL, NULL);
+    return mip_device_send(device, &mip_filter_accel_bias_model_exchange, data, 25);
 }
 
 /**
@@ -1160,8 +1149,8 @@ static inline struct mip_result mip_call_filter_accel_bias_model_read(
     struct mip_device *device, struct mip_filter_accel_bias_model_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_filter_accel_bias_model_exchange, data, 1,
-                           &mip_filter_accel_bias_model_response_codec, response);
+    return mip_device_request(device, &mip_filter_accel_bias_model_exchange, data, 1,
+                              &mip_filter_accel_bias_model_response_codec, response);
 }
 
 /**
@@ -1171,14 +1160,14 @@ static inline struct mip_result mip_call_filter_accel_bias_model_read(
 static inline struct mip_result mip_call_filter_accel_bias_model_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_accel_bias_model_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_accel_bias_model_exchange, data, 1);
 }
 
 /** Accelerometer bias model: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_filter_accel_bias_model_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_accel_bias_model_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_accel_bias_model_exchange, data, 1);
 }
 
 /** Accelerometer bias model: default. Load the factory default setting. See mip_device_call. */
@@ -1186,7 +1175,7 @@ static inline struct mip_result
 mip_call_filter_accel_bias_model_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_accel_bias_model_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_accel_bias_model_exchange, data, 1);
 }
 
 /**
@@ -1236,7 +1225,7 @@ static inline struct mip_result mip_call_filter_gyro_bias_model_write(struct mip
     for (size_t i = 0; i < 3; i++) {
         mip_put_float(data + 13 + 4 * i, &noise[i]);
     }
-    return mip_device_send(device, &mip_filter_gyro_bias_model_exchange, data, 25, NULL, NULL);
+    return mip_device_send(device, &mip_filter_gyro_bias_model_exchange, data, 25);
 }
 
 /** Gyroscope bias model: read. Return the current setting in a response. See mip_device_call. */
@@ -1244,8 +1233,8 @@ static inline struct mip_result mip_call_filter_gyro_bias_model_read(
     struct mip_device *device, struct mip_filter_gyro_bias_model_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_filter_gyro_bias_model_exchange, data, 1,
-                           &mip_filter_gyro_bias_model_response_codec, response);
+    return mip_device_request(device, &mip_filter_gyro_bias_model_exchange, data, 1,
+                              &mip_filter_gyro_bias_model_response_codec, response);
 }
 
 /**
@@ -1254,21 +1243,21 @@ static inline struct mip_result mip_call_filter_gyro_bias_model_read(
 static inline struct mip_result mip_call_filter_gyro_bias_model_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_gyro_bias_model_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_gyro_bias_model_exchange, data, 1);
 }
 
 /** Gyroscope bias model: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_filter_gyro_bias_model_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_gyro_bias_model_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_gyro_bias_model_exchange, data, 1);
 }
 
 /** Gyroscope bias model: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result mip_call_filter_gyro_bias_model_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_gyro_bias_model_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_gyro_bias_model_exchange, data, 1);
 }
 
 /**
@@ -1315,7 +1304,7 @@ static inline struct mip_result mip_call_filter_auto_zupt_write(struct mip_devic
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
     mip_put_8(data + 1, (uint8_t)enable);
     mip_put_float(data + 2, &threshold);
-    return mip_device_send(device, &mip_filter_auto_zupt_exchange, data, 6, NULL, NULL);
+    return mip_device_send(device, &mip_filter_auto_zupt_exchange, data, 6);
 }
 
 /**
@@ -1326,8 +1315,8 @@ static inline struct mip_result mip_call_filter_auto_zupt_read(
     struct mip_device *device, struct mip_filter_auto_zupt_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_filter_auto_zupt_exchange, data, 1,
-                           &mip_filter_auto_zupt_response_codec, response);
+    return mip_device_request(device, &mip_filter_auto_zupt_exchange, data, 1,
+                              &mip_filter_auto_zupt_response_codec, response);
 }
 
 /**
@@ -1337,14 +1326,14 @@ static inline struct mip_result mip_call_filter_auto_zupt_read(
 static inline struct mip_result mip_call_filter_auto_zupt_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_auto_zupt_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_auto_zupt_exchange, data, 1);
 }
 
 /** Automatic zero velocity update: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_filter_auto_zupt_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_auto_zupt_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_auto_zupt_exchange, data, 1);
 }
 
 /**
@@ -1353,7 +1342,7 @@ static inline struct mip_result mip_call_filter_auto_zupt_load(struct mip_device
 static inline struct mip_result mip_call_filter_auto_zupt_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_auto_zupt_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_auto_zupt_exchange, data, 1);
 }
 
 /**
@@ -1404,8 +1393,8 @@ static inline struct mip_result mip_call_filter_external_heading_update_with_tim
     mip_put_float(data + 10, &heading);
     mip_put_float(data + 14, &heading_uncertainty);
     mip_put_8(data + 18, (uint8_t)type);
-    return mip_device_send(device, &mip_filter_external_heading_update_with_time_exchange, data, 19,
-                           NULL, NULL);
+    return mip_device_send(device, &mip_filter_external_heading_update_with_time_exchange, data,
+                           19);
 }
 
 /**
@@ -1449,7 +1438,7 @@ static inline struct mip_result mip_call_filter_auto_angular_zupt_write(struct m
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
     mip_put_8(data + 1, (uint8_t)enable);
     mip_put_float(data + 2, &threshold);
-    return mip_device_send(device, &mip_filter_auto_angular_zupt_exchange, data, 6, NULL, NULL);
+    return mip_device_send(device, &mip_filter_auto_angular_zupt_exchange, data, 6);
 }
 
 /**
@@ -1459,8 +1448,8 @@ static inline struct mip_result mip_call_filter_auto_angular_zupt_read(
     struct mip_device *device, struct mip_filter_auto_angular_zupt_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_filter_auto_angular_zupt_exchange, data, 1,
-                           &mip_filter_auto_angular_zupt_response_codec, response);
+    return mip_device_request(device, &mip_filter_auto_angular_zupt_exchange, data, 1,
+                              &mip_filter_auto_angular_zupt_response_codec, response);
 }
 
 /**
@@ -1470,14 +1459,14 @@ static inline struct mip_result mip_call_filter_auto_angular_zupt_read(
 static inline struct mip_result mip_call_filter_auto_angular_zupt_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_auto_angular_zupt_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_auto_angular_zupt_exchange, data, 1);
 }
 
 /** Zero angular rate update: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_filter_auto_angular_zupt_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_auto_angular_zupt_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_auto_angular_zupt_exchange, data, 1);
 }
 
 /** Zero angular rate update: default. Load the factory default setting. See mip_device_call. */
@@ -1485,7 +1474,7 @@ static inline struct mip_result
 mip_call_filter_auto_angular_zupt_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_auto_angular_zupt_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_auto_angular_zupt_exchange, data, 1);
 }
 
 /**
@@ -1526,7 +1515,7 @@ static inline struct mip_result mip_call_filter_tare_orientation_write(struct mi
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
     mip_put_8(data + 1, (uint8_t)axes);
-    return mip_device_send(device, &mip_filter_tare_orientation_exchange, data, 2, NULL, NULL);
+    return mip_device_send(device, &mip_filter_tare_orientation_exchange, data, 2);
 }
 
 /** Tare orientation: read. Return the current setting in a response. See mip_device_call. */
@@ -1534,22 +1523,22 @@ static inline struct mip_result mip_call_filter_tare_orientation_read(
     struct mip_device *device, struct mip_filter_tare_orientation_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_filter_tare_orientation_exchange, data, 1,
-                           &mip_filter_tare_orientation_response_codec, response);
+    return mip_device_request(device, &mip_filter_tare_orientation_exchange, data, 1,
+                              &mip_filter_tare_orientation_response_codec, response);
 }
 
 /** Tare orientation: save. Save the current setting to non-volatile memory. See mip_device_call. */
 static inline struct mip_result mip_call_filter_tare_orientation_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_tare_orientation_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_tare_orientation_exchange, data, 1);
 }
 
 /** Tare orientation: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_filter_tare_orientation_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_tare_orientation_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_tare_orientation_exchange, data, 1);
 }
 
 /** Tare orientation: default. Load the factory default setting. See mip_device_call. */
@@ -1557,7 +1546,7 @@ static inline struct mip_result
 mip_call_filter_tare_orientation_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_tare_orientation_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_tare_orientation_exchange, data, 1);
 }
 
 /**
@@ -1589,7 +1578,8 @@ static inline mip_error mip_send_filter_commanded_zupt(struct mip_client *client
 
 /** Commanded zero velocity update. See mip_device_call. */
 static inline struct mip_result mip_call_filter_commanded_zupt(struct mip_device *device) {
-    return mip_device_send(device, &mip_filter_commanded_zupt_exchange, NULL, 0, NULL, NULL);
+    return mip_device_send(device, &mip_filter_commanded_zupt_exchange,
+                           MIP_NO_DATA(mip_filter_commanded_zupt_exchange), 0);
 }
 
 /** What the client knows of the command. */
@@ -1611,8 +1601,8 @@ static inline mip_error mip_send_filter_commanded_angular_zupt(struct mip_client
 
 /** Commanded zero angular rate update. See mip_device_call. */
 static inline struct mip_result mip_call_filter_commanded_angular_zupt(struct mip_device *device) {
-    return mip_device_send(device, &mip_filter_commanded_angular_zupt_exchange, NULL, 0, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_commanded_angular_zupt_exchange,
+                           MIP_NO_DATA(mip_filter_commanded_angular_zupt_exchange), 0);
 }
 
 /** What the client knows of the command. */
@@ -1652,7 +1642,7 @@ static inline struct mip_result mip_call_filter_reference_position_write(
     mip_put_double(data + 2, &latitude);
     mip_put_double(data + 10, &longitude);
     mip_put_double(data + 18, &altitude);
-    return mip_device_send(device, &mip_filter_reference_position_exchange, data, 26, NULL, NULL);
+    return mip_device_send(device, &mip_filter_reference_position_exchange, data, 26);
 }
 
 /** Set reference position: read. Return the current setting in a response. See mip_device_call. */
@@ -1660,8 +1650,8 @@ static inline struct mip_result mip_call_filter_reference_position_read(
     struct mip_device *device, struct mip_filter_reference_position_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_filter_reference_position_exchange, data, 1,
-                           &mip_filter_reference_position_response_codec, response);
+    return mip_device_request(device, &mip_filter_reference_position_exchange, data, 1,
+                              &mip_filter_reference_position_response_codec, response);
 }
 
 /**
@@ -1671,14 +1661,14 @@ static inline struct mip_result mip_call_filter_reference_position_read(
 static inline struct mip_result mip_call_filter_reference_position_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_reference_position_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_reference_position_exchange, data, 1);
 }
 
 /** Set reference position: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_filter_reference_position_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_reference_position_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_reference_position_exchange, data, 1);
 }
 
 /** Set reference position: default. Load the factory default setting. See mip_device_call. */
@@ -1686,7 +1676,7 @@ static inline struct mip_result
 mip_call_filter_reference_position_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_reference_position_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_reference_position_exchange, data, 1);
 }
 
 /**
@@ -1724,8 +1714,7 @@ static inline struct mip_result
 mip_call_filter_mag_capture_auto_calibration_write(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
-    return mip_device_send(device, &mip_filter_mag_capture_auto_calibration_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_mag_capture_auto_calibration_exchange, data, 1);
 }
 
 /**
@@ -1736,8 +1725,7 @@ static inline struct mip_result
 mip_call_filter_mag_capture_auto_calibration_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_mag_capture_auto_calibration_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_mag_capture_auto_calibration_exchange, data, 1);
 }
 
 /**
@@ -1780,7 +1768,7 @@ static inline struct mip_result mip_call_filter_gravity_noise_write(struct mip_d
     for (size_t i = 0; i < 3; i++) {
         mip_put_float(data + 1 + 4 * i, &noise[i]);
     }
-    return mip_device_send(device, &mip_filter_gravity_noise_exchange, data, 13, NULL, NULL);
+    return mip_device_send(device, &mip_filter_gravity_noise_exchange, data, 13);
 }
 
 /** Gravity noise: read. Return the current setting in a response. See mip_device_call. */
@@ -1788,29 +1776,29 @@ static inline struct mip_result mip_call_filter_gravity_noise_read(
     struct mip_device *device, struct mip_filter_gravity_noise_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_filter_gravity_noise_exchange, data, 1,
-                           &mip_filter_gravity_noise_response_codec, response);
+    return mip_device_request(device, &mip_filter_gravity_noise_exchange, data, 1,
+                              &mip_filter_gravity_noise_response_codec, response);
 }
 
 /** Gravity noise: save. Save the current setting to non-volatile memory. See mip_device_call. */
 static inline struct mip_result mip_call_filter_gravity_noise_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_gravity_noise_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_gravity_noise_exchange, data, 1);
 }
 
 /** Gravity noise: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_filter_gravity_noise_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_gravity_noise_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_gravity_noise_exchange, data, 1);
 }
 
 /** Gravity noise: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result mip_call_filter_gravity_noise_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_gravity_noise_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_gravity_noise_exchange, data, 1);
 }
 
 /**
@@ -1853,8 +1841,7 @@ mip_call_filter_pressure_altitude_noise_write(struct mip_device *device, float n
     uint8_t data[5];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
     mip_put_float(data + 1, &noise);
-    return mip_device_send(device, &mip_filter_pressure_altitude_noise_exchange, data, 5, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_pressure_altitude_noise_exchange, data, 5);
 }
 
 /** Pressure altitude noise: read. Return the current setting in a response. See mip_device_call. */
@@ -1862,8 +1849,8 @@ static inline struct mip_result mip_call_filter_pressure_altitude_noise_read(
     struct mip_device *device, struct mip_filter_pressure_altitude_noise_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_filter_pressure_altitude_noise_exchange, data, 1,
-                           &mip_filter_pressure_altitude_noise_response_codec, response);
+    return mip_device_request(device, &mip_filter_pressure_altitude_noise_exchange, data, 1,
+                              &mip_filter_pressure_altitude_noise_response_codec, response);
 }
 
 /**
@@ -1874,8 +1861,7 @@ static inline struct mip_result
 mip_call_filter_pressure_altitude_noise_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_pressure_altitude_noise_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_pressure_altitude_noise_exchange, data, 1);
 }
 
 /** Pressure altitude noise: load. Load the saved setting. See mip_device_call. */
@@ -1883,8 +1869,7 @@ static inline struct mip_result
 mip_call_filter_pressure_altitude_noise_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_pressure_altitude_noise_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_pressure_altitude_noise_exchange, data, 1);
 }
 
 /** Pressure altitude noise: default. Load the factory default setting. See mip_device_call. */
@@ -1892,8 +1877,7 @@ static inline struct mip_result
 mip_call_filter_pressure_altitude_noise_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_pressure_altitude_noise_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_pressure_altitude_noise_exchange, data, 1);
 }
 
 /**
@@ -1938,8 +1922,7 @@ mip_call_filter_hard_iron_offset_noise_write(struct mip_device *device, const fl
     for (size_t i = 0; i < 3; i++) {
         mip_put_float(data + 1 + 4 * i, &noise[i]);
     }
-    return mip_device_send(device, &mip_filter_hard_iron_offset_noise_exchange, data, 13, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_hard_iron_offset_noise_exchange, data, 13);
 }
 
 /** Hard iron offset noise: read. Return the current setting in a response. See mip_device_call. */
@@ -1947,8 +1930,8 @@ static inline struct mip_result mip_call_filter_hard_iron_offset_noise_read(
     struct mip_device *device, struct mip_filter_hard_iron_offset_noise_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_filter_hard_iron_offset_noise_exchange, data, 1,
-                           &mip_filter_hard_iron_offset_noise_response_codec, response);
+    return mip_device_request(device, &mip_filter_hard_iron_offset_noise_exchange, data, 1,
+                              &mip_filter_hard_iron_offset_noise_response_codec, response);
 }
 
 /**
@@ -1959,8 +1942,7 @@ static inline struct mip_result
 mip_call_filter_hard_iron_offset_noise_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_hard_iron_offset_noise_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_hard_iron_offset_noise_exchange, data, 1);
 }
 
 /** Hard iron offset noise: load. Load the saved setting. See mip_device_call. */
@@ -1968,8 +1950,7 @@ static inline struct mip_result
 mip_call_filter_hard_iron_offset_noise_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_hard_iron_offset_noise_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_hard_iron_offset_noise_exchange, data, 1);
 }
 
 /** Hard iron offset noise: default. Load the factory default setting. See mip_device_call. */
@@ -1977,8 +1958,7 @@ static inline struct mip_result
 mip_call_filter_hard_iron_offset_noise_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_hard_iron_offset_noise_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_hard_iron_offset_noise_exchange, data, 1);
 }
 
 /**
@@ -2023,8 +2003,7 @@ mip_call_filter_soft_iron_matrix_noise_write(struct mip_device *device, const fl
     for (size_t i = 0; i < 9; i++) {
         mip_put_float(data + 1 + 4 * i, &noise[i]);
     }
-    return mip_device_send(device, &mip_filter_soft_iron_matrix_noise_exchange, data, 37, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_soft_iron_matrix_noise_exchange, data, 37);
 }
 
 /** Soft iron matrix noise: read. Return the current setting in a response. See mip_device_call. */
@@ -2032,8 +2011,8 @@ static inline struct mip_result mip_call_filter_soft_iron_matrix_noise_read(
     struct mip_device *device, struct mip_filter_soft_iron_matrix_noise_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_filter_soft_iron_matrix_noise_exchange, data, 1,
-                           &mip_filter_soft_iron_matrix_noise_response_codec, response);
+    return mip_device_request(device, &mip_filter_soft_iron_matrix_noise_exchange, data, 1,
+                              &mip_filter_soft_iron_matrix_noise_response_codec, response);
 }
 
 /**
@@ -2044,8 +2023,7 @@ static inline struct mip_result
 mip_call_filter_soft_iron_matrix_noise_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_soft_iron_matrix_noise_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_soft_iron_matrix_noise_exchange, data, 1);
 }
 
 /** Soft iron matrix noise: load. Load the saved setting. See mip_device_call. */
@@ -2053,8 +2031,7 @@ static inline struct mip_result
 mip_call_filter_soft_iron_matrix_noise_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_soft_iron_matrix_noise_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_soft_iron_matrix_noise_exchange, data, 1);
 }
 
 /** Soft iron matrix noise: default. Load the factory default setting. See mip_device_call. */
@@ -2062,8 +2039,7 @@ static inline struct mip_result
 mip_call_filter_soft_iron_matrix_noise_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_soft_iron_matrix_noise_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_soft_iron_matrix_noise_exchange, data, 1);
 }
 
 /**
@@ -2106,7 +2082,7 @@ static inline struct mip_result mip_call_filter_enable_measurements_write(
     uint8_t data[3];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
     mip_put_16(data + 1, (uint16_t)control);
-    return mip_device_send(device, &mip_filter_enable_measurements_exchange, data, 3, NULL, NULL);
+    return mip_device_send(device, &mip_filter_enable_measurements_exchange, data, 3);
 }
 
 /**
@@ -2117,8 +2093,8 @@ static inline struct mip_result mip_call_filter_enable_measurements_read(
     struct mip_device *device, struct mip_filter_enable_measurements_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_filter_enable_measurements_exchange, data, 1,
-                           &mip_filter_enable_measurements_response_codec, response);
+    return mip_device_request(device, &mip_filter_enable_measurements_exchange, data, 1,
+                              &mip_filter_enable_measurements_response_codec, response);
 }
 
 /**
@@ -2129,7 +2105,7 @@ static inline struct mip_result
 mip_call_filter_enable_measurements_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_enable_measurements_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_enable_measurements_exchange, data, 1);
 }
 
 /** Enable or disable measurements: load. Load the saved setting. See mip_device_call. */
@@ -2137,7 +2113,7 @@ static inline struct mip_result
 mip_call_filter_enable_measurements_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_enable_measurements_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_enable_measurements_exchange, data, 1);
 }
 
 /**
@@ -2147,7 +2123,7 @@ static inline struct mip_result
 mip_call_filter_enable_measurements_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_enable_measurements_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_enable_measurements_exchange, data, 1);
 }
 
 /**
@@ -2193,7 +2169,7 @@ static inline struct mip_result mip_call_filter_mag_noise_write(struct mip_devic
     for (size_t i = 0; i < 3; i++) {
         mip_put_float(data + 1 + 4 * i, &noise[i]);
     }
-    return mip_device_send(device, &mip_filter_mag_noise_exchange, data, 13, NULL, NULL);
+    return mip_device_send(device, &mip_filter_mag_noise_exchange, data, 13);
 }
 
 /** Magnetometer noise: read. Return the current setting in a response. See mip_device_call. */
@@ -2201,8 +2177,8 @@ static inline struct mip_result mip_call_filter_mag_noise_read(
     struct mip_device *device, struct mip_filter_mag_noise_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_filter_mag_noise_exchange, data, 1,
-                           &mip_filter_mag_noise_response_codec, response);
+    return mip_device_request(device, &mip_filter_mag_noise_exchange, data, 1,
+                              &mip_filter_mag_noise_response_codec, response);
 }
 
 /**
@@ -2211,21 +2187,21 @@ static inline struct mip_result mip_call_filter_mag_noise_read(
 static inline struct mip_result mip_call_filter_mag_noise_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_mag_noise_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_mag_noise_exchange, data, 1);
 }
 
 /** Magnetometer noise: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_filter_mag_noise_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_mag_noise_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_mag_noise_exchange, data, 1);
 }
 
 /** Magnetometer noise: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result mip_call_filter_mag_noise_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_mag_noise_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_mag_noise_exchange, data, 1);
 }
 
 /**
@@ -2276,8 +2252,7 @@ static inline struct mip_result mip_call_filter_magnetic_declination_source_writ
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
     mip_put_8(data + 1, (uint8_t)source);
     mip_put_float(data + 2, &declination);
-    return mip_device_send(device, &mip_filter_magnetic_declination_source_exchange, data, 6, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_magnetic_declination_source_exchange, data, 6);
 }
 
 /**
@@ -2287,8 +2262,8 @@ static inline struct mip_result mip_call_filter_magnetic_declination_source_read
     struct mip_device *device, struct mip_filter_magnetic_declination_source_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_filter_magnetic_declination_source_exchange, data, 1,
-                           &mip_filter_magnetic_declination_source_response_codec, response);
+    return mip_device_request(device, &mip_filter_magnetic_declination_source_exchange, data, 1,
+                              &mip_filter_magnetic_declination_source_response_codec, response);
 }
 
 /**
@@ -2299,8 +2274,7 @@ static inline struct mip_result
 mip_call_filter_magnetic_declination_source_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_magnetic_declination_source_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_magnetic_declination_source_exchange, data, 1);
 }
 
 /** Magnetic declination source: load. Load the saved setting. See mip_device_call. */
@@ -2308,8 +2282,7 @@ static inline struct mip_result
 mip_call_filter_magnetic_declination_source_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_magnetic_declination_source_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_magnetic_declination_source_exchange, data, 1);
 }
 
 /** Magnetic declination source: default. Load the factory default setting. See mip_device_call. */
@@ -2317,8 +2290,7 @@ static inline struct mip_result
 mip_call_filter_magnetic_declination_source_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_magnetic_declination_source_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_magnetic_declination_source_exchange, data, 1);
 }
 
 /**
@@ -2365,8 +2337,7 @@ static inline struct mip_result mip_call_filter_accel_magnitude_adaptive_write(
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
     mip_put_8(data + 1, (uint8_t)adaptive_measurement);
-    return mip_device_send(device, &mip_filter_accel_magnitude_adaptive_exchange, data, 2, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_accel_magnitude_adaptive_exchange, data, 2);
 }
 
 /**
@@ -2377,8 +2348,8 @@ static inline struct mip_result mip_call_filter_accel_magnitude_adaptive_read(
     struct mip_device *device, struct mip_filter_accel_magnitude_adaptive_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_filter_accel_magnitude_adaptive_exchange, data, 1,
-                           &mip_filter_accel_magnitude_adaptive_response_codec, response);
+    return mip_device_request(device, &mip_filter_accel_magnitude_adaptive_exchange, data, 1,
+                              &mip_filter_accel_magnitude_adaptive_response_codec, response);
 }
 
 /**
@@ -2389,8 +2360,7 @@ static inline struct mip_result
 mip_call_filter_accel_magnitude_adaptive_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_accel_magnitude_adaptive_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_accel_magnitude_adaptive_exchange, data, 1);
 }
 
 /**
@@ -2400,8 +2370,7 @@ static inline struct mip_result
 mip_call_filter_accel_magnitude_adaptive_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_accel_magnitude_adaptive_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_accel_magnitude_adaptive_exchange, data, 1);
 }
 
 /**
@@ -2412,8 +2381,7 @@ static inline struct mip_result
 mip_call_filter_accel_magnitude_adaptive_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_accel_magnitude_adaptive_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_accel_magnitude_adaptive_exchange, data, 1);
 }
 
 /**
@@ -2486,8 +2454,7 @@ static inline struct mip_result mip_call_filter_mag_magnitude_adaptive_write(
     mip_put_float(data + 14, &low_limit_uncertainty);
     mip_put_float(data + 18, &high_limit_uncertainty);
     mip_put_float(data + 22, &minimum_uncertainty);
-    return mip_device_send(device, &mip_filter_mag_magnitude_adaptive_exchange, data, 26, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_mag_magnitude_adaptive_exchange, data, 26);
 }
 
 /**
@@ -2498,8 +2465,8 @@ static inline struct mip_result mip_call_filter_mag_magnitude_adaptive_read(
     struct mip_device *device, struct mip_filter_mag_magnitude_adaptive_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_filter_mag_magnitude_adaptive_exchange, data, 1,
-                           &mip_filter_mag_magnitude_adaptive_response_codec, response);
+    return mip_device_request(device, &mip_filter_mag_magnitude_adaptive_exchange, data, 1,
+                              &mip_filter_mag_magnitude_adaptive_response_codec, response);
 }
 
 /**
@@ -2510,8 +2477,7 @@ static inline struct mip_result
 mip_call_filter_mag_magnitude_adaptive_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_mag_magnitude_adaptive_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_mag_magnitude_adaptive_exchange, data, 1);
 }
 
 /**
@@ -2522,8 +2488,7 @@ static inline struct mip_result
 mip_call_filter_mag_magnitude_adaptive_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_mag_magnitude_adaptive_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_mag_magnitude_adaptive_exchange, data, 1);
 }
 
 /**
@@ -2534,8 +2499,7 @@ static inline struct mip_result
 mip_call_filter_mag_magnitude_adaptive_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_mag_magnitude_adaptive_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_mag_magnitude_adaptive_exchange, data, 1);
 }
 
 /**
@@ -2593,8 +2557,7 @@ static inline struct mip_result mip_call_filter_mag_dip_angle_adaptive_write(
     mip_put_float(data + 6, &high_limit);
     mip_put_float(data + 10, &high_limit_uncertainty);
     mip_put_float(data + 14, &minimum_uncertainty);
-    return mip_device_send(device, &mip_filter_mag_dip_angle_adaptive_exchange, data, 18, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_mag_dip_angle_adaptive_exchange, data, 18);
 }
 
 /**
@@ -2605,8 +2568,8 @@ static inline struct mip_result mip_call_filter_mag_dip_angle_adaptive_read(
     struct mip_device *device, struct mip_filter_mag_dip_angle_adaptive_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_filter_mag_dip_angle_adaptive_exchange, data, 1,
-                           &mip_filter_mag_dip_angle_adaptive_response_codec, response);
+    return mip_device_request(device, &mip_filter_mag_dip_angle_adaptive_exchange, data, 1,
+                              &mip_filter_mag_dip_angle_adaptive_response_codec, response);
 }
 
 /**
@@ -2617,8 +2580,7 @@ static inline struct mip_result
 mip_call_filter_mag_dip_angle_adaptive_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_mag_dip_angle_adaptive_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_mag_dip_angle_adaptive_exchange, data, 1);
 }
 
 /**
@@ -2629,8 +2591,7 @@ static inline struct mip_result
 mip_call_filter_mag_dip_angle_adaptive_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_mag_dip_angle_adaptive_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_mag_dip_angle_adaptive_exchange, data, 1);
 }
 
 /**
@@ -2641,8 +2602,7 @@ static inline struct mip_result
 mip_call_filter_mag_dip_angle_adaptive_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_mag_dip_angle_adaptive_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_mag_dip_angle_adaptive_exchange, data, 1);
 }
 
 /**
@@ -2684,7 +2644,7 @@ static inline struct mip_result mip_call_filter_altitude_aiding_write(
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
     mip_put_8(data + 1, (uint8_t)selector);
-    return mip_device_send(device, &mip_filter_altitude_aiding_exchange, data, 2, NULL, NULL);
+    return mip_device_send(device, &mip_filter_altitude_aiding_exchange, data, 2);
 }
 
 /** Altitude aiding: read. Return the current setting in a response. See mip_device_call. */
@@ -2692,29 +2652,29 @@ static inline struct mip_result mip_call_filter_altitude_aiding_read(
     struct mip_device *device, struct mip_filter_altitude_aiding_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_filter_altitude_aiding_exchange, data, 1,
-                           &mip_filter_altitude_aiding_response_codec, response);
+    return mip_device_request(device, &mip_filter_altitude_aiding_exchange, data, 1,
+                              &mip_filter_altitude_aiding_response_codec, response);
 }
 
 /** Altitude aiding: save. Save the current setting to non-volatile memory. See mip_device_call. */
 static inline struct mip_result mip_call_filter_altitude_aiding_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_altitude_aiding_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_altitude_aiding_exchange, data, 1);
 }
 
 /** Altitude aiding: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_filter_altitude_aiding_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_altitude_aiding_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_altitude_aiding_exchange, data, 1);
 }
 
 /** Altitude aiding: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result mip_call_filter_altitude_aiding_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_altitude_aiding_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_altitude_aiding_exchange, data, 1);
 }
 
 /**
@@ -2756,7 +2716,7 @@ static inline struct mip_result mip_call_filter_pitch_roll_aiding_write(
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
     mip_put_8(data + 1, (uint8_t)aiding);
-    return mip_device_send(device, &mip_filter_pitch_roll_aiding_exchange, data, 2, NULL, NULL);
+    return mip_device_send(device, &mip_filter_pitch_roll_aiding_exchange, data, 2);
 }
 
 /** Pitch and roll aiding: read. Return the current setting in a response. See mip_device_call. */
@@ -2764,8 +2724,8 @@ static inline struct mip_result mip_call_filter_pitch_roll_aiding_read(
     struct mip_device *device, struct mip_filter_pitch_roll_aiding_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_filter_pitch_roll_aiding_exchange, data, 1,
-                           &mip_filter_pitch_roll_aiding_response_codec, response);
+    return mip_device_request(device, &mip_filter_pitch_roll_aiding_exchange, data, 1,
+                              &mip_filter_pitch_roll_aiding_response_codec, response);
 }
 
 /**
@@ -2775,14 +2735,14 @@ static inline struct mip_result mip_call_filter_pitch_roll_aiding_read(
 static inline struct mip_result mip_call_filter_pitch_roll_aiding_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_pitch_roll_aiding_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_pitch_roll_aiding_exchange, data, 1);
 }
 
 /** Pitch and roll aiding: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_filter_pitch_roll_aiding_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_pitch_roll_aiding_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_pitch_roll_aiding_exchange, data, 1);
 }
 
 /** Pitch and roll aiding: default. Load the factory default setting. See mip_device_call. */
@@ -2790,7 +2750,7 @@ static inline struct mip_result
 mip_call_filter_pitch_roll_aiding_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_pitch_roll_aiding_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_pitch_roll_aiding_exchange, data, 1);
 }
 
 /**
@@ -2838,8 +2798,7 @@ static inline struct mip_result mip_call_filter_magnetic_inclination_source_writ
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
     mip_put_8(data + 1, (uint8_t)source);
     mip_put_float(data + 2, &inclination);
-    return mip_device_send(device, &mip_filter_magnetic_inclination_source_exchange, data, 6, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_magnetic_inclination_source_exchange, data, 6);
 }
 
 /**
@@ -2849,8 +2808,8 @@ static inline struct mip_result mip_call_filter_magnetic_inclination_source_read
     struct mip_device *device, struct mip_filter_magnetic_inclination_source_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_filter_magnetic_inclination_source_exchange, data, 1,
-                           &mip_filter_magnetic_inclination_source_response_codec, response);
+    return mip_device_request(device, &mip_filter_magnetic_inclination_source_exchange, data, 1,
+                              &mip_filter_magnetic_inclination_source_response_codec, response);
 }
 
 /**
@@ -2861,8 +2820,7 @@ static inline struct mip_result
 mip_call_filter_magnetic_inclination_source_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_magnetic_inclination_source_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_magnetic_inclination_source_exchange, data, 1);
 }
 
 /** Magnetic inclination source: load. Load the saved setting. See mip_device_call. */
@@ -2870,8 +2828,7 @@ static inline struct mip_result
 mip_call_filter_magnetic_inclination_source_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_magnetic_inclination_source_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_magnetic_inclination_source_exchange, data, 1);
 }
 
 /** Magnetic inclination source: default. Load the factory default setting. See mip_device_call. */
@@ -2879,8 +2836,7 @@ static inline struct mip_result
 mip_call_filter_magnetic_inclination_source_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_magnetic_inclination_source_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_magnetic_inclination_source_exchange, data, 1);
 }
 
 /**
@@ -2928,8 +2884,7 @@ static inline struct mip_result mip_call_filter_magnetic_magnitude_source_write(
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
     mip_put_8(data + 1, (uint8_t)source);
     mip_put_float(data + 2, &magnitude);
-    return mip_device_send(device, &mip_filter_magnetic_magnitude_source_exchange, data, 6, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_magnetic_magnitude_source_exchange, data, 6);
 }
 
 /**
@@ -2940,8 +2895,8 @@ static inline struct mip_result mip_call_filter_magnetic_magnitude_source_read(
     struct mip_device *device, struct mip_filter_magnetic_magnitude_source_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_filter_magnetic_magnitude_source_exchange, data, 1,
-                           &mip_filter_magnetic_magnitude_source_response_codec, response);
+    return mip_device_request(device, &mip_filter_magnetic_magnitude_source_exchange, data, 1,
+                              &mip_filter_magnetic_magnitude_source_response_codec, response);
 }
 
 /**
@@ -2952,8 +2907,7 @@ static inline struct mip_result
 mip_call_filter_magnetic_magnitude_source_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_magnetic_magnitude_source_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_magnetic_magnitude_source_exchange, data, 1);
 }
 
 /** Magnetic field magnitude source: load. Load the saved setting. See mip_device_call. */
@@ -2961,8 +2915,7 @@ static inline struct mip_result
 mip_call_filter_magnetic_magnitude_source_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_magnetic_magnitude_source_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_magnetic_magnitude_source_exchange, data, 1);
 }
 
 /**
@@ -2972,8 +2925,7 @@ static inline struct mip_result
 mip_call_filter_magnetic_magnitude_source_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_magnetic_magnitude_source_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_magnetic_magnitude_source_exchange, data, 1);
 }
 
 /**
@@ -3019,8 +2971,7 @@ static inline struct mip_result mip_call_filter_sensor_to_vehicle_rotation_dcm_w
     for (size_t i = 0; i < 9; i++) {
         mip_put_float(data + 1 + 4 * i, &dcm[i]);
     }
-    return mip_device_send(device, &mip_filter_sensor_to_vehicle_rotation_dcm_exchange, data, 37,
-                           NULL, NULL);
+    return mip_device_send(device, &mip_filter_sensor_to_vehicle_rotation_dcm_exchange, data, 37);
 }
 
 /**
@@ -3032,8 +2983,8 @@ static inline struct mip_result mip_call_filter_sensor_to_vehicle_rotation_dcm_r
     struct mip_filter_sensor_to_vehicle_rotation_dcm_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_filter_sensor_to_vehicle_rotation_dcm_exchange, data, 1,
-                           &mip_filter_sensor_to_vehicle_rotation_dcm_response_codec, response);
+    return mip_device_request(device, &mip_filter_sensor_to_vehicle_rotation_dcm_exchange, data, 1,
+                              &mip_filter_sensor_to_vehicle_rotation_dcm_response_codec, response);
 }
 
 /**
@@ -3044,8 +2995,7 @@ static inline struct mip_result
 mip_call_filter_sensor_to_vehicle_rotation_dcm_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_sensor_to_vehicle_rotation_dcm_exchange, data, 1,
-                           NULL, NULL);
+    return mip_device_send(device, &mip_filter_sensor_to_vehicle_rotation_dcm_exchange, data, 1);
 }
 
 /** Sensor to vehicle rotation, matrix: load. Load the saved setting. See mip_device_call. */
@@ -3053,8 +3003,7 @@ static inline struct mip_result
 mip_call_filter_sensor_to_vehicle_rotation_dcm_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_sensor_to_vehicle_rotation_dcm_exchange, data, 1,
-                           NULL, NULL);
+    return mip_device_send(device, &mip_filter_sensor_to_vehicle_rotation_dcm_exchange, data, 1);
 }
 
 /**
@@ -3065,8 +3014,7 @@ static inline struct mip_result
 mip_call_filter_sensor_to_vehicle_rotation_dcm_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_sensor_to_vehicle_rotation_dcm_exchange, data, 1,
-                           NULL, NULL);
+    return mip_device_send(device, &mip_filter_sensor_to_vehicle_rotation_dcm_exchange, data, 1);
 }
 
 /**
@@ -3112,8 +3060,7 @@ mip_call_filter_sensor_to_vehicle_quaternion_write(struct mip_device *device, co
     for (size_t i = 0; i < 4; i++) {
         mip_put_float(data + 1 + 4 * i, &q[i]);
     }
-    return mip_device_send(device, &mip_filter_sensor_to_vehicle_quaternion_exchange, data, 17,
-                           NULL, NULL);
+    return mip_device_send(device, &mip_filter_sensor_to_vehicle_quaternion_exchange, data, 17);
 }
 
 /**
@@ -3124,8 +3071,8 @@ static inline struct mip_result mip_call_filter_sensor_to_vehicle_quaternion_rea
     struct mip_device *device, struct mip_filter_sensor_to_vehicle_quaternion_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_filter_sensor_to_vehicle_quaternion_exchange, data, 1,
-                           &mip_filter_sensor_to_vehicle_quaternion_response_codec, response);
+    return mip_device_request(device, &mip_filter_sensor_to_vehicle_quaternion_exchange, data, 1,
+                              &mip_filter_sensor_to_vehicle_quaternion_response_codec, response);
 }
 
 /**
@@ -3136,8 +3083,7 @@ static inline struct mip_result
 mip_call_filter_sensor_to_vehicle_quaternion_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_sensor_to_vehicle_quaternion_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_sensor_to_vehicle_quaternion_exchange, data, 1);
 }
 
 /** Sensor to vehicle rotation, quaternion: load. Load the saved setting. See mip_device_call. */
@@ -3145,8 +3091,7 @@ static inline struct mip_result
 mip_call_filter_sensor_to_vehicle_quaternion_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_sensor_to_vehicle_quaternion_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_sensor_to_vehicle_quaternion_exchange, data, 1);
 }
 
 /**
@@ -3157,8 +3102,7 @@ static inline struct mip_result
 mip_call_filter_sensor_to_vehicle_quaternion_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_sensor_to_vehicle_quaternion_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_sensor_to_vehicle_quaternion_exchange, data, 1);
 }
 
 /**
@@ -3215,8 +3159,7 @@ static inline struct mip_result mip_call_filter_aiding_measurement_enable_write(
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
     mip_put_16(data + 1, (uint16_t)aiding_source);
     mip_put_8(data + 3, (uint8_t)mip_truth(enable));
-    return mip_device_send(device, &mip_filter_aiding_measurement_enable_exchange, data, 4, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_aiding_measurement_enable_exchange, data, 4);
 }
 
 /**
@@ -3243,8 +3186,8 @@ static inline struct mip_result mip_call_filter_aiding_measurement_enable_read(
     uint8_t data[3];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
     mip_put_16(data + 1, (uint16_t)aiding_source);
-    return mip_device_send(device, &mip_filter_aiding_measurement_enable_exchange, data, 3,
-                           &mip_filter_aiding_measurement_enable_response_codec, response);
+    return mip_device_request(device, &mip_filter_aiding_measurement_enable_exchange, data, 3,
+                              &mip_filter_aiding_measurement_enable_response_codec, response);
 }
 
 /**
@@ -3271,8 +3214,7 @@ mip_call_filter_aiding_measurement_enable_save(struct mip_device *device, uint16
     uint8_t data[3];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
     mip_put_16(data + 1, (uint16_t)aiding_source);
-    return mip_device_send(device, &mip_filter_aiding_measurement_enable_exchange, data, 3, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_aiding_measurement_enable_exchange, data, 3);
 }
 
 /**
@@ -3298,8 +3240,7 @@ mip_call_filter_aiding_measurement_enable_load(struct mip_device *device, uint16
     uint8_t data[3];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
     mip_put_16(data + 1, (uint16_t)aiding_source);
-    return mip_device_send(device, &mip_filter_aiding_measurement_enable_exchange, data, 3, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_aiding_measurement_enable_exchange, data, 3);
 }
 
 /**
@@ -3325,8 +3266,7 @@ static inline struct mip_result mip_call_filter_aiding_measurement_enable_defaul
     uint8_t data[3];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
     mip_put_16(data + 1, (uint16_t)aiding_source);
-    return mip_device_send(device, &mip_filter_aiding_measurement_enable_exchange, data, 3, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_aiding_measurement_enable_exchange, data, 3);
 }
 
 /**
@@ -3377,7 +3317,7 @@ static inline struct mip_result mip_call_filter_kinematic_constraint_write(
     mip_put_8(data + 1, (uint8_t)accel_constraint);
     mip_put_8(data + 2, (uint8_t)velocity_constraint);
     mip_put_8(data + 3, (uint8_t)angular_constraint);
-    return mip_device_send(device, &mip_filter_kinematic_constraint_exchange, data, 4, NULL, NULL);
+    return mip_device_send(device, &mip_filter_kinematic_constraint_exchange, data, 4);
 }
 
 /** Kinematic constraint: read. Return the current setting in a response. See mip_device_call. */
@@ -3385,8 +3325,8 @@ static inline struct mip_result mip_call_filter_kinematic_constraint_read(
     struct mip_device *device, struct mip_filter_kinematic_constraint_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_filter_kinematic_constraint_exchange, data, 1,
-                           &mip_filter_kinematic_constraint_response_codec, response);
+    return mip_device_request(device, &mip_filter_kinematic_constraint_exchange, data, 1,
+                              &mip_filter_kinematic_constraint_response_codec, response);
 }
 
 /**
@@ -3396,7 +3336,7 @@ static inline struct mip_result
 mip_call_filter_kinematic_constraint_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_kinematic_constraint_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_kinematic_constraint_exchange, data, 1);
 }
 
 /** Kinematic constraint: load. Load the saved setting. See mip_device_call. */
@@ -3404,7 +3344,7 @@ static inline struct mip_result
 mip_call_filter_kinematic_constraint_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_kinematic_constraint_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_kinematic_constraint_exchange, data, 1);
 }
 
 /** Kinematic constraint: default. Load the factory default setting. See mip_device_call. */
@@ -3412,7 +3352,7 @@ static inline struct mip_result
 mip_call_filter_kinematic_constraint_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_kinematic_constraint_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_kinematic_constraint_exchange, data, 1);
 }
 
 /**
@@ -3493,8 +3433,7 @@ static inline struct mip_result mip_call_filter_initialization_config_write(
     for (size_t i = 0; i < 3; i++) {
         mip_put_float(data + 28 + 4 * i, &initial_velocity[i]);
     }
-    return mip_device_send(device, &mip_filter_initialization_config_exchange, data, 41, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_initialization_config_exchange, data, 41);
 }
 
 /**
@@ -3505,8 +3444,8 @@ static inline struct mip_result mip_call_filter_initialization_config_read(
     struct mip_device *device, struct mip_filter_initialization_config_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_filter_initialization_config_exchange, data, 1,
-                           &mip_filter_initialization_config_response_codec, response);
+    return mip_device_request(device, &mip_filter_initialization_config_exchange, data, 1,
+                              &mip_filter_initialization_config_response_codec, response);
 }
 
 /**
@@ -3517,7 +3456,7 @@ static inline struct mip_result
 mip_call_filter_initialization_config_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_initialization_config_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_initialization_config_exchange, data, 1);
 }
 
 /** Navigation filter initialization: load. Load the saved setting. See mip_device_call. */
@@ -3525,7 +3464,7 @@ static inline struct mip_result
 mip_call_filter_initialization_config_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_initialization_config_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_initialization_config_exchange, data, 1);
 }
 
 /**
@@ -3535,7 +3474,7 @@ static inline struct mip_result
 mip_call_filter_initialization_config_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_initialization_config_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_filter_initialization_config_exchange, data, 1);
 }
 
 /**
@@ -3582,8 +3521,7 @@ static inline struct mip_result mip_call_filter_adaptive_filter_options_write(
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
     mip_put_8(data + 1, (uint8_t)level);
     mip_put_16(data + 2, (uint16_t)time_limit);
-    return mip_device_send(device, &mip_filter_adaptive_filter_options_exchange, data, 4, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_adaptive_filter_options_exchange, data, 4);
 }
 
 /** Adaptive filter control: read. Return the current setting in a response. See mip_device_call. */
@@ -3591,8 +3529,8 @@ static inline struct mip_result mip_call_filter_adaptive_filter_options_read(
     struct mip_device *device, struct mip_filter_adaptive_filter_options_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_filter_adaptive_filter_options_exchange, data, 1,
-                           &mip_filter_adaptive_filter_options_response_codec, response);
+    return mip_device_request(device, &mip_filter_adaptive_filter_options_exchange, data, 1,
+                              &mip_filter_adaptive_filter_options_response_codec, response);
 }
 
 /**
@@ -3603,8 +3541,7 @@ static inline struct mip_result
 mip_call_filter_adaptive_filter_options_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_adaptive_filter_options_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_adaptive_filter_options_exchange, data, 1);
 }
 
 /** Adaptive filter control: load. Load the saved setting. See mip_device_call. */
@@ -3612,8 +3549,7 @@ static inline struct mip_result
 mip_call_filter_adaptive_filter_options_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_adaptive_filter_options_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_adaptive_filter_options_exchange, data, 1);
 }
 
 /** Adaptive filter control: default. Load the factory default setting. See mip_device_call. */
@@ -3621,8 +3557,7 @@ static inline struct mip_result
 mip_call_filter_adaptive_filter_options_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_adaptive_filter_options_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_adaptive_filter_options_exchange, data, 1);
 }
 
 /**
@@ -3668,7 +3603,7 @@ static inline struct mip_result mip_call_filter_multi_antenna_offset_write(
     for (size_t i = 0; i < 3; i++) {
         mip_put_float(data + 2 + 4 * i, &antenna_offset[i]);
     }
-    return mip_device_send(device, &mip_filter_multi_antenna_offset_exchange, data, 14, NULL, NULL);
+    return mip_device_send(device, &mip_filter_multi_antenna_offset_exchange, data, 14);
 }
 
 /**
@@ -3682,8 +3617,8 @@ static inline struct mip_result mip_call_filter_multi_antenna_offset_read(
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
     mip_put_8(data + 1, (uint8_t)receiver_id);
-    return mip_device_send(device, &mip_filter_multi_antenna_offset_exchange, data, 2,
-                           &mip_filter_multi_antenna_offset_response_codec, response);
+    return mip_device_request(device, &mip_filter_multi_antenna_offset_exchange, data, 2,
+                              &mip_filter_multi_antenna_offset_response_codec, response);
 }
 
 /**
@@ -3697,7 +3632,7 @@ static inline struct mip_result mip_call_filter_multi_antenna_offset_save(struct
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
     mip_put_8(data + 1, (uint8_t)receiver_id);
-    return mip_device_send(device, &mip_filter_multi_antenna_offset_exchange, data, 2, NULL, NULL);
+    return mip_device_send(device, &mip_filter_multi_antenna_offset_exchange, data, 2);
 }
 
 /**
@@ -3710,7 +3645,7 @@ static inline struct mip_result mip_call_filter_multi_antenna_offset_load(struct
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
     mip_put_8(data + 1, (uint8_t)receiver_id);
-    return mip_device_send(device, &mip_filter_multi_antenna_offset_exchange, data, 2, NULL, NULL);
+    return mip_device_send(device, &mip_filter_multi_antenna_offset_exchange, data, 2);
 }
 
 /**
@@ -3723,7 +3658,7 @@ mip_call_filter_multi_antenna_offset_default(struct mip_device *device, uint8_t 
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
     mip_put_8(data + 1, (uint8_t)receiver_id);
-    return mip_device_send(device, &mip_filter_multi_antenna_offset_exchange, data, 2, NULL, NULL);
+    return mip_device_send(device, &mip_filter_multi_antenna_offset_exchange, data, 2);
 }
 
 /**
@@ -3779,8 +3714,7 @@ static inline struct mip_result mip_call_filter_relative_position_config_write(
     for (size_t i = 0; i < 3; i++) {
         mip_put_double(data + 3 + 8 * i, &reference_coordinates[i]);
     }
-    return mip_device_send(device, &mip_filter_relative_position_config_exchange, data, 27, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_relative_position_config_exchange, data, 27);
 }
 
 /**
@@ -3791,8 +3725,8 @@ static inline struct mip_result mip_call_filter_relative_position_config_read(
     struct mip_device *device, struct mip_filter_relative_position_config_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_filter_relative_position_config_exchange, data, 1,
-                           &mip_filter_relative_position_config_response_codec, response);
+    return mip_device_request(device, &mip_filter_relative_position_config_exchange, data, 1,
+                              &mip_filter_relative_position_config_response_codec, response);
 }
 
 /**
@@ -3803,8 +3737,7 @@ static inline struct mip_result
 mip_call_filter_relative_position_config_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_relative_position_config_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_relative_position_config_exchange, data, 1);
 }
 
 /** Relative position configuration: load. Load the saved setting. See mip_device_call. */
@@ -3812,8 +3745,7 @@ static inline struct mip_result
 mip_call_filter_relative_position_config_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_relative_position_config_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_relative_position_config_exchange, data, 1);
 }
 
 /**
@@ -3823,8 +3755,7 @@ static inline struct mip_result
 mip_call_filter_relative_position_config_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_relative_position_config_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_relative_position_config_exchange, data, 1);
 }
 
 /**
@@ -3873,8 +3804,7 @@ static inline struct mip_result mip_call_filter_reference_point_lever_arm_write(
     for (size_t i = 0; i < 3; i++) {
         mip_put_float(data + 2 + 4 * i, &lever_arm_offset[i]);
     }
-    return mip_device_send(device, &mip_filter_reference_point_lever_arm_exchange, data, 14, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_reference_point_lever_arm_exchange, data, 14);
 }
 
 /**
@@ -3884,8 +3814,8 @@ static inline struct mip_result mip_call_filter_reference_point_lever_arm_read(
     struct mip_device *device, struct mip_filter_reference_point_lever_arm_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_filter_reference_point_lever_arm_exchange, data, 1,
-                           &mip_filter_reference_point_lever_arm_response_codec, response);
+    return mip_device_request(device, &mip_filter_reference_point_lever_arm_exchange, data, 1,
+                              &mip_filter_reference_point_lever_arm_response_codec, response);
 }
 
 /**
@@ -3896,8 +3826,7 @@ static inline struct mip_result
 mip_call_filter_reference_point_lever_arm_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_reference_point_lever_arm_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_reference_point_lever_arm_exchange, data, 1);
 }
 
 /** Reference point lever arm: load. Load the saved setting. See mip_device_call. */
@@ -3905,8 +3834,7 @@ static inline struct mip_result
 mip_call_filter_reference_point_lever_arm_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_reference_point_lever_arm_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_reference_point_lever_arm_exchange, data, 1);
 }
 
 /** Reference point lever arm: default. Load the factory default setting. See mip_device_call. */
@@ -3914,8 +3842,7 @@ static inline struct mip_result
 mip_call_filter_reference_point_lever_arm_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_reference_point_lever_arm_exchange, data, 1, NULL,
-                           NULL);
+    return mip_device_send(device, &mip_filter_reference_point_lever_arm_exchange, data, 1);
 }
 
 /**
@@ -3960,7 +3887,7 @@ static inline struct mip_result mip_call_filter_speed_measurement(struct mip_dev
     mip_put_float(data + 1, &tow);
     mip_put_float(data + 5, &speed);
     mip_put_float(data + 9, &speed_uncertainty);
-    return mip_device_send(device, &mip_filter_speed_measurement_exchange, data, 13, NULL, NULL);
+    return mip_device_send(device, &mip_filter_speed_measurement_exchange, data, 13);
 }
 
 /**
@@ -4003,7 +3930,7 @@ mip_call_filter_speed_lever_arm_write(struct mip_device *device, const float lev
     for (size_t i = 0; i < 3; i++) {
         mip_put_float(data + 2 + 4 * i, &lever_arm_offset[i]);
     }
-    return mip_device_send(device, &mip_filter_speed_lever_arm_exchange, data, 14, NULL, NULL);
+    return mip_device_send(device, &mip_filter_speed_lever_arm_exchange, data, 14);
 }
 
 /**
@@ -4014,8 +3941,8 @@ static inline struct mip_result mip_call_filter_speed_lever_arm_read(
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
     mip_put_8(data + 1, (uint8_t)1);
-    return mip_device_send(device, &mip_filter_speed_lever_arm_exchange, data, 2,
-                           &mip_filter_speed_lever_arm_response_codec, response);
+    return mip_device_request(device, &mip_filter_speed_lever_arm_exchange, data, 2,
+                              &mip_filter_speed_lever_arm_response_codec, response);
 }
 
 /**
@@ -4026,7 +3953,7 @@ static inline struct mip_result mip_call_filter_speed_lever_arm_save(struct mip_
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
     mip_put_8(data + 1, (uint8_t)1);
-    return mip_device_send(device, &mip_filter_speed_lever_arm_exchange, data, 2, NULL, NULL);
+    return mip_device_send(device, &mip_filter_speed_lever_arm_exchange, data, 2);
 }
 
 /** Speed measurement lever arm: load. Load the saved setting. See mip_device_call. */
@@ -4034,7 +3961,7 @@ static inline struct mip_result mip_call_filter_speed_lever_arm_load(struct mip_
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
     mip_put_8(data + 1, (uint8_t)1);
-    return mip_device_send(device, &mip_filter_speed_lever_arm_exchange, data, 2, NULL, NULL);
+    return mip_device_send(device, &mip_filter_speed_lever_arm_exchange, data, 2);
 }
 
 /** Speed measurement lever arm: default. Load the factory default setting. See mip_device_call. */
@@ -4042,7 +3969,7 @@ static inline struct mip_result mip_call_filter_speed_lever_arm_default(struct m
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
     mip_put_8(data + 1, (uint8_t)1);
-    return mip_device_send(device, &mip_filter_speed_lever_arm_exchange, data, 2, NULL, NULL);
+    return mip_device_send(device, &mip_filter_speed_lever_arm_exchange, data, 2);
 }
 
 /**
@@ -4084,8 +4011,7 @@ mip_call_filter_vertical_gyro_constraint_control_write(struct mip_device *device
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
     mip_put_8(data + 1, (uint8_t)enable);
-    return mip_device_send(device, &mip_filter_vertical_gyro_constraint_control_exchange, data, 2,
-                           NULL, NULL);
+    return mip_device_send(device, &mip_filter_vertical_gyro_constraint_control_exchange, data, 2);
 }
 
 /**
@@ -4096,8 +4022,9 @@ static inline struct mip_result mip_call_filter_vertical_gyro_constraint_control
     struct mip_filter_vertical_gyro_constraint_control_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_filter_vertical_gyro_constraint_control_exchange, data, 1,
-                           &mip_filter_vertical_gyro_constraint_control_response_codec, response);
+    return mip_device_request(device, &mip_filter_vertical_gyro_constraint_control_exchange, data,
+                              1, &mip_filter_vertical_gyro_constraint_control_response_codec,
+                              response);
 }
 
 /**
@@ -4108,8 +4035,7 @@ static inline struct mip_result
 mip_call_filter_vertical_gyro_constraint_control_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_vertical_gyro_constraint_control_exchange, data, 1,
-                           NULL, NULL);
+    return mip_device_send(device, &mip_filter_vertical_gyro_constraint_control_exchange, data, 1);
 }
 
 /** Vertical gyro constraint: load. Load the saved setting. See mip_device_call. */
@@ -4117,8 +4043,7 @@ static inline struct mip_result
 mip_call_filter_vertical_gyro_constraint_control_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_vertical_gyro_constraint_control_exchange, data, 1,
-                           NULL, NULL);
+    return mip_device_send(device, &mip_filter_vertical_gyro_constraint_control_exchange, data, 1);
 }
 
 /** Vertical gyro constraint: default. Load the factory default setting. See mip_device_call. */
@@ -4126,8 +4051,7 @@ static inline struct mip_result
 mip_call_filter_vertical_gyro_constraint_control_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_vertical_gyro_constraint_control_exchange, data, 1,
-                           NULL, NULL);
+    return mip_device_send(device, &mip_filter_vertical_gyro_constraint_control_exchange, data, 1);
 }
 
 /**
@@ -4169,8 +4093,8 @@ static inline struct mip_result mip_call_filter_wheeled_vehicle_constraint_contr
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
     mip_put_8(data + 1, (uint8_t)enable);
-    return mip_device_send(device, &mip_filter_wheeled_vehicle_constraint_control_exchange, data, 2,
-                           NULL, NULL);
+    return mip_device_send(device, &mip_filter_wheeled_vehicle_constraint_control_exchange, data,
+                           2);
 }
 
 /**
@@ -4181,8 +4105,9 @@ static inline struct mip_result mip_call_filter_wheeled_vehicle_constraint_contr
     struct mip_filter_wheeled_vehicle_constraint_control_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_filter_wheeled_vehicle_constraint_control_exchange, data, 1,
-                           &mip_filter_wheeled_vehicle_constraint_control_response_codec, response);
+    return mip_device_request(device, &mip_filter_wheeled_vehicle_constraint_control_exchange, data,
+                              1, &mip_filter_wheeled_vehicle_constraint_control_response_codec,
+                              response);
 }
 
 /**
@@ -4193,8 +4118,8 @@ static inline struct mip_result
 mip_call_filter_wheeled_vehicle_constraint_control_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_wheeled_vehicle_constraint_control_exchange, data, 1,
-                           NULL, NULL);
+    return mip_device_send(device, &mip_filter_wheeled_vehicle_constraint_control_exchange, data,
+                           1);
 }
 
 /** Wheeled vehicle constraint: load. Load the saved setting. See mip_device_call. */
@@ -4202,8 +4127,8 @@ static inline struct mip_result
 mip_call_filter_wheeled_vehicle_constraint_control_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_wheeled_vehicle_constraint_control_exchange, data, 1,
-                           NULL, NULL);
+    return mip_device_send(device, &mip_filter_wheeled_vehicle_constraint_control_exchange, data,
+                           1);
 }
 
 /** Wheeled vehicle constraint: default. Load the factory default setting. See mip_device_call. */
@@ -4211,8 +4136,8 @@ static inline struct mip_result
 mip_call_filter_wheeled_vehicle_constraint_control_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_wheeled_vehicle_constraint_control_exchange, data, 1,
-                           NULL, NULL);
+    return mip_device_send(device, &mip_filter_wheeled_vehicle_constraint_control_exchange, data,
+                           1);
 }
 
 /**
@@ -4257,8 +4182,7 @@ static inline struct mip_result mip_call_filter_gnss_antenna_calibration_control
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
     mip_put_8(data + 1, (uint8_t)enable);
     mip_put_float(data + 2, &max_offset);
-    return mip_device_send(device, &mip_filter_gnss_antenna_calibration_control_exchange, data, 6,
-                           NULL, NULL);
+    return mip_device_send(device, &mip_filter_gnss_antenna_calibration_control_exchange, data, 6);
 }
 
 /**
@@ -4270,8 +4194,9 @@ static inline struct mip_result mip_call_filter_gnss_antenna_calibration_control
     struct mip_filter_gnss_antenna_calibration_control_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_filter_gnss_antenna_calibration_control_exchange, data, 1,
-                           &mip_filter_gnss_antenna_calibration_control_response_codec, response);
+    return mip_device_request(device, &mip_filter_gnss_antenna_calibration_control_exchange, data,
+                              1, &mip_filter_gnss_antenna_calibration_control_response_codec,
+                              response);
 }
 
 /**
@@ -4282,8 +4207,7 @@ static inline struct mip_result
 mip_call_filter_gnss_antenna_calibration_control_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_filter_gnss_antenna_calibration_control_exchange, data, 1,
-                           NULL, NULL);
+    return mip_device_send(device, &mip_filter_gnss_antenna_calibration_control_exchange, data, 1);
 }
 
 /** GNSS antenna offset calibration: load. Load the saved setting. See mip_device_call. */
@@ -4291,8 +4215,7 @@ static inline struct mip_result
 mip_call_filter_gnss_antenna_calibration_control_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_filter_gnss_antenna_calibration_control_exchange, data, 1,
-                           NULL, NULL);
+    return mip_device_send(device, &mip_filter_gnss_antenna_calibration_control_exchange, data, 1);
 }
 
 /**
@@ -4302,8 +4225,7 @@ static inline struct mip_result
 mip_call_filter_gnss_antenna_calibration_control_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_filter_gnss_antenna_calibration_control_exchange, data, 1,
-                           NULL, NULL);
+    return mip_device_send(device, &mip_filter_gnss_antenna_calibration_control_exchange, data, 1);
 }
 
 /**

@@ -12,19 +12,15 @@ const struct mip_codec mip_gnss_receiver_info_codec = {
     0,    0,    program_receiver_info, NULL};
 
 static const struct mip_response responses_receiver_info[] = {
-    {NULL, NULL, 0x81, false},
+    {NULL, 0x81, 0, MIP_NOT_ZERO, false},
 };
 
-const struct mip_exchange mip_gnss_receiver_info_exchange = {0x0E,
-                                                             0x01,
-                                                             0,
-                                                             false,
-                                                             sizeof(responses_receiver_info) /
-                                                                 sizeof(responses_receiver_info[0]),
-                                                             responses_receiver_info};
+const struct mip_exchange mip_gnss_receiver_info_exchange = {
+    0x0E, 0x01, 0, sizeof(responses_receiver_info) / sizeof(responses_receiver_info[0]),
+    responses_receiver_info};
 
 const struct mip_command mip_gnss_receiver_info_command = {&mip_gnss_receiver_info_codec,
-                                                           &mip_gnss_receiver_info_exchange};
+                                                           &mip_gnss_receiver_info_exchange, false};
 
 static const uint8_t program_receiver_info_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_gnss_receiver_info_response, num_receivers)),
@@ -67,22 +63,16 @@ const struct mip_codec mip_gnss_signal_config_codec = {
     0x0E, 0x02, MIP_COMMAND,           0,           sizeof(struct mip_gnss_signal_config),
     0,    0,    program_signal_config, &mip_program};
 
-static const uint8_t asked_signal_config_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                MIP_WHEN_END};
 static const struct mip_response responses_signal_config[] = {
-    {asked_signal_config_1, NULL, 0x82, false},
+    {NULL, 0x82, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_gnss_signal_config_exchange = {0x0E,
-                                                             0x02,
-                                                             0,
-                                                             true,
-                                                             sizeof(responses_signal_config) /
-                                                                 sizeof(responses_signal_config[0]),
-                                                             responses_signal_config};
+const struct mip_exchange mip_gnss_signal_config_exchange = {
+    0x0E, 0x02, 0, sizeof(responses_signal_config) / sizeof(responses_signal_config[0]),
+    responses_signal_config};
 
 const struct mip_command mip_gnss_signal_config_command = {&mip_gnss_signal_config_codec,
-                                                           &mip_gnss_signal_config_exchange};
+                                                           &mip_gnss_signal_config_exchange, true};
 
 static const uint8_t program_signal_config_response[] = {
     MIP_8_BITS(8, MIP_AT(struct mip_gnss_signal_config_response, gps_enable)),
@@ -115,10 +105,10 @@ const struct mip_codec mip_gnss_receiver_reset_codec = {0x0E,
                                                         program_receiver_reset,
                                                         NULL};
 
-const struct mip_exchange mip_gnss_receiver_reset_exchange = {0x0E, 0x03, 0, false, 0, NULL};
+const struct mip_exchange mip_gnss_receiver_reset_exchange = {0x0E, 0x03, 0, 0, NULL};
 
-const struct mip_command mip_gnss_receiver_reset_command = {&mip_gnss_receiver_reset_codec,
-                                                            &mip_gnss_receiver_reset_exchange};
+const struct mip_command mip_gnss_receiver_reset_command = {
+    &mip_gnss_receiver_reset_codec, &mip_gnss_receiver_reset_exchange, false};
 
 static const uint8_t program_rtk_config[] = {
     MIP_REQUIRED(1, 2),
@@ -133,21 +123,16 @@ const struct mip_codec mip_gnss_rtk_config_codec = {
     0x0E, 0x04, MIP_COMMAND,        0,           sizeof(struct mip_gnss_rtk_config),
     0,    0,    program_rtk_config, &mip_program};
 
-static const uint8_t asked_rtk_config_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_rtk_config[] = {
-    {asked_rtk_config_1, NULL, 0x84, false},
+    {NULL, 0x84, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_gnss_rtk_config_exchange = {0x0E,
-                                                          0x04,
-                                                          0,
-                                                          true,
-                                                          sizeof(responses_rtk_config) /
-                                                              sizeof(responses_rtk_config[0]),
-                                                          responses_rtk_config};
+const struct mip_exchange mip_gnss_rtk_config_exchange = {
+    0x0E, 0x04, 0, sizeof(responses_rtk_config) / sizeof(responses_rtk_config[0]),
+    responses_rtk_config};
 
 const struct mip_command mip_gnss_rtk_config_command = {&mip_gnss_rtk_config_codec,
-                                                        &mip_gnss_rtk_config_exchange};
+                                                        &mip_gnss_rtk_config_exchange, true};
 
 static const uint8_t program_rtk_config_response[] = {
     MIP_8_BITS(5, MIP_AT(struct mip_gnss_rtk_config_response, ambiguity_fix_mode)),
@@ -185,22 +170,16 @@ const struct mip_codec mip_gnss_rtk_dongle_config_codec = {
     program_rtk_dongle_config,
     &mip_program};
 
-static const uint8_t asked_rtk_dongle_config_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                    MIP_WHEN_END};
 static const struct mip_response responses_rtk_dongle_config[] = {
-    {asked_rtk_dongle_config_1, NULL, 0x90, false},
+    {NULL, 0x90, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_gnss_rtk_dongle_config_exchange = {
-    0x0E,
-    0x10,
-    0,
-    true,
-    sizeof(responses_rtk_dongle_config) / sizeof(responses_rtk_dongle_config[0]),
+    0x0E, 0x10, 0, sizeof(responses_rtk_dongle_config) / sizeof(responses_rtk_dongle_config[0]),
     responses_rtk_dongle_config};
 
 const struct mip_command mip_gnss_rtk_dongle_config_command = {
-    &mip_gnss_rtk_dongle_config_codec, &mip_gnss_rtk_dongle_config_exchange};
+    &mip_gnss_rtk_dongle_config_codec, &mip_gnss_rtk_dongle_config_exchange, true};
 
 static const uint8_t program_rtk_dongle_config_response[] = {
     MIP_8_BITS(4, MIP_AT(struct mip_gnss_rtk_dongle_config_response, enable)),
@@ -244,22 +223,16 @@ const struct mip_codec mip_gnss_spartn_config_codec = {
     0x0E, 0x20, MIP_COMMAND,           0,           sizeof(struct mip_gnss_spartn_config),
     0,    0,    program_spartn_config, &mip_program};
 
-static const uint8_t asked_spartn_config_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                MIP_WHEN_END};
 static const struct mip_response responses_spartn_config[] = {
-    {asked_spartn_config_1, NULL, 0xA0, false},
+    {NULL, 0xA0, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_gnss_spartn_config_exchange = {0x0E,
-                                                             0x20,
-                                                             0,
-                                                             true,
-                                                             sizeof(responses_spartn_config) /
-                                                                 sizeof(responses_spartn_config[0]),
-                                                             responses_spartn_config};
+const struct mip_exchange mip_gnss_spartn_config_exchange = {
+    0x0E, 0x20, 0, sizeof(responses_spartn_config) / sizeof(responses_spartn_config[0]),
+    responses_spartn_config};
 
 const struct mip_command mip_gnss_spartn_config_command = {&mip_gnss_spartn_config_codec,
-                                                           &mip_gnss_spartn_config_exchange};
+                                                           &mip_gnss_spartn_config_exchange, true};
 
 static const uint8_t program_spartn_config_response[] = {
     MIP_FAR,

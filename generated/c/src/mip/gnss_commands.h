@@ -38,8 +38,9 @@ static inline mip_error mip_send_gnss_receiver_info(
 /** Receiver info. See mip_device_call. */
 static inline struct mip_result mip_call_gnss_receiver_info(
     struct mip_device *device, struct mip_gnss_receiver_info_response *response) {
-    return mip_device_send(device, &mip_gnss_receiver_info_exchange, NULL, 0,
-                           &mip_gnss_receiver_info_response_codec, response);
+    return mip_device_request(device, &mip_gnss_receiver_info_exchange,
+                              MIP_NO_DATA(mip_gnss_receiver_info_exchange), 0,
+                              &mip_gnss_receiver_info_response_codec, response);
 }
 
 /** What the client knows of the command. */
@@ -83,8 +84,8 @@ static inline struct mip_result mip_call_gnss_signal_config_read(
     struct mip_device *device, struct mip_gnss_signal_config_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_gnss_signal_config_exchange, data, 1,
-                           &mip_gnss_signal_config_response_codec, response);
+    return mip_device_request(device, &mip_gnss_signal_config_exchange, data, 1,
+                              &mip_gnss_signal_config_response_codec, response);
 }
 
 /**
@@ -93,21 +94,21 @@ static inline struct mip_result mip_call_gnss_signal_config_read(
 static inline struct mip_result mip_call_gnss_signal_config_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_gnss_signal_config_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_gnss_signal_config_exchange, data, 1);
 }
 
 /** Signal configuration: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_gnss_signal_config_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_gnss_signal_config_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_gnss_signal_config_exchange, data, 1);
 }
 
 /** Signal configuration: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result mip_call_gnss_signal_config_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_gnss_signal_config_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_gnss_signal_config_exchange, data, 1);
 }
 
 /**
@@ -148,7 +149,7 @@ mip_call_gnss_receiver_reset(struct mip_device *device, enum mip_gnss_receiver_i
     uint8_t data[2];
     mip_put_8(data, (uint8_t)receiver_id);
     mip_put_8(data + 1, (uint8_t)reset_type);
-    return mip_device_send(device, &mip_gnss_receiver_reset_exchange, data, 2, NULL, NULL);
+    return mip_device_send(device, &mip_gnss_receiver_reset_exchange, data, 2);
 }
 
 /**
@@ -197,8 +198,8 @@ static inline struct mip_result mip_call_gnss_rtk_config_read(
     struct mip_device *device, struct mip_gnss_rtk_config_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_gnss_rtk_config_exchange, data, 1,
-                           &mip_gnss_rtk_config_response_codec, response);
+    return mip_device_request(device, &mip_gnss_rtk_config_exchange, data, 1,
+                              &mip_gnss_rtk_config_response_codec, response);
 }
 
 /**
@@ -207,21 +208,21 @@ static inline struct mip_result mip_call_gnss_rtk_config_read(
 static inline struct mip_result mip_call_gnss_rtk_config_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_gnss_rtk_config_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_gnss_rtk_config_exchange, data, 1);
 }
 
 /** RTK configuration: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_gnss_rtk_config_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_gnss_rtk_config_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_gnss_rtk_config_exchange, data, 1);
 }
 
 /** RTK configuration: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result mip_call_gnss_rtk_config_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_gnss_rtk_config_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_gnss_rtk_config_exchange, data, 1);
 }
 
 /**
@@ -272,8 +273,8 @@ static inline struct mip_result mip_call_gnss_rtk_dongle_config_read(
     struct mip_device *device, struct mip_gnss_rtk_dongle_config_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_gnss_rtk_dongle_config_exchange, data, 1,
-                           &mip_gnss_rtk_dongle_config_response_codec, response);
+    return mip_device_request(device, &mip_gnss_rtk_dongle_config_exchange, data, 1,
+                              &mip_gnss_rtk_dongle_config_response_codec, response);
 }
 
 /**
@@ -283,21 +284,21 @@ static inline struct mip_result mip_call_gnss_rtk_dongle_config_read(
 static inline struct mip_result mip_call_gnss_rtk_dongle_config_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_gnss_rtk_dongle_config_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_gnss_rtk_dongle_config_exchange, data, 1);
 }
 
 /** RTK dongle configuration: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_gnss_rtk_dongle_config_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_gnss_rtk_dongle_config_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_gnss_rtk_dongle_config_exchange, data, 1);
 }
 
 /** RTK dongle configuration: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result mip_call_gnss_rtk_dongle_config_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_gnss_rtk_dongle_config_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_gnss_rtk_dongle_config_exchange, data, 1);
 }
 
 /**
@@ -362,7 +363,7 @@ static inline struct mip_result mip_call_gnss_spartn_config_write(
     for (size_t i = 0; i < 32; i++) {
         mip_put_8(data + 47 + 1 * i, (uint8_t)next_key[i]);
     }
-    return mip_device_send(device, &mip_gnss_spartn_config_exchange, data, 79, NULL, NULL);
+    return mip_device_send(device, &mip_gnss_spartn_config_exchange, data, 79);
 }
 
 /** SPARTN configuration: read. Return the current setting in a response. See mip_device_call. */
@@ -370,8 +371,8 @@ static inline struct mip_result mip_call_gnss_spartn_config_read(
     struct mip_device *device, struct mip_gnss_spartn_config_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_gnss_spartn_config_exchange, data, 1,
-                           &mip_gnss_spartn_config_response_codec, response);
+    return mip_device_request(device, &mip_gnss_spartn_config_exchange, data, 1,
+                              &mip_gnss_spartn_config_response_codec, response);
 }
 
 /**
@@ -380,21 +381,21 @@ static inline struct mip_result mip_call_gnss_spartn_config_read(
 static inline struct mip_result mip_call_gnss_spartn_config_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_gnss_spartn_config_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_gnss_spartn_config_exchange, data, 1);
 }
 
 /** SPARTN configuration: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_gnss_spartn_config_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_gnss_spartn_config_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_gnss_spartn_config_exchange, data, 1);
 }
 
 /** SPARTN configuration: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result mip_call_gnss_spartn_config_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_gnss_spartn_config_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_gnss_spartn_config_exchange, data, 1);
 }
 
 /**

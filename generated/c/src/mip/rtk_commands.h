@@ -38,8 +38,9 @@ static inline mip_error mip_send_rtk_get_status_flags(
 /** Get status flags. See mip_device_call. */
 static inline struct mip_result mip_call_rtk_get_status_flags(
     struct mip_device *device, struct mip_rtk_get_status_flags_response *response) {
-    return mip_device_send(device, &mip_rtk_get_status_flags_exchange, NULL, 0,
-                           &mip_rtk_get_status_flags_response_codec, response);
+    return mip_device_request(device, &mip_rtk_get_status_flags_exchange,
+                              MIP_NO_DATA(mip_rtk_get_status_flags_exchange), 0,
+                              &mip_rtk_get_status_flags_response_codec, response);
 }
 
 /** What the client knows of the command. */
@@ -63,8 +64,9 @@ static inline mip_error mip_send_rtk_get_imei(struct mip_client *client,
 /** Get IMEI. See mip_device_call. */
 static inline struct mip_result mip_call_rtk_get_imei(struct mip_device *device,
                                                       struct mip_rtk_get_imei_response *response) {
-    return mip_device_send(device, &mip_rtk_get_imei_exchange, NULL, 0,
-                           &mip_rtk_get_imei_response_codec, response);
+    return mip_device_request(device, &mip_rtk_get_imei_exchange,
+                              MIP_NO_DATA(mip_rtk_get_imei_exchange), 0,
+                              &mip_rtk_get_imei_response_codec, response);
 }
 
 /** What the client knows of the command. */
@@ -88,8 +90,9 @@ static inline mip_error mip_send_rtk_get_imsi(struct mip_client *client,
 /** Get IMSI. See mip_device_call. */
 static inline struct mip_result mip_call_rtk_get_imsi(struct mip_device *device,
                                                       struct mip_rtk_get_imsi_response *response) {
-    return mip_device_send(device, &mip_rtk_get_imsi_exchange, NULL, 0,
-                           &mip_rtk_get_imsi_response_codec, response);
+    return mip_device_request(device, &mip_rtk_get_imsi_exchange,
+                              MIP_NO_DATA(mip_rtk_get_imsi_exchange), 0,
+                              &mip_rtk_get_imsi_response_codec, response);
 }
 
 /** What the client knows of the command. */
@@ -113,8 +116,9 @@ static inline mip_error mip_send_rtk_get_iccid(struct mip_client *client,
 /** Get ICCID. See mip_device_call. */
 static inline struct mip_result
 mip_call_rtk_get_iccid(struct mip_device *device, struct mip_rtk_get_iccid_response *response) {
-    return mip_device_send(device, &mip_rtk_get_iccid_exchange, NULL, 0,
-                           &mip_rtk_get_iccid_response_codec, response);
+    return mip_device_request(device, &mip_rtk_get_iccid_exchange,
+                              MIP_NO_DATA(mip_rtk_get_iccid_exchange), 0,
+                              &mip_rtk_get_iccid_response_codec, response);
 }
 
 /** What the client knows of the command. */
@@ -138,8 +142,9 @@ static inline mip_error mip_send_rtk_get_rssi(struct mip_client *client,
 /** Get RSSI. See mip_device_call. */
 static inline struct mip_result mip_call_rtk_get_rssi(struct mip_device *device,
                                                       struct mip_rtk_get_rssi_response *response) {
-    return mip_device_send(device, &mip_rtk_get_rssi_exchange, NULL, 0,
-                           &mip_rtk_get_rssi_response_codec, response);
+    return mip_device_request(device, &mip_rtk_get_rssi_exchange,
+                              MIP_NO_DATA(mip_rtk_get_rssi_exchange), 0,
+                              &mip_rtk_get_rssi_response_codec, response);
 }
 
 /** What the client knows of the command. */
@@ -170,7 +175,7 @@ static inline struct mip_result mip_call_rtk_connected_device_type_write(
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
     mip_put_8(data + 1, (uint8_t)device_type);
-    return mip_device_send(device, &mip_rtk_connected_device_type_exchange, data, 2, NULL, NULL);
+    return mip_device_send(device, &mip_rtk_connected_device_type_exchange, data, 2);
 }
 
 /** Connected device type: read. Return the current setting in a response. See mip_device_call. */
@@ -178,8 +183,8 @@ static inline struct mip_result mip_call_rtk_connected_device_type_read(
     struct mip_device *device, struct mip_rtk_connected_device_type_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_rtk_connected_device_type_exchange, data, 1,
-                           &mip_rtk_connected_device_type_response_codec, response);
+    return mip_device_request(device, &mip_rtk_connected_device_type_exchange, data, 1,
+                              &mip_rtk_connected_device_type_response_codec, response);
 }
 
 /**
@@ -189,14 +194,14 @@ static inline struct mip_result mip_call_rtk_connected_device_type_read(
 static inline struct mip_result mip_call_rtk_connected_device_type_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_rtk_connected_device_type_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_rtk_connected_device_type_exchange, data, 1);
 }
 
 /** Connected device type: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_rtk_connected_device_type_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_rtk_connected_device_type_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_rtk_connected_device_type_exchange, data, 1);
 }
 
 /** Connected device type: default. Load the factory default setting. See mip_device_call. */
@@ -204,7 +209,7 @@ static inline struct mip_result
 mip_call_rtk_connected_device_type_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_rtk_connected_device_type_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_rtk_connected_device_type_exchange, data, 1);
 }
 
 /**
@@ -237,8 +242,9 @@ static inline mip_error mip_send_rtk_get_activation_code(
 /** Get activation code. See mip_device_call. */
 static inline struct mip_result mip_call_rtk_get_activation_code(
     struct mip_device *device, struct mip_rtk_get_activation_code_response *response) {
-    return mip_device_send(device, &mip_rtk_get_activation_code_exchange, NULL, 0,
-                           &mip_rtk_get_activation_code_response_codec, response);
+    return mip_device_request(device, &mip_rtk_get_activation_code_exchange,
+                              MIP_NO_DATA(mip_rtk_get_activation_code_exchange), 0,
+                              &mip_rtk_get_activation_code_response_codec, response);
 }
 
 /** What the client knows of the command. */
@@ -260,8 +266,9 @@ static inline mip_error mip_send_rtk_get_modem_firmware_version(
 /** Get modem firmware version. See mip_device_call. */
 static inline struct mip_result mip_call_rtk_get_modem_firmware_version(
     struct mip_device *device, struct mip_rtk_get_modem_firmware_version_response *response) {
-    return mip_device_send(device, &mip_rtk_get_modem_firmware_version_exchange, NULL, 0,
-                           &mip_rtk_get_modem_firmware_version_response_codec, response);
+    return mip_device_request(device, &mip_rtk_get_modem_firmware_version_exchange,
+                              MIP_NO_DATA(mip_rtk_get_modem_firmware_version_exchange), 0,
+                              &mip_rtk_get_modem_firmware_version_response_codec, response);
 }
 
 /** What the client knows of the command. */
@@ -316,7 +323,7 @@ static inline struct mip_result mip_call_rtk_erase_storage(struct mip_device *de
                                                            enum mip_rtk_storage_medium media) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)media);
-    return mip_device_send(device, &mip_rtk_erase_storage_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_rtk_erase_storage_exchange, data, 1);
 }
 
 /**
@@ -365,7 +372,7 @@ static inline struct mip_result mip_call_rtk_led_control(struct mip_device *devi
     for (size_t i = 0; i < 3; i++) {
         mip_put_8(data + 0 + 1 * i, (uint8_t)primary_color[i]);
     }
-    return mip_device_send(device, &mip_rtk_led_control_exchange, data, 11, NULL, NULL);
+    return mip_device_send(device, &mip_rtk_led_control_exchange, data, 11);
 }
 
 /**
@@ -392,7 +399,8 @@ static inline mip_error mip_send_rtk_modem_hard_reset(struct mip_client *client,
 
 /** Modem hard reset. See mip_device_call. */
 static inline struct mip_result mip_call_rtk_modem_hard_reset(struct mip_device *device) {
-    return mip_device_send(device, &mip_rtk_modem_hard_reset_exchange, NULL, 0, NULL, NULL);
+    return mip_device_send(device, &mip_rtk_modem_hard_reset_exchange,
+                           MIP_NO_DATA(mip_rtk_modem_hard_reset_exchange), 0);
 }
 
 /** @} */

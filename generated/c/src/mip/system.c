@@ -25,22 +25,16 @@ const struct mip_codec mip_system_interface_control_codec = {
     program_interface_control,
     &mip_program};
 
-static const uint8_t asked_interface_control_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
-                                                    MIP_WHEN_END};
 static const struct mip_response responses_interface_control[] = {
-    {asked_interface_control_1, NULL, 0x82, false},
+    {NULL, 0x82, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_system_interface_control_exchange = {
-    0x7F,
-    0x02,
-    0,
-    true,
-    sizeof(responses_interface_control) / sizeof(responses_interface_control[0]),
+    0x7F, 0x02, 0, sizeof(responses_interface_control) / sizeof(responses_interface_control[0]),
     responses_interface_control};
 
 const struct mip_command mip_system_interface_control_command = {
-    &mip_system_interface_control_codec, &mip_system_interface_control_exchange};
+    &mip_system_interface_control_codec, &mip_system_interface_control_exchange, true};
 
 static const uint8_t program_interface_control_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_system_interface_control_response, port)),
@@ -70,21 +64,16 @@ const struct mip_codec mip_system_comm_mode_codec = {
     0x7F, 0x10, MIP_COMMAND,       0,           sizeof(struct mip_system_comm_mode),
     0,    0,    program_comm_mode, &mip_program};
 
-static const uint8_t asked_comm_mode_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_comm_mode[] = {
-    {asked_comm_mode_1, NULL, 0x90, false},
+    {NULL, 0x90, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_system_comm_mode_exchange = {0x7F,
-                                                           0x10,
-                                                           0,
-                                                           true,
-                                                           sizeof(responses_comm_mode) /
-                                                               sizeof(responses_comm_mode[0]),
-                                                           responses_comm_mode};
+const struct mip_exchange mip_system_comm_mode_exchange = {
+    0x7F, 0x10, 0, sizeof(responses_comm_mode) / sizeof(responses_comm_mode[0]),
+    responses_comm_mode};
 
 const struct mip_command mip_system_comm_mode_command = {&mip_system_comm_mode_codec,
-                                                         &mip_system_comm_mode_exchange};
+                                                         &mip_system_comm_mode_exchange, true};
 
 static const uint8_t program_comm_mode_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_system_comm_mode_response, mode)),

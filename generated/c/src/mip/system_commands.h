@@ -52,7 +52,7 @@ static inline struct mip_result mip_call_system_interface_control_write(
     mip_put_8(data + 1, (uint8_t)port);
     mip_put_32(data + 2, (uint32_t)protocols_incoming);
     mip_put_32(data + 6, (uint32_t)protocols_outgoing);
-    return mip_device_send(device, &mip_system_interface_control_exchange, data, 10, NULL, NULL);
+    return mip_device_send(device, &mip_system_interface_control_exchange, data, 10);
 }
 
 /**
@@ -67,8 +67,8 @@ mip_call_system_interface_control_read(struct mip_device *device, enum mip_comm_
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
     mip_put_8(data + 1, (uint8_t)port);
-    return mip_device_send(device, &mip_system_interface_control_exchange, data, 2,
-                           &mip_system_interface_control_response_codec, response);
+    return mip_device_request(device, &mip_system_interface_control_exchange, data, 2,
+                              &mip_system_interface_control_response_codec, response);
 }
 
 /**
@@ -82,7 +82,7 @@ mip_call_system_interface_control_save(struct mip_device *device, enum mip_comm_
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
     mip_put_8(data + 1, (uint8_t)port);
-    return mip_device_send(device, &mip_system_interface_control_exchange, data, 2, NULL, NULL);
+    return mip_device_send(device, &mip_system_interface_control_exchange, data, 2);
 }
 
 /**
@@ -96,7 +96,7 @@ mip_call_system_interface_control_load(struct mip_device *device, enum mip_comm_
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
     mip_put_8(data + 1, (uint8_t)port);
-    return mip_device_send(device, &mip_system_interface_control_exchange, data, 2, NULL, NULL);
+    return mip_device_send(device, &mip_system_interface_control_exchange, data, 2);
 }
 
 /**
@@ -110,7 +110,7 @@ mip_call_system_interface_control_default(struct mip_device *device, enum mip_co
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
     mip_put_8(data + 1, (uint8_t)port);
-    return mip_device_send(device, &mip_system_interface_control_exchange, data, 2, NULL, NULL);
+    return mip_device_send(device, &mip_system_interface_control_exchange, data, 2);
 }
 
 /**
@@ -155,7 +155,7 @@ mip_call_system_comm_mode_write(struct mip_device *device, enum mip_system_proto
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
     mip_put_8(data + 1, (uint8_t)mode);
-    return mip_device_send(device, &mip_system_comm_mode_exchange, data, 2, NULL, NULL);
+    return mip_device_send(device, &mip_system_comm_mode_exchange, data, 2);
 }
 
 /** Communication mode: read. Return the current setting in a response. See mip_device_call. */
@@ -163,8 +163,8 @@ static inline struct mip_result mip_call_system_comm_mode_read(
     struct mip_device *device, struct mip_system_comm_mode_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_system_comm_mode_exchange, data, 1,
-                           &mip_system_comm_mode_response_codec, response);
+    return mip_device_request(device, &mip_system_comm_mode_exchange, data, 1,
+                              &mip_system_comm_mode_response_codec, response);
 }
 
 /**
@@ -173,21 +173,21 @@ static inline struct mip_result mip_call_system_comm_mode_read(
 static inline struct mip_result mip_call_system_comm_mode_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_system_comm_mode_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_system_comm_mode_exchange, data, 1);
 }
 
 /** Communication mode: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_system_comm_mode_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_system_comm_mode_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_system_comm_mode_exchange, data, 1);
 }
 
 /** Communication mode: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result mip_call_system_comm_mode_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_system_comm_mode_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_system_comm_mode_exchange, data, 1);
 }
 
 /**

@@ -97,12 +97,10 @@ macro_rules! registry {
             &[$(($first, $crate::bits::last!($first $(, $last)?)),)+],
         )*];
 
-        /// The row of each set, from 1; of those that have several, the first one.
-        static ROW: [u8; 256] = rows(ROWS);
-
-        /// The type of each descriptor; of several layouts, the first one.
+        /// The types of the descriptors of each row; of several layouts, the first one. The first row
+        /// is that of unknown sets.
         #[allow(clippy::indexing_slicing, clippy::arithmetic_side_effects)] // when the crate is compiled
-        static IDS: [[Id; 256]; count(ROWS) + 1] = {
+        static TABLE: [[Id; 256]; count(ROWS) + 1] = {
             const PLACES: [u8; 256] = rows(ROWS);
             const ALL: &[(Id, &[u8], u8)] = &[$($(
                 #[cfg($when)]
@@ -124,31 +122,72 @@ macro_rules! registry {
             ids
         };
 
+        /// The types of the descriptors of each set.
+        #[allow(clippy::indexing_slicing, clippy::arithmetic_side_effects)] // when the crate is compiled
+        static IDS: [&[Id; 256]; 256] = {
+            const PLACES: [u8; 256] = rows(ROWS);
+            let (mut ids, mut set) = ([&TABLE[0]; 256], 0);
+            while set < ids.len() {
+                ids[set] = &TABLE[PLACES[set] as usize];
+                set += 1;
+            }
+            ids
+        };
+
         #[inline]
-        fn id(field: &RawField<'_>) -> Id {
-            let row = ROW.get(usize::from(field.set)).and_then(|row| IDS.get(usize::from(*row)));
-            let id = row.and_then(|ids| ids.get(usize::from(field.descriptor)));
-            id.copied().unwrap_or(Id::Unknown)
+        fn ids(set: u8) -> &'static [Id; 256] {
+            let [unknown, ..] = &TABLE;
+            IDS.get(usize::from(set)).copied().unwrap_or(unknown)
         }
 
         /// Calls the visitor with the type of a field; if there are several layouts, with that of
         /// the data.
         #[inline]
         pub fn visit<V: Visitor>(field: &RawField<'_>, visitor: V) -> V::Output {
-            match id(field) {
-                Id::Unknown => visitor.unknown(field),
+            // Here, where the set is known for all fields of a packet.
+            visit_as(field.data, field.descriptor, ids(field.set), field.set, visitor)
+        }
+
+        /// The same, for the parts of a field: they are passed in registers, and become a field in
+        /// memory only where a visitor needs one.
+        #[inline]
+        fn visit_as<V: Visitor>(
+            data: &[u8],
+            descriptor: u8,
+            ids: &[Id; 256],
+            set: u8,
+            visitor: V,
+        ) -> V::Output {
+            match ids.get(usize::from(descriptor)).copied().unwrap_or(Id::Unknown) {
+                Id::Unknown => visit_unknown(data, descriptor, set, visitor),
                 $($(
                     #[cfg($when)]
-                    Id::$variant if $layouts > 1 => visit_layouts(field, visitor),
+                    Id::$variant if $layouts > 1 => visit_layouts(data, descriptor, set, visitor),
                     #[cfg($when)]
-                    Id::$variant => visitor.visit::<$type>(field),
+                    Id::$variant => visitor.visit::<$type>(&RawField { set, descriptor, data }),
                 )*)*
             }
         }
 
-        /// The same for a descriptor with several layouts.
         #[inline(never)]
-        fn visit_layouts<V: Visitor>(field: &RawField<'_>, visitor: V) -> V::Output {
+        fn visit_unknown<V: Visitor>(
+            data: &[u8],
+            descriptor: u8,
+            set: u8,
+            visitor: V,
+        ) -> V::Output {
+            visitor.unknown(&RawField { set, descriptor, data })
+        }
+
+        /// For a descriptor with several layouts.
+        #[inline(never)]
+        fn visit_layouts<V: Visitor>(
+            data: &[u8],
+            descriptor: u8,
+            set: u8,
+            visitor: V,
+        ) -> V::Output {
+            let field = &RawField { set, descriptor, data };
             $($(
                 #[cfg($when)]
                 if $layouts > 1 && field.is::<$type>() {

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any
 
@@ -158,7 +159,7 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "decimal": literals.decimal,
         "string": literals.string,
         "version_number": literals.version_number,
-        "milliseconds": lambda seconds: round(seconds * 1000) if seconds else 0,
+        "quarters": lambda seconds: math.ceil(seconds * 4) if seconds else 0,
         # records
         "members": memory.members,
         "takes_enum": members.takes_enum,

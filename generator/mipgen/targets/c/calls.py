@@ -198,15 +198,21 @@ def _ways(f: m.Field, way: Constructor | None, model: m.Model) -> Iterator[Call]
     layouts = [(layout, r) for r in replies(f, function, model) for layout in r.layouts]
     end = f"_{function.name}" if function else ""
     if len(layouts) == 1:
-        yield _call(f, f"{_name('call', f)}{end}", way, *layouts[0], fixed=False)
+        yield _call(f, f"{_name('call', f)}{end}", way, *layouts[0], fixed=False, model=model)
         return
-    yield _call(f, f"{_name('call', f)}{end}", way, None, None, fixed=False)
+    yield _call(f, f"{_name('call', f)}{end}", way, None, None, fixed=False, model=model)
     for layout, reply in layouts:
-        yield _call(f, f"{_name('call_for', layout)}{end}", way, layout, reply, fixed=True)
+        yield _call(f, f"{_name('call_for', layout)}{end}", way, layout, reply, fixed=True, model=model)
 
 
 def _call(
-    f: m.Field, name: str, way: Constructor | None, response: m.Field | None, reply: m.Reply | None, fixed: bool
+    f: m.Field,
+    name: str,
+    way: Constructor | None,
+    response: m.Field | None,
+    reply: m.Reply | None,
+    fixed: bool,
+    model: m.Model,
 ) -> Call:
     values = {c.parameter: c.value for c in reply.when} if reply and fixed else {}
     function = way.function if way else None
@@ -218,7 +224,18 @@ def _call(
     for p in asked:
         passed += [_literal(p, values[p.name])] if p.name in values else _passed(p)
     given = tuple(p for p in asked if p.name not in values)
-    return Call(name, f, response, [doc], way, given, tuple(passed), data=_data(f, function, asked, passed))
+    data = _data(f, function, asked, passed) if _determined(f, function, response, model) else None
+    return Call(name, f, response, [doc], way, given, tuple(passed), data=data)
+
+
+def _determined(f: m.Field, function: m.Function | None, response: m.Field | None, model: m.Model) -> bool:
+    """Is this response, or just an acknowledge, the answer whatever the values are?"""
+    if f.silent_when or (function is not None and not function.reply):
+        return False
+    ways = replies(f, function, model)
+    if not ways or response is None:
+        return not ways
+    return len(ways) == 1 and not ways[0].when and all(r.descriptor == response.descriptor for r in ways[0].layouts)
 
 
 def _data(f: m.Field, function: m.Function | None, asked: tuple[m.Parameter, ...], passed: list[str]) -> Data | None:

@@ -153,7 +153,7 @@ def _command(f: m.Field, c: calls.Call) -> Command:
 
 def _fixed(c: calls.Call) -> tuple[str, ...] | None:
     """The function selector of a command that has nothing else, nothing of one that is empty."""
-    if c.given or (c.way and (c.way.asked or c.way.assigned or not c.way.function)):
+    if c.data is None or c.given or (c.way and (c.way.asked or c.way.assigned or not c.way.function)):
         return None
     return (f"MIP_FUNCTION_SELECTOR_{names.macro(c.way.function.name)}",) if c.way and c.way.function else ()
 

@@ -27,8 +27,7 @@ class Programs:
         lines = [f'#include "mip/{module(f.family)}_commands.hpp"']
         for i, shown in enumerate(self.samples.shown(f)):
             name = "answer" if i else "result"
-            lines += ["", *_call(f, shown, self.samples, f"const auto {name} = ")]
-            lines += [f"if (!{name}) {{", f"    // {name}.reason() says why", "}"]
+            lines += _call(f, shown, self.samples, f"const auto {name} = ")
         return "\n".join(lines)
 
     def sequence(self, name: str, steps: Sequence[tuple[m.Field, GivenValues]]) -> str:
@@ -54,12 +53,9 @@ class Programs:
         read = ", ".join(names[:3]) + (" …" if len(names) > 3 else "")
         return "\n".join([
             f'#include "mip/{module(f.family)}.hpp"',
-            "",
             f"if (const auto value = field.as<{qualified(f)}>()) {{",
             f"    // {read or 'it holds nothing'}",
             *(["    // field.descriptor_set is the set in which it came"] if len(f.occurrences) > 1 else []),
-            "} else {",
-            "    // it is another field, or too short: field.decode says which",
             "}",
         ])  # fmt: skip
 

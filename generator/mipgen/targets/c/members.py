@@ -94,31 +94,56 @@ def takes_enum(p: m.Parameter) -> bool:
     return p.length is None and isinstance(p.element, m.Enum) and is_enum(p.element) and p.element.scalar.size == 1
 
 
-def holding(f: m.Field, c: m.Condition) -> list[str]:
+#: A test of a command: a place in its field, whose length and descriptor are before the data, and the value there.
+Test = tuple[int, str]
+DATA = 2
+
+
+def holding(f: m.Field, c: m.Condition) -> list[Test]:
     """Tests of bytes of a command; of a Boolean everything but 0 is true."""
     p = next(q for q in f.parameters if q.name == c.parameter)
     before = [extent.size(q) for q in f.parameters[: f.parameters.index(p)]]
     assert all(least == most for least, most in before), f"{f.full_name}.{p.name}: no fixed place"
-    at = sum(size for size, _ in before)
+    at = DATA + sum(size for size, _ in before)
     if c.boolean and c.value:
-        return [f"MIP_WHEN_SET({at})"]
-    return [f"MIP_WHEN({at + i}, {byte})" for i, byte in enumerate(c.value.to_bytes(p.size, "big"))]
+        return [(at, "MIP_NOT_ZERO")]
+    return [(at + i, str(byte)) for i, byte in enumerate(c.value.to_bytes(p.size, "big"))]
 
 
-def replies(f: m.Field, model: m.Model) -> list[tuple[str, tuple[m.Field, ...]]]:
-    """How a device answers a command: conditions on its data, each with the layouts of the response that is sent then,
-    or with none if the command is left unanswered."""
-    ways: list[tuple[list[str], tuple[m.Field, ...]]] = [([_function(x)], ()) for x in f.functions if not x.reply]
+@dataclass(frozen=True)
+class Reply:
+    """A row of the table of a command's responses: see `mip_response` in client.h."""
+
+    layout: m.Field | None
+    descriptor: int
+    at: int
+    value: str
+    more: bool
+
+
+def replies(f: m.Field, model: m.Model) -> list[Reply]:
+    """How a device answers a command: the layouts of a response, each with one test of the command. If there are more
+    of one than of the other, the last is repeated."""
+    ways: list[tuple[list[Test], tuple[m.Field, ...]]] = [([_function(x)], ()) for x in f.functions if not x.reply]
     if f.silent_when:
         ways.append(([test for c in f.silent_when for test in holding(f, c)], ()))
     for reply in model.replies(f):
         tests = [test for c in reply.when for test in holding(f, c)]
         ways += [([_function(x), *tests], reply.layouts) for x in reply.functions] or [(tests, reply.layouts)]
-    return [(", ".join(tests), layouts) for tests, layouts in ways]
+    rows = []
+    for tests, layouts in ways:
+        tests = tests or [(0, "MIP_NOT_ZERO")]
+        count = max(len(tests), len(layouts))
+        for i in range(count):
+            layout = layouts[min(i, len(layouts) - 1)] if layouts else None
+            at, value = tests[min(i, len(tests) - 1)]
+            one_of_several = layout if layout and len(model.layouts(layout)) > 1 else None
+            rows.append(Reply(one_of_several, layout.descriptor if layout else 0, at, value, i + 1 < count))
+    return rows
 
 
-def _function(x: m.Function) -> str:
-    return f"MIP_WHEN(0, {macro('mip_function_selector')}_{macro(x.name)})"
+def _function(x: m.Function) -> Test:
+    return DATA, f"{macro('mip_function_selector')}_{macro(x.name)}"
 
 
 # --------------------------------------------------------------------------- bits

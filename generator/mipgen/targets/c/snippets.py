@@ -23,12 +23,10 @@ class Programs:
     samples: SampleValues
 
     def command(self, f: m.Field) -> str:
-        """Calls it at a device."""
-        lines = [f'#include "mip/{module(f.family)}_commands.h"', ""]
+        """Calls it at a device; a whole program looks at the result."""
+        lines = [f'#include "mip/{module(f.family)}_commands.h"']
         for i, shown in enumerate(self.samples.shown(f)):
-            lines += [""] if i else []
             lines += _call(f, shown, self.samples, "result = " if i else "struct mip_result result = ")
-        lines += ["if (!mip_succeeded(result)) {", "    /* mip_result_reason(result) says why */", "}"]
         return "\n".join(lines)
 
     def sequence(self, name: str, steps: Sequence[tuple[m.Field, GivenValues]]) -> str:
@@ -46,19 +44,15 @@ class Programs:
         return "\n".join([*lines, "    return result;", "}"])
 
     def data(self, f: m.Field) -> str:
-        """Reads it from a field of a packet."""
+        """Reads it from a field of a packet; a whole program knows what to do with an error."""
         names = [f"value.{member(p.name)}" for p in members(f)]
         read = ", ".join(names[:3]) + (" …" if len(names) > 3 else "")
         return "\n".join([
             f'#include "mip/{module(f.family)}.h"',
-            "",
             f"struct {field_name(f)} value;",
-            f"const mip_error error = {field_name(f)}_decode(&value, &field);",
-            "if (error == MIP_OK) {",
+            f"if ({field_name(f)}_decode(&value, &field) == MIP_OK) {{",
             f"    /* {read or 'it holds nothing'} */",
             *(["    /* field.descriptor_set is the set in which it came */"] if len(f.occurrences) > 1 else []),
-            "} else {",
-            "    /* mip_error_name(error) says why */",
             "}",
         ])  # fmt: skip
 

@@ -32,7 +32,7 @@ class Programs:
         """Sends several commands; one that is not acknowledged throws an error."""
         program, lines = _Program(), []
         for i, (f, given) in enumerate(steps):
-            lines += [f"// {i + 1}: {title_of(f, given)}", *program.sent(f, given, at_once=True)]
+            lines += [f"// {i + 1}: {title_of(f, given)}", *program.sent(f, given)]
             lines += [f"// {given.host}"] if given.host else []
         return program.text(lines)
 
@@ -56,15 +56,15 @@ class _Program:
             f'import {{ {", ".join(sorted(names))} }} from "mip-protocol/{module}";'
             for module, names in sorted(self.modules.items())
         ]
-        return "\n".join([*needs, "", *lines])
+        return "\n".join([*needs, *lines])
 
     def name(self, thing: m.Type | m.Field) -> str:
         """A class, or an object with the names of numbers."""
         self.modules.setdefault(home(thing), set()).add(class_name(thing))
         return class_name(thing)
 
-    def sent(self, f: m.Field, samples: SampleValues, at_once: bool = False) -> list[str]:
-        """The lines that send it; a response is kept, or it is shown at once."""
+    def sent(self, f: m.Field, samples: SampleValues) -> list[str]:
+        """The lines that send it, and show a response."""
         lines = []
         ways = {way.function: way for way in constructors(f)}
         for shown in samples.shown(f):
@@ -72,13 +72,11 @@ class _Program:
             given = self.members({p.name: values[p.name] for p in way.values})
             made = f"{self.name(f)}.{member(way.function.name)}(" if way.function else f"new {self.name(f)}("
             asks = bool(samples.replies(f, shown))
-            before, behind = ("console.log(", ")") if at_once else ("const response = ", "")
-            head, tail = (before, behind) if asks else ("", "")
+            head, tail = ("console.log(", ")") if asks else ("", "")
             call = replace(given, tail=f"{given.tail})){tail};").after(f"{head}await device.request({made}")
             if way.function and not given.items:
                 call = Brackets(f"{head}await device.request({made}", [], f")){tail};")
             lines.append(laid_out(call, WIDTH))
-            lines += ["console.log(response);"] if asks and not at_once else []
         return lines
 
     def members(self, values: dict[str, Literal]) -> Brackets:

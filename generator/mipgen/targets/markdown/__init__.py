@@ -17,7 +17,6 @@ from mipgen.emit import package
 from mipgen.emit.target import File, Identifier, Target
 
 from . import (
-    answers,
     comparison,
     devices,
     examples,
@@ -56,6 +55,7 @@ def files(model: m.Model) -> Iterator[File]:
     yield page(places.INDEX, "index.md.j2")
     if starts:
         yield page(places.START, "start.md.j2")
+        yield page(places.PROGRAMS, "programs.md.j2", frames=start.frames(model))
     yield page(places.PACKETS, "packets.md.j2")
     yield page(places.UNITS, "units.md.j2")
     for name, title, axes in frames.drawn(model):
@@ -143,14 +143,13 @@ FILTERS_OF_PAGE: Filters = {
     "conversions": frames.conversions,
     "drawings": frames.drawings,
     "changed": fields.changed,
-    "call_table": fields.call_table,
     "first_sentence": fields.first_sentence,
     "own_responses": fields.own_responses,
-    "packet_row": packets.packet_row,
-    "ready_packets": packets.ready_packets,
-    "answers": answers.answers,
-    "rejected": answers.rejected,
-    "shown_examples": examples.shown_examples,
+    "forms": packets.forms,
+    "ruler": packets.ruler,
+    "replies": packets.replies,
+    "printed": examples.printed,
+    "as_command": parameters.as_command,
     "programs": snippets.programs,
     "related": related.related,
     "field_values": parameters.field_values,

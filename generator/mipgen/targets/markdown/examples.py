@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any, Literal
+from typing import Any
 
 from mipgen import model as m
 from mipgen.facts import describe, descriptors
@@ -83,34 +83,20 @@ def packet_table(page: Page, x: m.Example) -> str:
     return _table(pieces)
 
 
-@dataclass(frozen=True, slots=True)
-class Shown:
-    """An example on the page of a field; one without an id was made for it."""
-
-    example: m.Example
-    table: str
-    more: list[m.Example]
+def typical(page: Page, f: m.Field) -> m.Call:
+    """The form whose typical values a page shows: of a command the first that a device takes."""
+    return page.index.samples.sent(f)[0] if f.role == m.COMMAND else f.calls[0]
 
 
-def shown_examples(page: Page, f: m.Field) -> Shown:
-    """The first example of a field, and the others by name; if the manuals give none, one of typical values."""
-    examples = {x.id: x for g in on_page(page, f) for x in page.index.examples(g)}
-    first, *more = examples.values() or [made(page, f)]
-    return Shown(first, packet_table(page, first), more)
+def pieces(page: Page, f: m.Field) -> list[Piece]:
+    """The parameters of a field with typical values."""
+    values = page.index.samples.values(f, typical(page, f))
+    return list(_record(Around(f.parameters, values, None, page.model, page), codec.encode(f, dict(values)), ""))
 
 
-def made(page: Page, f: m.Field) -> m.Example:
-    """An example of typical values."""
-    values, packet = page.index.samples.values(f, f.calls[0]), page.index.samples.packet(f)
-    part = m.ExampleField(f.full_name, f.descriptor, codec.encode(f, values), values, 0, None)
-    role: Literal["command", "data"] = "command" if f.role == m.COMMAND else "data"
-    return m.Example("", "", "", "", role, None, None, packet, (part,), "")
-
-
-def said(page: Page, f: m.Field, values: Mapping[str, Any]) -> list[Piece]:
-    """The values of a field, without the function selector."""
-    pieces = _record(Around(f.parameters, values, None, page.model, page), codec.encode(f, dict(values)), "")
-    return list(pieces)[1 if f.selector else 0 :]
+def printed(page: Page, f: m.Field) -> list[m.Example]:
+    """What the manuals print of a command or a data field and its responses."""
+    return list({x.id: x for g in on_page(page, f) for x in page.index.examples(g)}.values())
 
 
 def _table(pieces: Iterable[Piece]) -> str:

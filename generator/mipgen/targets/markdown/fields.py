@@ -12,7 +12,7 @@ from mipgen.lower import codec
 from mipgen.lower.extent import Extent, totals
 
 from .places import Page
-from .text import code, hexadecimal, inline, opening, spaced, table
+from .text import code, hexadecimal, inline, opening, table
 
 #: Facts that tables have, and those with sections of their own.
 TABLED = ("functions", "responses")
@@ -21,8 +21,10 @@ DEVICES = ("devices", "perhaps", "refused", "deprecation", "firmware", "support"
 
 
 def facts(page: Page, f: m.Field) -> str:
-    """The facts about a field besides its description, in sentences."""
-    facts = (x for x in describe.field(f, page.model) if x.topic not in (*TABLED, *RELATIONS, *DEVICES, "note"))
+    """The facts about a field besides its description, in sentences. The command of a response is above it."""
+    above = ["commands"] if f.role == m.RESPONSE and len(page.model.commands(f)) == 1 else []
+    tabled = (*TABLED, *RELATIONS, *DEVICES, "note", *above)
+    facts = (x for x in describe.field(f, page.model) if x.topic not in tabled)
     said = [(x.topic, page.say(x.sentence)) for x in facts]
     return " ".join(f"**{sentence}**" if topic == "deprecated" else sentence for topic, sentence in said)
 
@@ -66,40 +68,7 @@ def field_length(f: m.Field) -> str:
     return whole if required == whole else f"{required}; {whole} with all optional parameters"
 
 
-# --------------------------------------------------------------------------- forms of a command
-
-
-def call_table(page: Page, f: m.Field) -> str:
-    """The forms of a command: one for each function, or just one."""
-    headings = ["Field begins with", "Required parameters", "Optional parameters", "Field length", "Answer"]
-    rows = [_call(page, f, c) for c in f.calls]
-    if f.functions:
-        headings = ["Function", "Value", *headings]
-        rows = [
-            [f"{code(x.letter)} {code(x.name)}", code(hexadecimal(x.value)), *row] for x, row in zip(f.functions, rows)
-        ]
-    return table(rows, headings)
-
-
-def _call(page: Page, f: m.Field, c: m.Call) -> list[str]:
-    selector = [c.function.value] if c.function else []
-    whole = length(c.required, 2 + len(selector))
-    first = f"{int(whole):02X}" if whole.isdigit() else "LL"
-    return [
-        code(f"{first} {spaced([f.descriptor, *selector])}"),
-        ", ".join(code(p.name) for p in c.required),
-        ", ".join(code(p.name) for p in c.optional),
-        whole,
-        _answer(page, f, c.function),
-    ]
-
-
-def _answer(page: Page, f: m.Field, function: m.Function | None) -> str:
-    if function is not None and not function.reply:
-        return "none"
-    acknowledge = "acknowledge or none" if f.silent_when or f.silenced_by else "acknowledge"
-    responses = page.model.responses(f) if function is None or function.responds else ()
-    return ", ".join([acknowledge, *([" or ".join(map(page.link, responses))] if responses else [])])
+# --------------------------------------------------------------------------- packets
 
 
 def whole_packet(model: m.Model, f: m.Field, c: m.Call) -> bytes | None:

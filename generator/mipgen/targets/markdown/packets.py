@@ -1,62 +1,109 @@
-"""Whole packets: what their bytes are, and packets that are ready to be sent."""
+"""Whole packets: the forms of a command, each as a packet that is ready to be sent, and what each byte of one is."""
 
 from __future__ import annotations
+
+import re
+from collections.abc import Iterable
 
 from mipgen import model as m
 from mipgen.lower import codec
 
 from . import examples
 from .fields import length
-from .offsets import layout
 from .places import Page
 from .text import code, spaced, table
 
-#: More parameters are one cell of the row of bytes.
-SHOWN = 8
 
-
-def packet_row(page: Page, f: m.Field) -> str:
-    """A packet with nothing but this field, part by part."""
-    rows = [row for row in layout(f) if row.parameter in f.parameters]
-    whole = length(f.parameters)
-    size = f"{int(whole):02X}" if whole.isdigit() else "LL"
-    parts = [
-        ("Sync", code(spaced(page.model.protocol.sync))),
-        ("Set", "any data set" if f.everywhere else " or ".join(code(f"{number:02X}") for number in f.sets)),
-        ("Payload length", code(size)),
-        ("Field length", code(size)),
-        ("Descriptor", code(f"{f.descriptor:02X}")),
-    ]
-    if len(rows) <= SHOWN:
-        for row in rows:
-            bytes_ = str(row.size) if row.size is not None else ""
-            parts.append((code(row.name), _bytes(bytes_)))
-    else:
-        parts.append((f"{len(rows)} parameters", f"{int(whole) - 2} bytes" if whole.isdigit() else "n bytes"))
-    parts.append(("Checksum", "2 bytes"))
-    return table([[cell for _, cell in parts]], [name for name, _ in parts])
-
-
-def _bytes(size: str) -> str:
-    if not size:
-        return "the rest"
-    return f"{size} byte{'' if size == '1' else 's'}" if size.isdigit() else f"{code(size)} bytes"
-
-
-def ready_packets(page: Page, f: m.Field) -> str:
-    """For each function that a device takes a packet that can be sent as it is."""
+def forms(page: Page, f: m.Field) -> str:
+    """The forms of a command, one for each function, or just one: packets with typical values, and how it is answered.
+    A function that no device is known to take has no packet."""
+    samples = page.index.samples
+    headings = ["Packet", "Required parameters", "Optional parameters", "Field length", "Reply"]
     rows = []
-    for c in page.index.samples.sent(f):
-        pieces = examples.said(page, f, page.index.samples.values(f, c))
-        function = f"{code(c.function.name)} (0x{c.function.value:02X})" if c.function else ""
-        given = ", ".join(f"{piece.name} = {piece.value}" for piece in pieces if piece.value)
-        if len(pieces) > SHOWN:
-            given = f"{len(pieces)} values"
-        rows.append([code(spaced(page.index.samples.packet(f, c))), function, given])
-    return table(rows, ["Packet", "Function", "Values"])
+    for c in f.calls:
+        sent = any(x is c for x in samples.sent(f))
+        function = [f"{code(c.function.name)} ({c.function.letter}, 0x{c.function.value:02X})"] if c.function else []
+        rows.append([
+            *function,
+            code(spaced(samples.packet(f, c))) if sent else "no device is known to accept it",
+            ", ".join(code(p.name) for p in c.required),
+            ", ".join(code(p.name) for p in c.optional),
+            length(c.required, 3 if c.function else 2),
+            _reply(page, f, c.function),
+        ])  # fmt: skip
+    return table(rows, ["Function", *headings] if f.functions else headings)
+
+
+def _reply(page: Page, f: m.Field, function: m.Function | None) -> str:
+    if function is not None and not function.reply:
+        return "none"
+    acknowledge = "acknowledge or none" if f.silent_when or f.silenced_by else "acknowledge"
+    responses = page.model.responses(f) if function is None or function.responds else ()
+    return ", ".join([acknowledge, *([" or ".join(map(page.link, responses))] if responses else [])])
+
+
+# --------------------------------------------------------------------------- byte by byte
+
+
+def ruler(page: Page, f: m.Field) -> str:
+    """A packet with typical values, part by part; those of parameters lead to what is said of them."""
+    samples, model = page.index.samples, page.model
+    data = samples.data(f, examples.typical(page, f))
+    head = b""
+    if f.role == m.RESPONSE:
+        command = model.commands(f)[0]
+        packet = acknowledge(model, command, model.protocol.ack_code.values[0].value, (f.descriptor, data))
+        head = packet[4:8]
+    else:
+        packet = samples.packet(f, examples.typical(page, f))
+    s = model.set(packet[2])
+    number = code(f"{packet[2]:02X}")
+    parts = [code(spaced(packet[:2])), page.link(s, number) if s else number, code(spaced(packet[3:4]))]
+    if head:
+        parts.append(page.link(model.protocol.acknowledge, code(spaced(head))))
+    parts.append(code(spaced(packet[4 + len(head) :][:2])))
+    parts += [f"[{code(spaced(piece.data))}](#{anchor})" for piece, anchor in _anchored(page, f)]
+    return " ".join([*parts, code(spaced(packet[-2:]))])
+
+
+def _anchored(page: Page, f: m.Field) -> Iterable[tuple[examples.Piece, str]]:
+    for piece in examples.pieces(page, f):
+        if piece.data:
+            yield piece, f"{f.full_name}.{path(piece)}"
+
+
+def path(piece: examples.Piece) -> str:
+    """The parameter that a piece shows, or an element of.
+
+    >>> path(examples.Piece(b"", "`list[2].rate`", ""))
+    'list.rate'
+    """
+    return re.sub(r"\[\d+\]", "", piece.name.strip("`"))
+
+
+# --------------------------------------------------------------------------- replies
+
+
+def replies(page: Page, f: m.Field) -> str:
+    """The packets with which a command is acknowledged and rejected; empty if it is not answered. Those with a response
+    of its own are with that."""
+    if f.functions and not any(x.reply for x in f.functions):
+        return ""
+    first, second, *_ = page.model.protocol.ack_code.values
+    asks = page.model.replies(f)
+    said = []
+    if not asks or f.silent_when or (f.functions and any(not x.responds for x in f.functions if x.reply)):
+        said.append(f"Acknowledged: {code(spaced(acknowledge(page.model, f, first.value)))}.")
+    for r in (r for reply in asks for r in reply.layouts if r.command != f.name):
+        packet = acknowledge(page.model, f, first.value, (r.descriptor, page.index.samples.data(r)))
+        said.append(f"Acknowledged, with {page.link(r)}: {code(spaced(packet))}.")
+    which = page.link(page.model.protocol.acknowledge, "code")
+    rejected = code(spaced(acknowledge(page.model, f, second.value)))
+    said.append(f"Rejected, with a {which} such as {code(second.name)} (0x{second.value:02X}): {rejected}.")
+    return " ".join(said)
 
 
 def acknowledge(model: m.Model, f: m.Field, value: int, *responses: tuple[int, bytes]) -> bytes:
-    """A packet that acknowledges a command, or refuses it, and what follows in it."""
+    """A packet that acknowledges a command, or rejects it, and what follows in it."""
     ack = model.protocol.acknowledge
     return codec.build(model, f.set, [(ack.descriptor, bytes([f.descriptor, value])), *responses])

@@ -10,9 +10,10 @@ from mipgen import model as m
 from mipgen.facts import describe
 from mipgen.facts.describe import Fact, Ref
 
-from . import types
+from . import examples, types
 from .fields import on_page
 from .offsets import Row, layout
+from .packets import path
 from .places import Page, place
 from .text import code, inline, table
 
@@ -37,6 +38,13 @@ class _Row:
     row: Row
     facts: list[Fact]
     anchor: str  # empty in a structure, which is a part of several fields
+
+    @property
+    def same(self) -> tuple[object, ...]:
+        """What is said of it, wherever it is."""
+        p = self.row.parameter
+        facts = [(x.topic, self.say(x.sentence)) for x in self.facts if x.topic not in ("required", "optional")]
+        return (self.row.name, p and p.element, p and p.length, p and p.description, facts)
 
     def ref(self, r: Ref) -> str:
         """A sibling of the parameter has its full name."""
@@ -74,8 +82,12 @@ def parameter_anchor(f: m.Field, row: Row) -> str:
     >>> parameter_anchor(f, Row("list[i].rate", None, None, None, f))
     'base.ping.list.rate'
     """
-    path = re.sub(r"\[[a-z]\]", "", row.name)
-    return f"{f.full_name}.{path}"
+    return f"{f.full_name}.{_path(row)}"
+
+
+def _path(row: Row) -> str:
+    """The name of a parameter without indices."""
+    return re.sub(r"\[[a-z]\]", "", row.name)
 
 
 # --------------------------------------------------------------------------- the table
@@ -89,17 +101,38 @@ class Parameters:
     notes: list[str]  # what differs by device or by a sibling, and notes, a line for each
 
 
+#: A row shows no more elements of an example; the others are as these.
+SHOWN = 3
+
+
 def parameter_list(page: Page, record: m.Record) -> Parameters:
     rows = list(_rows(page, record))
-    headings = ["Offset", "Bytes", "Name", "Type", *COLUMNS, "Description"]
+    headings = ["Offset", "Bytes", "Name", "Type", "Example", *COLUMNS, "Description"]
+    shown: dict[str, list[str]] = {}
+    if isinstance(record, m.Field) and record.set:
+        for piece in examples.pieces(page, record):
+            shown.setdefault(path(piece), []).append(piece.value)
     notes = [f"{code(r.row.name)}: {r.say(fact.sentence)}" for r in rows for fact in describe.topics(r.facts, *BELOW)]
-    return Parameters(table((_cells(page, r) for r in rows), headings), notes)
+    return Parameters(table((_cells(page, r, shown.get(_path(r.row), [])) for r in rows), headings), notes)
 
 
-def _cells(page: Page, r: _Row) -> list[str]:
+def as_command(page: Page, r: m.Field) -> str:
+    """The parameters of a response in one sentence, if they are those of its command; empty if they are not."""
+    command = page.model.commands(r)[0]
+    others = [x for x in _rows(page, command) if not (x.row.parameter and x.row.parameter.selector)]
+    rows = list(_rows(page, r))
+    if not rows or r.command != command.name or [x.same for x in rows] != [x.same for x in others]:
+        return ""
+    names = ", ".join(f'<a id="{x.anchor}"></a>{code(x.row.name)}' for x in rows if x.anchor)
+    place = "from offset 0 on, without the function selector" if command.selector else "at the same offsets"
+    return f"Parameters: as in the command, {place}: {names}."
+
+
+def _cells(page: Page, r: _Row, shown: list[str]) -> list[str]:
+    example = "; ".join(shown[:SHOWN]) + (" …" if len(shown) > SHOWN else "")
     facts = [*(r.column(topics) for topics in COLUMNS.values()), r.description()]
     anchor = f'<a id="{r.anchor}"></a>' if r.anchor else ""
-    return [_extent(str(r.row.offset)), _size(r.row), anchor + code(r.row.name), _type(page, r.row), *facts]
+    return [_extent(str(r.row.offset)), _size(r.row), anchor + code(r.row.name), _type(page, r.row), example, *facts]
 
 
 def _extent(bytes_: str) -> str:

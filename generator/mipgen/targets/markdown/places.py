@@ -20,6 +20,7 @@ from .tools import Tool
 README = "README.md"
 INDEX = "docs/index.md"
 START = "docs/start.md"
+PROGRAMS = "docs/programs.md"
 PACKETS = "docs/packets.md"
 UNITS = "docs/units.md"
 TYPES = "docs/types.md"

@@ -29,16 +29,17 @@ class Programs(Protocol):
 class Language:
     title: str
     name: str  # in paths, and of fenced blocks
+    suffix: str  # of files
     programs: Callable[[SampleValues], Programs]
     symbols: Callable[[m.Model], Iterator[Symbols]] | None = None  # what its index lists, if it has one
 
 
 LANGUAGES = (
-    Language("C", "c", c.Programs, c.symbols),
-    Language("C++", "cpp", c.CppPrograms),
-    Language("Python", "python", python.Programs, python.symbols),
-    Language("Rust", "rust", rust.Programs, rust.symbols),
-    Language("JavaScript", "javascript", javascript.Programs, javascript.symbols),
+    Language("C", "c", "c", c.Programs, c.symbols),
+    Language("C++", "cpp", "cpp", c.CppPrograms),
+    Language("Python", "python", "py", python.Programs, python.symbols),
+    Language("Rust", "rust", "rs", rust.Programs, rust.symbols),
+    Language("JavaScript", "javascript", "mjs", javascript.Programs, javascript.symbols),
 )
 
 

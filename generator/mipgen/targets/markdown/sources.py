@@ -43,11 +43,12 @@ def occurrences(page: Page, f: m.Field) -> str:
     for o in f.occurrences:
         of = page.model.set(o.set)
         assert of is not None
-        devices = [page.link(d) for d in page.model.devices_of(f, number=o.set)]
-        devices += [f"probably {page.link(d)}" for d in page.model.devices_of(f, certain=False, number=o.set)]
+        devices = page.links(page.model.devices_of(f, number=o.set))
+        probable = page.links(page.model.devices_of(f, certain=False, number=o.set))
+        devices = "; ".join([*([devices] if devices else []), *([f"probably {probable}"] if probable else [])])
         cited = "; ".join(_citation(page, f, s) for s in o.sources)
         unsure = " ".join(page.say(x.sentence) for x in describe.uncertain(o, page.model))
-        rows.append([page.link(of), code(f.name_in(o.set)), ", ".join(devices), f"{cited} {unsure}".strip()])
+        rows.append([page.link(of), code(f.name_in(o.set)), devices, f"{cited} {unsure}".strip()])
     return table(rows, ["Set", "Name", "Devices", "In the manuals"])
 
 

@@ -1,10 +1,13 @@
-"""The page with which somebody begins: in each language, what to install and a complete first program."""
+"""The page with which somebody begins: in each language, what to install and a complete first program; and programs
+into which those on the pages of fields fit."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
 from mipgen import model as m
+
+from .snippets import LANGUAGES, Language, Program
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,6 +63,32 @@ STARTS = (
 
 def starts(model: m.Model) -> list[Start]:
     """Those whose programs the specification has. They use a few of its fields, which a part of it may lack."""
-    used = ("base.get_device_info", "sensor.scaled_accel", "3dm.message_format", "3dm.data_stream_control")
+    used = ("base.ping", "base.get_device_info", "sensor.scaled_accel", "3dm.message_format", "3dm.data_stream_control")
     there = model.protocol.session is not None and all(map(model.field, used))
     return [x for x in STARTS if there and model.program(x.program)]
+
+
+@dataclass(frozen=True, slots=True)
+class Frame:
+    """Complete programs around what a page of a field shows, one in each language."""
+
+    name: str  # the role of the field
+    title: str
+    about: str
+    programs: tuple[Program, ...]
+
+
+def frames(model: m.Model) -> list[Frame]:
+    """Those in `programs/` of the specification whose names begin with "frame"."""
+    kinds = (
+        ("command", "frame", "Commands", "These programs open a device, send the command and report the outcome."),
+        ("data", "frame_data", "Data", "These programs open a device, stream the field once per second and read it."),
+    )
+    return [
+        Frame(name, title, about, tuple(_program(model, x, file) for x in LANGUAGES))
+        for name, file, title, about in kinds
+    ]
+
+
+def _program(model: m.Model, x: Language, file: str) -> Program:
+    return Program(x.title, x.name, model.program(f"{file}.{x.suffix}").rstrip())

@@ -31,7 +31,7 @@ class Programs:
         """Sends several commands; one that is not acknowledged raises an exception."""
         program, lines = _Program(), []
         for i, (f, given) in enumerate(steps):
-            lines += [f"# {i + 1}: {title_of(f, given)}", *program.sent(f, given, at_once=True)]
+            lines += [f"# {i + 1}: {title_of(f, given)}", *program.sent(f, given)]
             lines += [f"# {given.host}"] if given.host else []
         return program.text(lines)
 
@@ -52,15 +52,15 @@ class _Program:
     def text(self, lines: Sequence[str]) -> str:
         """Whole, with what it needs in front."""
         names = [x if local(x) == x else f"{x} as {local(x)}" for x in sorted(self.modules)]
-        return "\n".join([f"from mip_protocol import {', '.join(names)}", "", *lines])
+        return "\n".join([f"from mip_protocol import {', '.join(names)}", *lines])
 
     def name(self, thing: m.Type | m.Field) -> str:
         module = home(thing)
         self.modules.add(module)
         return f"{local(module)}.{class_name(thing)}"
 
-    def sent(self, f: m.Field, samples: SampleValues, at_once: bool = False) -> list[str]:
-        """The lines that send it; a response is kept, or it is printed at once."""
+    def sent(self, f: m.Field, samples: SampleValues) -> list[str]:
+        """The lines that send it, and print a response."""
         lines = []
         ways = {way.function: way for way in constructors(f)}
         for shown in samples.shown(f):
@@ -68,10 +68,8 @@ class _Program:
             given = [self.value(values[p.name]) for p in way.values]
             made = f"{self.name(f)}.{member(way.function.name)}" if way.function else self.name(f)
             asks = bool(samples.replies(f, shown))
-            before, behind = ("print(", ")") if at_once else ("response = ", "")
-            head, tail = (before, behind) if asks else ("", "")
+            head, tail = ("print(", ")") if asks else ("", "")
             lines.append(laid_out(Brackets(f"{head}device.request({made}(", given, f")){tail}"), WIDTH))
-            lines += ["print(response)"] if asks and not at_once else []
         return lines
 
     def value(self, x: Literal) -> Expression:

@@ -57,7 +57,7 @@ class _Program:
         """Whole, with what it needs in front."""
         used = sorted(self.uses)
         names = used[0] if len(used) == 1 else f"{{{', '.join(used)}}}"
-        return "\n".join([f"use mip_protocol::{names};", "", *lines])
+        return "\n".join([f"use mip_protocol::{names};", *lines])
 
     def item(self, words: str) -> str:
         """An item of the crate: a type of its own, or one of a module."""
@@ -73,9 +73,9 @@ class _Program:
         for shown in samples.shown(f):
             way, asks = ways[shown.function], bool(samples.replies(f, shown))
             arguments = self.arguments(way, literals.record(f.parameters, samples.values(f, shown)), f)
-            head = f"{'let response = ' if asks else ''}device.request(&{self.name(f)}::{way.name}("
-            lines.append(laid_out(Brackets(head, arguments, "))?;"), WIDTH))
-            lines += ['println!("{response:?}");'] if asks else []
+            before, behind = ('println!("{:?}", ', ")") if asks else ("", "")
+            head = f"{before}device.request(&{self.name(f)}::{way.name}("
+            lines.append(laid_out(Brackets(head, arguments, f"))?{behind};"), WIDTH))
         return lines
 
     def arguments(self, way: Constructor, values: dict[str, Literal], record: m.Record) -> list[Expression]:

@@ -8,38 +8,42 @@ void mip_client_init(struct mip_client *client) {
     client->timeout = MIP_DEFAULT_TIMEOUT;
 }
 
-/** Does a command fulfil a condition? */
-static bool holds(const uint8_t *condition, const uint8_t *field) {
-    for (; condition != NULL && *condition != MIP_WHEN_END; condition += 3) {
-        const size_t at = *condition + 2U; /* behind its length and descriptor */
-        const uint8_t byte = at < field[0] ? field[at] : 0;
-        if (byte < condition[1] || byte > condition[2]) {
-            return false;
-        }
-    }
-    return true;
+/** Does the test of a response hold for a command? */
+static bool holds(const struct mip_response *r, const uint8_t *field) {
+    const uint8_t byte = r->at < field[0] ? field[r->at] : 0;
+    return r->value == MIP_NOT_ZERO ? byte != 0 : byte == r->value;
 }
 
-void mip_client_wait(struct mip_client *client, struct mip_request *request, const uint8_t *field,
-                     uint32_t now) {
-    const struct mip_exchange *exchange = request->exchange;
-    const struct mip_response *r = exchange->responses;
-    size_t left = exchange->response_count;
-    uint32_t timeout = exchange->timeout > client->timeout ? exchange->timeout : client->timeout;
+const struct mip_response *mip_requested(const struct mip_exchange *exchange,
+                                         const uint8_t *field) {
+    const struct mip_response *const all = exchange->responses;
+    for (size_t i = 0; i < exchange->response_count; i++) {
+        const struct mip_response *const first = &all[i];
+        for (; holds(&all[i], field); i++) {
+            if (!all[i].more) {
+                return first;
+            }
+        }
+        while (all[i].more) {
+            i++;
+        }
+    }
+    return NULL;
+}
+
+void mip_client_wait(struct mip_client *client, struct mip_request *request, uint32_t now) {
+    const uint32_t longer = request->exchange->timeout * 250U;
+    uint32_t timeout = longer > client->timeout ? longer : client->timeout;
     struct mip_request **end = &client->waiting;
     if (timeout > MIP_MAX_TIMEOUT) { /* or it would seem to be over */
         timeout = MIP_MAX_TIMEOUT;
     }
     request->deadline = now + timeout;
-    for (; left > 0 && !holds(r->asked, field); left--) {
-        r++;
-    }
-    if (left > 0 && r->descriptor == 0) {
+    request->behind = client->behind;
+    if (request->asked != NULL && request->asked->descriptor == 0) {
         request->state = MIP_REQUEST_SILENT;
         return;
     }
-    request->asked = left > 0 ? r : NULL;
-    request->behind = client->behind;
     while (*end != NULL) {
         end = &(*end)->next;
     }
@@ -50,7 +54,7 @@ mip_error mip_command_encode(const struct mip_command *command, const void *valu
                              struct mip_builder *packet) {
     const size_t before = packet->length;
     mip_error error = mip_encode(command->codec, value, packet);
-    if (error == MIP_OK && command->exchange->selects && packet->buffer[before + 2] == 0) {
+    if (error == MIP_OK && command->selects && packet->buffer[before + 2] == 0) {
         packet->length = before;
         packet->buffer[3] = (uint8_t)(before - MIP_HEADER_SIZE);
         error = mip_builder_note(packet, MIP_ERROR_MISSING);
@@ -67,7 +71,8 @@ mip_error mip_client_add(struct mip_client *client, struct mip_request *request,
     memset(request, 0, sizeof(*request));
     request->exchange = command->exchange;
     if (error == MIP_OK) {
-        mip_client_wait(client, request, packet->buffer + start, now);
+        request->asked = mip_requested(request->exchange, packet->buffer + start);
+        mip_client_wait(client, request, now);
     } else {
         request->state = MIP_REQUEST_CANCELLED;
     }
@@ -166,17 +171,17 @@ bool mip_client_next(struct mip_client *client, struct mip_walk *walk,
     if (field->descriptor != MIP_ACKNOWLEDGE_DESCRIPTOR || field->size < 2) {
         return true;
     }
-    const uint8_t *const resume = walk->at;
+    struct mip_walk ahead = *walk;
     struct mip_field behind = *field; /* no response, if there is nothing */
-    mip_walk_next(walk, &behind);
+    mip_walk_next(&ahead, &behind);
     for (struct mip_request **at = &client->waiting; (r = *at) != NULL; at = &r->next) {
         if (r->behind != 0 || r->exchange->descriptor != field->data[0] ||
             r->exchange->descriptor_set != field->descriptor_set) {
             continue;
         }
         const uint8_t judged = judge(r, field->data[1], &behind);
-        if (judged == MIP_REQUEST_WAITING || (judged == MIP_REQUEST_MISSING_RESPONSE && found)) {
-            continue;
+        if (judged == MIP_REQUEST_WAITING || judged == state) {
+            continue; /* of those whose response is missing, the first counts */
         }
         found = at;
         state = judged;
@@ -184,16 +189,16 @@ bool mip_client_next(struct mip_client *client, struct mip_walk *walk,
             break;
         }
     }
-    walk->at = resume;
-    if (found != NULL) {
+    if (state != MIP_REQUEST_WAITING) {
         r = *found;
         leave(found, state);
         r->code = field->data[1];
-        if (r->asked != NULL && state != MIP_REQUEST_REFUSED &&
-            state != MIP_REQUEST_MISSING_RESPONSE) {
-            mip_walk_next(walk, field); /* its response */
-        }
         *answered = r;
+        if (r->asked != NULL && state != MIP_REQUEST_REFUSED &&
+            state != MIP_REQUEST_MISSING_RESPONSE) { /* its response */
+            *walk = ahead;
+            *field = behind;
+        }
     }
     return true;
 }
@@ -207,7 +212,6 @@ void mip_client_miss(struct mip_client *client) {
 }
 
 size_t mip_client_barrier(struct mip_client *client, uint8_t *bytes) {
-    size_t size = 0;
     if (MIP_BARRIER_SET == 0 || client->behind == client->missed) {
         return 0;
     }
@@ -215,9 +219,9 @@ size_t mip_client_barrier(struct mip_client *client, uint8_t *bytes) {
         mip_client_miss(client); /* they may be of its kind */
     }
     client->behind = client->missed;
-    while (size < client->missed / 2U) {
-        bytes[MIP_HEADER_SIZE + size++] = 2;
-        bytes[MIP_HEADER_SIZE + size++] = MIP_BARRIER_DESCRIPTOR;
+    const size_t size = client->behind / 2U;
+    for (size_t i = 0; i < size; i += 2) {
+        mip_put_16(bytes + MIP_HEADER_SIZE + i, 2 << 8 | MIP_BARRIER_DESCRIPTOR);
     }
     return mip_packet_seal(bytes, MIP_BARRIER_SET, size);
 }
@@ -286,11 +290,12 @@ bool mip_client_poll(struct mip_client *client, struct mip_parser *parser, uint3
 }
 
 void mip_client_cancel(struct mip_client *client, struct mip_request *request) {
-    for (struct mip_request **at = &client->waiting; *at != NULL; at = &(*at)->next) {
-        if (*at == request) {
-            leave(at, MIP_REQUEST_CANCELLED);
-            mip_client_miss(client);
-            break;
-        }
+    struct mip_request **at = &client->waiting;
+    while (*at != NULL && *at != request) {
+        at = &(*at)->next;
+    }
+    if (*at != NULL) {
+        leave(at, MIP_REQUEST_CANCELLED);
+        mip_client_miss(client);
     }
 }

@@ -34,25 +34,25 @@ extern "C" {
 /** The bytes of the longest barrier: 63 commands. */
 #define MIP_MAX_BARRIER (6 + 2 * 63)
 
-/* A condition on the data of a command: tests of its bytes, which must all hold. A byte that is not
- * there counts as 0. */
+/** For `value` of a response: any value but 0. */
+#define MIP_NOT_ZERO 0xFF
 
-/** The end of a condition. */
-#define MIP_WHEN_END 0xFF
-/** A byte, by its place in the data, has this value. */
-#define MIP_WHEN(place, value) place, value, value
-/** It is not 0. */
-#define MIP_WHEN_SET(place) place, 1, 0xFF
-
-/** How a device answers a command under a condition. */
+/**
+ * A way in which a device answers a command, and one test of a byte of the command. Responses that
+ * are linked by `more` belong together: each is a layout that may be sent if all of their tests
+ * hold.
+ */
 struct mip_response {
-    /** The condition; NULL if it always holds. */
-    const uint8_t *asked;
     /** The wire format of the response, if its descriptor has several; else NULL. */
     const struct mip_codec *layout;
     /** Its descriptor; 0 if the device leaves the command unanswered. */
     uint8_t descriptor;
-    /** Is the next one another layout, under the same condition? */
+    /** Which byte is tested: its place in the field, whose length, at 0, is never 0. A byte that is
+     * not there counts as 0. */
+    uint8_t at;
+    /** The value that it must have, or MIP_NOT_ZERO. */
+    uint8_t value;
+    /** Does the next one belong to this one? */
     bool more;
 };
 
@@ -62,13 +62,11 @@ struct mip_exchange {
     uint8_t descriptor_set;
     /** Descriptor of the command. */
     uint8_t descriptor;
-    /** Milliseconds that a device may take to answer; 0: no longer than usual. */
-    uint16_t timeout;
-    /** Does it begin with a function selector? */
-    bool selects;
+    /** Quarters of a second that a device may take to answer; 0: no longer than usual. */
+    uint8_t timeout;
     /** How many responses there are. */
     uint8_t response_count;
-    /** The first of them whose condition holds is sent; if there is none, only an acknowledge. */
+    /** The first of them whose tests hold is sent; if there is none, only an acknowledge. */
     const struct mip_response *responses;
 };
 
@@ -78,6 +76,8 @@ struct mip_command {
     const struct mip_codec *codec;
     /** How it is answered. */
     const struct mip_exchange *exchange;
+    /** Does it begin with a function selector? */
+    bool selects;
 };
 
 /** No answer yet. */
@@ -156,11 +156,15 @@ MIP_CHECKED MIP_API mip_error mip_client_add(struct mip_client *client, struct m
                                              const struct mip_command *command, const void *value,
                                              uint32_t now);
 
-/** The same for a command whose field the caller has written: `field` begins with its length. The
- * request must be zero but for `exchange`, `codec` and `response`; the last two may be set before
- * or afterwards. */
-MIP_API void mip_client_wait(struct mip_client *client, struct mip_request *request,
-                             const uint8_t *field, uint32_t now);
+/** The response that a command requests, or the first of several layouts; NULL if it requests none,
+ * and one with descriptor 0 if the device leaves the command unanswered.
+ * `field` begins with the length of the command. */
+MIP_API const struct mip_response *mip_requested(const struct mip_exchange *exchange,
+                                                 const uint8_t *field);
+
+/** Waits for the answer to a command that the caller has written. The request must be zero but for
+ * `exchange`, `asked`, and, set before or afterwards, `codec` and `response`. */
+MIP_API void mip_client_wait(struct mip_client *client, struct mip_request *request, uint32_t now);
 
 /**
  * Sets where the response is stored. Call it right after mip_client_add. False, and nothing is

@@ -25,6 +25,20 @@ static bool is_for(const struct mip_handler *handler, const struct mip_field *fi
            (type->descriptor == 0 || mip_field_is(field, type));
 }
 
+/** Calls the first handler that is for a field. */
+static void dispatch(const struct mip_device *device, const struct mip_field *field) {
+    const struct mip_handler *h = device->handlers;
+    for (size_t left = device->handler_count; left > 0; left--) {
+        if (is_for(h, field)) {
+            if (h->handle != NULL) {
+                h->handle(h->user, field, device->heard);
+            }
+            return;
+        }
+        h++;
+    }
+}
+
 /** Gives the answers in a packet to the client, and the other fields to the handlers. */
 static void handle(struct mip_device *device, const struct mip_packet *packet) {
     struct mip_walk walk = {packet->bytes + MIP_HEADER_SIZE,
@@ -36,19 +50,18 @@ static void handle(struct mip_device *device, const struct mip_packet *packet) {
         return;
     }
     device->packet = packet;
-    while (mip_client_next(&device->client, &walk, &answered, &field)) {
-        const struct mip_handler *h = device->handlers;
-        size_t left = answered == NULL ? device->handler_count : 0;
-        for (; left > 0 && !is_for(h, &field); left--) {
-            h++;
+    bool ends = false;
+    do { /* once with the fields, and then, when there are none left, for the end */
+        if (device->observer != NULL) {
+            device->observer->packet(device->observer->user, device, ends);
         }
-        if (left > 0 && h->handle != NULL) {
-            h->handle(h->user, &field, device->heard);
+        while (mip_client_next(&device->client, &walk, &answered, &field)) {
+            if (answered == NULL) {
+                dispatch(device, &field);
+            }
         }
-    }
-    if (device->observer != NULL) {
-        device->observer->packet(device->observer->user, device);
-    }
+        ends = !ends;
+    } while (ends);
     device->packet = NULL;
 }
 
@@ -63,14 +76,13 @@ static bool update(struct mip_device *device, uint8_t *bytes) {
     if (size > MIP_MAX_PACKET) { /* what has been read is not known */
         size = 0;
         open = false;
-    }
-    if (size > 0) {
+    } else if (size > 0) {
         device->heard = now;
     }
     const bool ended =
         !open || (device->silence > 0 && (uint32_t)(now - device->heard) >= device->silence);
-    if (size == MIP_MAX_PACKET) { /* the answer may already be waiting after what was read */
-        now -= device->client.timeout;
+    if (size >= MIP_MAX_PACKET) { /* the answer may already be waiting after what was read */
+        now -= MIP_BACKLOG;
     }
     while (mip_parser_next(&device->parser, &data, &size, &packet) ||
            (ended && mip_parser_flush(&device->parser, &packet)) ||
@@ -82,7 +94,10 @@ static bool update(struct mip_device *device, uint8_t *bytes) {
 
 bool mip_device_poll(struct mip_device *device) {
     uint8_t bytes[MIP_MAX_PACKET];
-    return device->packet == NULL && update(device, bytes);
+    if (device->packet != NULL) { /* in a handler */
+        return false;
+    }
+    return update(device, bytes);
 }
 
 /* ------------------------------------------------------------------------------------- commands */
@@ -98,21 +113,18 @@ static bool guard(struct mip_device *device) {
 }
 
 /** Sends a command, whose data are at their place in the packet, and waits for its answer. */
-static void carry_out(struct mip_device *device, struct mip_request *request, uint8_t *bytes,
-                      size_t size) {
-    if (request->response != NULL) {
-        memset(request->response, 0, request->codec->size);
-    }
+static struct mip_result carry_out(struct mip_device *device, struct mip_request *request,
+                                   uint8_t *bytes, size_t size) {
+    const struct mip_port *port = &device->port;
+    struct mip_result result;
     if (device->packet != NULL) { /* in a handler */
         request->state = MIP_BUSY;
     } else if (request->error == MIP_OK) {
-        const struct mip_port *port = &device->port;
         bytes[4] = (uint8_t)(size + 2);
         bytes[5] = request->exchange->descriptor;
         size = mip_packet_seal(bytes, request->exchange->descriptor_set, size + 2);
         if (guard(device) && port->write(port->user, bytes, size)) {
-            mip_client_wait(&device->client, request, bytes + MIP_HEADER_SIZE,
-                            port->now(port->user));
+            mip_client_wait(&device->client, request, port->now(port->user));
             while (request->state == MIP_REQUEST_WAITING) {
                 if (!update(device, bytes)) {                    /* the packet is gone */
                     mip_client_cancel(&device->client, request); /* unless it was just answered */
@@ -122,11 +134,7 @@ static void carry_out(struct mip_device *device, struct mip_request *request, ui
             mip_client_miss(&device->client); /* a part may have been sent */
         }
     }
-}
-
-/** The states of a request are its outcomes; one that never waited was not sent. */
-static struct mip_result result_of(const struct mip_request *request) {
-    struct mip_result result;
+    /* Its states are the outcomes; one that never waited was not sent. */
     if (sizeof(result) == 4) { /* one word, in the same order */
         memcpy(&result, &request->state, 4);
         return result;
@@ -138,36 +146,61 @@ static struct mip_result result_of(const struct mip_request *request) {
     return result;
 }
 
+/** Makes a request. */
+static void request_of(struct mip_request *request, const struct mip_exchange *exchange,
+                       const struct mip_codec *codec, void *response) {
+    memset(request, 0, sizeof(*request));
+    request->exchange = exchange;
+    request->codec = codec;
+    request->response = response;
+    if (response != NULL) {
+        memset(response, 0, codec->size);
+    }
+}
+
 struct mip_result mip_device_call(struct mip_device *device, const struct mip_command *command,
                                   const void *value, const struct mip_codec *codec,
                                   void *response) {
     uint8_t bytes[MIP_MAX_PACKET];
     struct mip_builder builder;
     struct mip_request request;
-    memset(&request, 0, sizeof(request));
-    request.exchange = command->exchange;
-    request.codec = codec;
-    request.response = response;
+    request_of(&request, command->exchange, codec, response);
     mip_builder_start(&builder, bytes, sizeof(bytes), command->exchange->descriptor_set);
     request.error = (uint8_t)mip_command_encode(command, value, &builder);
-    carry_out(device, &request, bytes, builder.length - DATA);
-    return result_of(&request);
+    if (request.error == MIP_OK) {
+        request.asked = mip_requested(command->exchange, bytes + MIP_HEADER_SIZE);
+    }
+    return carry_out(device, &request, bytes, builder.length - DATA);
+}
+
+/** Sends data, and waits for the answer. */
+static struct mip_result send(struct mip_device *device, struct mip_request *request,
+                              const uint8_t *data, size_t size) {
+    uint8_t bytes[MIP_MAX_PACKET];
+    if (size > MIP_MAX_FIELD_DATA) {
+        request->error = MIP_ERROR_COUNT;
+    } else {
+        memcpy(bytes + DATA, data, size);
+    }
+    return carry_out(device, request, bytes, size);
 }
 
 struct mip_result mip_device_send(struct mip_device *device, const struct mip_exchange *exchange,
-                                  const uint8_t *data, size_t size, const struct mip_codec *codec,
-                                  void *response) {
-    uint8_t bytes[MIP_MAX_PACKET];
+                                  const uint8_t *data, size_t size) {
     struct mip_request request;
     memset(&request, 0, sizeof(request));
     request.exchange = exchange;
-    request.codec = codec;
-    request.response = response;
-    if (size > MIP_MAX_FIELD_DATA) {
-        request.error = MIP_ERROR_COUNT;
-    } else if (size > 0) {
-        memcpy(bytes + DATA, data, size);
+    return send(device, &request, data, size);
+}
+
+struct mip_result mip_device_request(struct mip_device *device, const struct mip_exchange *exchange,
+                                     const uint8_t *data, size_t size,
+                                     const struct mip_codec *codec, void *response) {
+    struct mip_request request;
+    request_of(&request, exchange, codec, response);
+    request.asked = exchange->responses;
+    while (request.asked->descriptor != codec->descriptor) {
+        request.asked++;
     }
-    carry_out(device, &request, bytes, size);
-    return result_of(&request);
+    return send(device, &request, data, size);
 }

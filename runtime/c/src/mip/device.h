@@ -25,6 +25,10 @@ extern "C" {
  * than the longest packet takes at 9600 Bd. */
 #define MIP_DEFAULT_SILENCE 300
 
+/** For how many milliseconds a call waits longer than `timeout`, at most: as long as each read
+ * fills all the room that it is given, so that the answer may already be waiting behind it. */
+#define MIP_BACKLOG 250
+
 /** The port of a device, and a clock. */
 struct mip_port {
     /**
@@ -74,13 +78,12 @@ struct mip_device;
 /** Is told of packets, for programs that handle all fields of a packet together. */
 struct mip_observer {
     /**
-     * Is called after the fields of a packet were handled, if there were any. `device->packet` is
-     * the packet, and `device->heard` the time when its last bytes had been read. If
-     * `device->parser.skipped` has changed since the packet before, there was a gap: bytes that are
-     * not part of a packet, such as an NMEA sentence or a damaged packet. What handlers must not
-     * do, it must not do either.
+     * Is called twice for each packet: before its fields are handled, and after that, with `ends`.
+     * `device->packet` is the packet, and `device->heard` the time when its last bytes had been
+     * read. mip_gap counts the bytes before it that are not part of a packet, such as an NMEA
+     * sentence or a damaged packet. What handlers must not do, it must not do either.
      */
-    void (*packet)(void *user, const struct mip_device *device);
+    void (*packet)(void *user, const struct mip_device *device, bool ends);
     /** Is passed to it. */
     void *user;
 };
@@ -102,14 +105,22 @@ struct mip_device {
      * that belong together, such as a time stamp and the values of that time. NULL outside
      * handlers and observers. */
     const struct mip_packet *packet;
-    /** Is told where each packet ends; NULL, unless the program sets it. It stays where it is,
-     * and may be constant. */
+    /** Is told where each packet begins and ends; NULL, unless the program sets it. It stays where
+     * it is, and may be constant. */
     const struct mip_observer *observer;
     /** Its `timeout` is how long the device may take to answer. */
     struct mip_client client;
     /** It holds the bytes of an incomplete packet. */
     struct mip_parser parser;
 };
+
+/** How many bytes that are not part of a packet have been skipped since the last call with the same
+ * `seen`, which is 0 before the first one. */
+static inline uint32_t mip_gap(const struct mip_device *device, uint32_t *seen) {
+    const uint32_t gap = device->parser.skipped - *seen;
+    *seen = device->parser.skipped;
+    return gap;
+}
 
 /** The outcome of a command. */
 enum mip_outcome {
@@ -214,22 +225,32 @@ MIP_API bool mip_device_poll(struct mip_device *device);
  * late answer is never taken for that of another command. This costs a packet each way, and no
  * further wait.
  *
- * While each read fills all the room that it is given, the answer may be in what is read next: then
- * the call waits up to twice as long as `timeout`.
+ * It waits at most as long as the `timeout` of the client, or that of the command if it is longer,
+ * and on a flooded line MIP_BACKLOG more. A read that waits adds its own time.
  */
 MIP_API struct mip_result mip_device_call(struct mip_device *device,
                                           const struct mip_command *command, const void *value,
                                           const struct mip_codec *codec, void *response);
 
+/** For `data` of a command that has none: any address. */
+#define MIP_NO_DATA(exchange) (&(exchange).descriptor)
+
 /**
- * The same with the data of the command as it is sent, without its structure. Functions
- * mip_call_... that take plain values call this, so that a program with only these links nothing
- * that encodes. If there are more than MIP_MAX_FIELD_DATA bytes, it is not sent: MIP_ERROR_COUNT.
+ * Sends a command whose answer is an acknowledge, whatever its values are. Its data is given as it
+ * is sent, without its structure; the address is never NULL. Functions mip_call_... that take plain
+ * values call this, or mip_device_request, so that a program with only these links nothing that
+ * encodes. If there are more than MIP_MAX_FIELD_DATA bytes, it is not sent: MIP_ERROR_COUNT.
  */
 MIP_API struct mip_result mip_device_send(struct mip_device *device,
                                           const struct mip_exchange *exchange, const uint8_t *data,
-                                          size_t size, const struct mip_codec *codec,
-                                          void *response);
+                                          size_t size);
+
+/** The same with a command that is answered by a response, whatever its values are: one of those of
+ * `exchange`. */
+MIP_API struct mip_result mip_device_request(struct mip_device *device,
+                                             const struct mip_exchange *exchange,
+                                             const uint8_t *data, size_t size,
+                                             const struct mip_codec *codec, void *response);
 
 #ifdef __cplusplus
 }

@@ -70,8 +70,8 @@
         for (const link of document.querySelectorAll("article a[href$='tools/builder.html']")) {
             if (field) link.hash = field;
         }
-        for (const code of document.querySelectorAll("article :is(td, pre) > code")) {
-            const bytes = code.textContent.trim();
+        for (const code of document.querySelectorAll("article :is(td, pre, p) > code, article .mip-ruler")) {
+            const bytes = code.textContent.trim().replace(/\s+/g, " ");
             if (!/^75 65( [0-9A-F]{2}){4,}$/.test(bytes)) continue;
             const links = element("span", { class: "mip-open" }, openIn("inspector", "inspect", bytes));
             const answer = /^75 65 [0-7]. .. .. F1/.test(bytes);
@@ -105,6 +105,81 @@
         for (const box of boxes) {
             if (box.scrollWidth > box.clientWidth) box.tabIndex = 0;
             else box.removeAttribute("tabindex");
+        }
+    }
+
+    // ------------------------------------------------------------------------------------------------ whole programs
+
+    /** The language of a tab: its name, and how its files end. */
+    const LANGUAGES = {
+        C: ["c", "c"],
+        "C++": ["cpp", "cpp"],
+        Python: ["python", "py"],
+        Rust: ["rust", "rs"],
+        JavaScript: ["javascript", "mjs"],
+    };
+
+    /** What is between two comments of a program is replaced by other lines, as far to the right. */
+    function replaced(lines, from, count, others) {
+        const at = lines.findIndex((line) => line.includes(from)) + 1;
+        if (!at) return;
+        const indent = lines[at - 1].match(/^ */)[0];
+        lines.splice(
+            at,
+            count ?? lines.findIndex((line) => line.includes("end of 2")) - at,
+            ...others.map((line) => line && indent + line),
+        );
+    }
+
+    /** A complete program with the lines of a page; `numbers` are the descriptor set and the descriptor, in hexadecimal. */
+    function wholeProgram(frame, text, [set, descriptor]) {
+        const [lines, others] = [frame.split("\n"), text.trimEnd().split("\n")];
+        const needs = others.filter((line) => /^(#include|from|use|import) /.test(line));
+        replaced(lines, "1. the line", 1, needs);
+        replaced(
+            lines,
+            "2. the other",
+            undefined,
+            others.filter((line) => !needs.includes(line)),
+        );
+        const type = /device\.fields\(([\w.]+)/.exec(text)?.[1];
+        const numbers = lines[lines.findIndex((line) => line.includes("3. the")) + 1];
+        const own = numbers.replace("0x80", `0x${set}`).replace("0x04", `0x${descriptor}`);
+        replaced(lines, "3. the", 1, [type ? own.replace(/[\w.]+(?=\]?;?$)/, type) : own]);
+        return lines.join("\n");
+    }
+
+    function showProgram(title, name, text) {
+        const code = element("code", {}, text);
+        const copy = element("button", { class: "md-button" }, "Copy");
+        const save = element("a", { class: "md-button", download: name, href: `data:text/plain,${encodeURIComponent(text)}` }, "Download");
+        const close = element("button", { class: "md-button" }, "Close");
+        const box = element("dialog", { class: "mip-program md-typeset", "aria-label": title });
+        box.append(element("p", {}, copy, " ", save, " ", close), element("pre", { tabindex: 0 }, code));
+        copy.addEventListener("click", () => navigator.clipboard.writeText(text).then(() => copy.replaceChildren("Copied")));
+        close.addEventListener("click", () => box.close());
+        box.addEventListener("close", () => box.remove());
+        document.body.append(box);
+        box.showModal();
+    }
+
+    /** Each program of a field can be seen as a complete file. */
+    function offerPrograms() {
+        const role = document.querySelector("article a[href*='programs.html#programs.']")?.hash.split(".")[1];
+        const field = document.querySelector("article h1[id*='.']")?.id;
+        if (!role || !field) return;
+        const bytes = [...document.querySelectorAll(".mip-ruler code")].map((code) => code.textContent);
+        const labels = [...document.querySelectorAll("article .tabbed-labels label")].map((label) => label.textContent.trim());
+        for (const [i, code] of document.querySelectorAll("article .tabbed-block code").entries()) {
+            const [language, suffix] = LANGUAGES[labels[i]];
+            const button = element("button", { class: "md-button mip-whole" }, "Whole program");
+            button.addEventListener("click", async () => {
+                await load("frames.js");
+                const numbers = role === "data" ? [bytes[1], bytes[3].slice(3)] : [];
+                const text = wholeProgram(mipFrames[role][language], code.textContent, numbers);
+                showProgram(`Whole program for ${field}`, `${field.split(".")[1]}.${suffix}`, text);
+            });
+            code.closest(".tabbed-block").append(button);
         }
     }
 
@@ -303,6 +378,7 @@
         if (header) search(header);
         document.querySelectorAll("[data-tool]").forEach(fill);
         linkTools();
+        offerPrograms();
         beside();
         myDevice();
         new ResizeObserver(reachable).observe(document.querySelector("article") ?? document.body);

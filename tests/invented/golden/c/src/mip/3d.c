@@ -11,6 +11,7 @@ static const uint8_t program_default[] = {
 const struct mip_codec mip_3d_default_codec = {
     0x0C, 0x10, MIP_COMMAND, 5, sizeof(struct mip_3d_default), 0, 0, program_default, NULL};
 
-const struct mip_exchange mip_3d_default_exchange = {0x0C, 0x10, 0, false, 0, NULL};
+const struct mip_exchange mip_3d_default_exchange = {0x0C, 0x10, 0, 0, NULL};
 
-const struct mip_command mip_3d_default_command = {&mip_3d_default_codec, &mip_3d_default_exchange};
+const struct mip_command mip_3d_default_command = {&mip_3d_default_codec, &mip_3d_default_exchange,
+                                                   false};

@@ -50,7 +50,7 @@ static inline struct mip_result mip_call_3d_default(struct mip_device *device, u
     mip_put_8(data + 2, (uint8_t)register_);
     mip_put_8(data + 3, (uint8_t)self);
     mip_put_8(data + 4, (uint8_t)present_);
-    return mip_device_send(device, &mip_3d_default_exchange, data, 5, NULL, NULL);
+    return mip_device_send(device, &mip_3d_default_exchange, data, 5);
 }
 
 /**

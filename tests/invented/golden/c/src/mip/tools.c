@@ -10,9 +10,10 @@ static const uint8_t program_ping[] = {
 const struct mip_codec mip_tools_ping_codec = {
     0x01, 0x01, MIP_COMMAND, 0, sizeof(struct mip_tools_ping), 0, 0, program_ping, NULL};
 
-const struct mip_exchange mip_tools_ping_exchange = {0x01, 0x01, 0, false, 0, NULL};
+const struct mip_exchange mip_tools_ping_exchange = {0x01, 0x01, 0, 0, NULL};
 
-const struct mip_command mip_tools_ping_command = {&mip_tools_ping_codec, &mip_tools_ping_exchange};
+const struct mip_command mip_tools_ping_command = {&mip_tools_ping_codec, &mip_tools_ping_exchange,
+                                                   false};
 
 static const uint8_t program_settings[] = {
     MIP_REQUIRED(6, 3, 2, 1, 1, 1, 3),
@@ -34,23 +35,16 @@ const struct mip_codec mip_tools_settings_codec = {
     0x01, 0x02, MIP_COMMAND,      0,           sizeof(struct mip_tools_settings),
     0,    0,    program_settings, &mip_program};
 
-static const uint8_t asked_settings_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_APPLY), MIP_WHEN_END};
-static const uint8_t asked_settings_2[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_settings[] = {
-    {asked_settings_1, NULL, 0, false},
-    {asked_settings_2, NULL, 0x82, false},
+    {NULL, 0x00, 2, MIP_FUNCTION_SELECTOR_APPLY, false},
+    {NULL, 0x82, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
-const struct mip_exchange mip_tools_settings_exchange = {0x01,
-                                                         0x02,
-                                                         0,
-                                                         true,
-                                                         sizeof(responses_settings) /
-                                                             sizeof(responses_settings[0]),
-                                                         responses_settings};
+const struct mip_exchange mip_tools_settings_exchange = {
+    0x01, 0x02, 0, sizeof(responses_settings) / sizeof(responses_settings[0]), responses_settings};
 
 const struct mip_command mip_tools_settings_command = {&mip_tools_settings_codec,
-                                                       &mip_tools_settings_exchange};
+                                                       &mip_tools_settings_exchange, true};
 
 static const uint8_t program_settings_response[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_tools_settings_response, port)),
@@ -84,27 +78,19 @@ const struct mip_codec mip_tools_set_time_codec = {
     0x01, 0x03, MIP_COMMAND,      0,           sizeof(struct mip_tools_set_time),
     0,    0,    program_set_time, &mip_program};
 
-static const uint8_t asked_set_time_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_APPLY), MIP_WHEN_END};
-static const uint8_t asked_set_time_2[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN(1, 1),
-                                           MIP_WHEN_END};
-static const uint8_t asked_set_time_3[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN(1, 2),
-                                           MIP_WHEN_END};
 static const struct mip_response responses_set_time[] = {
-    {asked_set_time_1, NULL, 0, false},
-    {asked_set_time_2, NULL, 0x83, false},
-    {asked_set_time_3, NULL, 0x84, false},
+    {NULL, 0x00, 2, MIP_FUNCTION_SELECTOR_APPLY, false},
+    {NULL, 0x83, 2, MIP_FUNCTION_SELECTOR_READ, true},
+    {NULL, 0x83, 3, 1, false},
+    {NULL, 0x84, 2, MIP_FUNCTION_SELECTOR_READ, true},
+    {NULL, 0x84, 3, 2, false},
 };
 
-const struct mip_exchange mip_tools_set_time_exchange = {0x01,
-                                                         0x03,
-                                                         0,
-                                                         true,
-                                                         sizeof(responses_set_time) /
-                                                             sizeof(responses_set_time[0]),
-                                                         responses_set_time};
+const struct mip_exchange mip_tools_set_time_exchange = {
+    0x01, 0x03, 0, sizeof(responses_set_time) / sizeof(responses_set_time[0]), responses_set_time};
 
 const struct mip_command mip_tools_set_time_command = {&mip_tools_set_time_codec,
-                                                       &mip_tools_set_time_exchange};
+                                                       &mip_tools_set_time_exchange, true};
 
 static const uint8_t program_set_time_fast_response[] = {
     MIP_32_BITS(1, MIP_AT(struct mip_tools_set_time_fast_response, value)),
@@ -148,26 +134,19 @@ const struct mip_codec mip_tools_status_codec = {
     0x01, 0x04, MIP_COMMAND,    0,           sizeof(struct mip_tools_status),
     0,    0,    program_status, &mip_program};
 
-static const uint8_t asked_status_1[] = {MIP_WHEN(2, 1), MIP_WHEN_END};
-static const uint8_t asked_status_2[] = {MIP_WHEN(2, 2), MIP_WHEN_END};
 static const struct mip_response responses_status[] = {
-    {asked_status_1, &mip_tools_status_paged_codec, 0x90, true},
-    {asked_status_1, &mip_tools_status_short_codec, 0x90, false},
-    {asked_status_2, &mip_tools_status_long_codec, 0x90, true},
-    {asked_status_2, &mip_tools_status_old_codec, 0x90, true},
-    {asked_status_2, &mip_tools_full_codec, 0x90, false},
+    {&mip_tools_status_paged_codec, 0x90, 4, 1, true},
+    {&mip_tools_status_short_codec, 0x90, 4, 1, false},
+    {&mip_tools_status_long_codec, 0x90, 4, 2, true},
+    {&mip_tools_status_old_codec, 0x90, 4, 2, true},
+    {&mip_tools_full_codec, 0x90, 4, 2, false},
 };
 
 const struct mip_exchange mip_tools_status_exchange = {
-    0x01,
-    0x04,
-    2500,
-    false,
-    sizeof(responses_status) / sizeof(responses_status[0]),
-    responses_status};
+    0x01, 0x04, 10, sizeof(responses_status) / sizeof(responses_status[0]), responses_status};
 
 const struct mip_command mip_tools_status_command = {&mip_tools_status_codec,
-                                                     &mip_tools_status_exchange};
+                                                     &mip_tools_status_exchange, false};
 
 static const uint8_t program_status_paged[] = {
     MIP_LAYOUT(0, 253, 4, 0, 0x12, 1, 0x67, 2, 0x01, 3, 0x07),
@@ -243,15 +222,15 @@ static const uint8_t program_bias[] = {
 const struct mip_codec mip_tools_bias_codec = {
     0x01, 0x05, MIP_COMMAND, 0, sizeof(struct mip_tools_bias), 0, 0, program_bias, &mip_program};
 
-static const uint8_t asked_bias_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_bias[] = {
-    {asked_bias_1, NULL, 0x9B, false},
+    {NULL, 0x9B, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_tools_bias_exchange = {
-    0x01, 0x05, 0, true, sizeof(responses_bias) / sizeof(responses_bias[0]), responses_bias};
+    0x01, 0x05, 0, sizeof(responses_bias) / sizeof(responses_bias[0]), responses_bias};
 
-const struct mip_command mip_tools_bias_command = {&mip_tools_bias_codec, &mip_tools_bias_exchange};
+const struct mip_command mip_tools_bias_command = {&mip_tools_bias_codec, &mip_tools_bias_exchange,
+                                                   true};
 
 static const uint8_t program_bias_vector[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_tools_bias_vector, bias)),
@@ -284,19 +263,15 @@ const struct mip_codec mip_tools_capture_bias_codec = {0x01,
                                                        NULL};
 
 static const struct mip_response responses_capture_bias[] = {
-    {NULL, NULL, 0x9B, false},
+    {NULL, 0x9B, 0, MIP_NOT_ZERO, false},
 };
 
-const struct mip_exchange mip_tools_capture_bias_exchange = {0x01,
-                                                             0x06,
-                                                             0,
-                                                             false,
-                                                             sizeof(responses_capture_bias) /
-                                                                 sizeof(responses_capture_bias[0]),
-                                                             responses_capture_bias};
+const struct mip_exchange mip_tools_capture_bias_exchange = {
+    0x01, 0x06, 0, sizeof(responses_capture_bias) / sizeof(responses_capture_bias[0]),
+    responses_capture_bias};
 
 const struct mip_command mip_tools_capture_bias_command = {&mip_tools_capture_bias_codec,
-                                                           &mip_tools_capture_bias_exchange};
+                                                           &mip_tools_capture_bias_exchange, false};
 
 static const uint8_t program_formats[] = {
     MIP_8_BITS(3, MIP_AT(struct mip_tools_formats, suppress_ack)),
@@ -314,21 +289,15 @@ const struct mip_codec mip_tools_formats_codec = {
     0x01, 0x07, MIP_COMMAND,     0,           sizeof(struct mip_tools_formats),
     0,    0,    program_formats, &mip_program};
 
-static const uint8_t asked_formats_1[] = {MIP_WHEN_SET(0), MIP_WHEN_END};
 static const struct mip_response responses_formats[] = {
-    {asked_formats_1, NULL, 0, false},
+    {NULL, 0x00, 2, MIP_NOT_ZERO, false},
 };
 
 const struct mip_exchange mip_tools_formats_exchange = {
-    0x01,
-    0x07,
-    0,
-    false,
-    sizeof(responses_formats) / sizeof(responses_formats[0]),
-    responses_formats};
+    0x01, 0x07, 0, sizeof(responses_formats) / sizeof(responses_formats[0]), responses_formats};
 
 const struct mip_command mip_tools_formats_command = {&mip_tools_formats_codec,
-                                                      &mip_tools_formats_exchange};
+                                                      &mip_tools_formats_exchange, false};
 
 static const uint8_t program_choice[] = {
     MIP_REQUIRED(2, 3, 1),
@@ -371,16 +340,15 @@ const struct mip_codec mip_tools_choice_codec = {
     0x01, 0x08, MIP_COMMAND,    0,           sizeof(struct mip_tools_choice),
     0,    0,    program_choice, &mip_program};
 
-static const uint8_t asked_choice_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_choice[] = {
-    {asked_choice_1, NULL, 0x88, false},
+    {NULL, 0x88, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_tools_choice_exchange = {
-    0x01, 0x08, 0, true, sizeof(responses_choice) / sizeof(responses_choice[0]), responses_choice};
+    0x01, 0x08, 0, sizeof(responses_choice) / sizeof(responses_choice[0]), responses_choice};
 
 const struct mip_command mip_tools_choice_command = {&mip_tools_choice_codec,
-                                                     &mip_tools_choice_exchange};
+                                                     &mip_tools_choice_exchange, true};
 
 static const uint8_t program_choice_response[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_tools_choice_response, instance)),
@@ -440,15 +408,15 @@ static const uint8_t program_list[] = {
 const struct mip_codec mip_tools_list_codec = {
     0x01, 0x09, MIP_COMMAND, 0, sizeof(struct mip_tools_list), 0, 0, program_list, &mip_program};
 
-static const uint8_t asked_list_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_list[] = {
-    {asked_list_1, NULL, 0x89, false},
+    {NULL, 0x89, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_tools_list_exchange = {
-    0x01, 0x09, 0, true, sizeof(responses_list) / sizeof(responses_list[0]), responses_list};
+    0x01, 0x09, 0, sizeof(responses_list) / sizeof(responses_list[0]), responses_list};
 
-const struct mip_command mip_tools_list_command = {&mip_tools_list_codec, &mip_tools_list_exchange};
+const struct mip_command mip_tools_list_command = {&mip_tools_list_codec, &mip_tools_list_exchange,
+                                                   true};
 
 static const uint8_t program_list_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_tools_list_response, count)),
@@ -470,14 +438,14 @@ const struct mip_codec mip_tools_stock_codec = {
     0x01, 0x0A, MIP_COMMAND, 0, sizeof(struct mip_tools_stock), 0, 0, program_stock, NULL};
 
 static const struct mip_response responses_stock[] = {
-    {NULL, NULL, 0x8A, false},
+    {NULL, 0x8A, 0, MIP_NOT_ZERO, false},
 };
 
 const struct mip_exchange mip_tools_stock_exchange = {
-    0x01, 0x0A, 0, false, sizeof(responses_stock) / sizeof(responses_stock[0]), responses_stock};
+    0x01, 0x0A, 0, sizeof(responses_stock) / sizeof(responses_stock[0]), responses_stock};
 
 const struct mip_command mip_tools_stock_command = {&mip_tools_stock_codec,
-                                                    &mip_tools_stock_exchange};
+                                                    &mip_tools_stock_exchange, false};
 
 static const uint8_t program_stock_response[] = {
     MIP_REST(126, 2, MIP_AT(struct mip_tools_stock_response, descriptors_count)),
@@ -501,15 +469,15 @@ static const uint8_t program_pin[] = {
 const struct mip_codec mip_tools_pin_codec = {
     0x01, 0x0B, MIP_COMMAND, 0, sizeof(struct mip_tools_pin), 0, 0, program_pin, &mip_program};
 
-static const uint8_t asked_pin_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_pin[] = {
-    {asked_pin_1, NULL, 0x8B, false},
+    {NULL, 0x8B, 2, MIP_FUNCTION_SELECTOR_READ, false},
 };
 
 const struct mip_exchange mip_tools_pin_exchange = {
-    0x01, 0x0B, 0, true, sizeof(responses_pin) / sizeof(responses_pin[0]), responses_pin};
+    0x01, 0x0B, 0, sizeof(responses_pin) / sizeof(responses_pin[0]), responses_pin};
 
-const struct mip_command mip_tools_pin_command = {&mip_tools_pin_codec, &mip_tools_pin_exchange};
+const struct mip_command mip_tools_pin_command = {&mip_tools_pin_codec, &mip_tools_pin_exchange,
+                                                  true};
 
 static const uint8_t program_pin_response[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_tools_pin_response, drive)),
@@ -530,14 +498,14 @@ const struct mip_codec mip_tools_hello_codec = {
     0x01, 0x0C, MIP_COMMAND, 0, sizeof(struct mip_tools_hello), 0, 0, program_hello, &mip_program};
 
 static const struct mip_response responses_hello[] = {
-    {NULL, NULL, 0x8C, false},
+    {NULL, 0x8C, 0, MIP_NOT_ZERO, false},
 };
 
 const struct mip_exchange mip_tools_hello_exchange = {
-    0x01, 0x0C, 0, false, sizeof(responses_hello) / sizeof(responses_hello[0]), responses_hello};
+    0x01, 0x0C, 0, sizeof(responses_hello) / sizeof(responses_hello[0]), responses_hello};
 
 const struct mip_command mip_tools_hello_command = {&mip_tools_hello_codec,
-                                                    &mip_tools_hello_exchange};
+                                                    &mip_tools_hello_exchange, false};
 
 static const uint8_t program_hello_response[] = {
     MIP_32_BITS(1, MIP_AT(struct mip_tools_hello_response, seen)),
@@ -563,19 +531,14 @@ const struct mip_codec mip_tools_readings_codec = {
     0x01, 0x0D, MIP_COMMAND, 1, sizeof(struct mip_tools_readings), 0, 0, program_readings, NULL};
 
 static const struct mip_response responses_readings[] = {
-    {NULL, NULL, 0x8D, false},
+    {NULL, 0x8D, 0, MIP_NOT_ZERO, false},
 };
 
-const struct mip_exchange mip_tools_readings_exchange = {0x01,
-                                                         0x0D,
-                                                         0,
-                                                         false,
-                                                         sizeof(responses_readings) /
-                                                             sizeof(responses_readings[0]),
-                                                         responses_readings};
+const struct mip_exchange mip_tools_readings_exchange = {
+    0x01, 0x0D, 0, sizeof(responses_readings) / sizeof(responses_readings[0]), responses_readings};
 
 const struct mip_command mip_tools_readings_command = {&mip_tools_readings_codec,
-                                                       &mip_tools_readings_exchange};
+                                                       &mip_tools_readings_exchange, false};
 
 static const uint8_t program_readings_response[] = {
     MIP_FAR,
@@ -614,6 +577,7 @@ static const uint8_t program_poll[] = {
 const struct mip_codec mip_tools_poll_codec = {
     0x01, 0x0E, MIP_COMMAND, 0, sizeof(struct mip_tools_poll), 0, 0, program_poll, &mip_program};
 
-const struct mip_exchange mip_tools_poll_exchange = {0x01, 0x0E, 0, false, 0, NULL};
+const struct mip_exchange mip_tools_poll_exchange = {0x01, 0x0E, 0, 0, NULL};
 
-const struct mip_command mip_tools_poll_command = {&mip_tools_poll_codec, &mip_tools_poll_exchange};
+const struct mip_command mip_tools_poll_command = {&mip_tools_poll_codec, &mip_tools_poll_exchange,
+                                                   false};

@@ -32,7 +32,8 @@ static inline mip_error mip_send_tools_ping(struct mip_client *client, struct mi
 
 /** Ping. See mip_device_call. */
 static inline struct mip_result mip_call_tools_ping(struct mip_device *device) {
-    return mip_device_send(device, &mip_tools_ping_exchange, NULL, 0, NULL, NULL);
+    return mip_device_send(device, &mip_tools_ping_exchange, MIP_NO_DATA(mip_tools_ping_exchange),
+                           0);
 }
 
 /** What the client knows of the command. */
@@ -70,7 +71,7 @@ static inline struct mip_result mip_call_tools_settings_write(struct mip_device 
     mip_put_8(data + 1, (uint8_t)port);
     mip_put_8(data + 2, (uint8_t)mode);
     mip_put_32(data + 3, (uint32_t)baud);
-    return mip_device_send(device, &mip_tools_settings_exchange, data, 7, NULL, NULL);
+    return mip_device_send(device, &mip_tools_settings_exchange, data, 7);
 }
 
 /**
@@ -87,8 +88,8 @@ mip_call_tools_settings_read(struct mip_device *device, uint8_t port, enum mip_m
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
     mip_put_8(data + 1, (uint8_t)port);
     mip_put_8(data + 2, (uint8_t)mode);
-    return mip_device_send(device, &mip_tools_settings_exchange, data, 3,
-                           &mip_tools_settings_response_codec, response);
+    return mip_device_request(device, &mip_tools_settings_exchange, data, 3,
+                              &mip_tools_settings_response_codec, response);
 }
 
 /**
@@ -101,7 +102,7 @@ static inline struct mip_result mip_call_tools_settings_save(struct mip_device *
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
     mip_put_8(data + 1, (uint8_t)port);
-    return mip_device_send(device, &mip_tools_settings_exchange, data, 2, NULL, NULL);
+    return mip_device_send(device, &mip_tools_settings_exchange, data, 2);
 }
 
 /**
@@ -114,7 +115,7 @@ static inline struct mip_result mip_call_tools_settings_load(struct mip_device *
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
     mip_put_8(data + 1, (uint8_t)port);
-    return mip_device_send(device, &mip_tools_settings_exchange, data, 2, NULL, NULL);
+    return mip_device_send(device, &mip_tools_settings_exchange, data, 2);
 }
 
 /**
@@ -127,7 +128,7 @@ static inline struct mip_result mip_call_tools_settings_default(struct mip_devic
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
     mip_put_8(data + 1, (uint8_t)port);
-    return mip_device_send(device, &mip_tools_settings_exchange, data, 2, NULL, NULL);
+    return mip_device_send(device, &mip_tools_settings_exchange, data, 2);
 }
 
 /**
@@ -142,12 +143,9 @@ static inline struct mip_result mip_call_tools_settings_default(struct mip_devic
 static inline struct mip_result mip_call_tools_settings_apply(struct mip_device *device,
                                                               uint8_t port, enum mip_mode mode,
                                                               uint32_t baud) {
-    uint8_t data[7];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_APPLY);
-    mip_put_8(data + 1, (uint8_t)port);
-    mip_put_8(data + 2, (uint8_t)mode);
-    mip_put_32(data + 3, (uint32_t)baud);
-    return mip_device_send(device, &mip_tools_settings_exchange, data, 7, NULL, NULL);
+    struct mip_tools_settings command;
+    return mip_device_call(device, &mip_tools_settings_command,
+                           mip_tools_settings_apply(&command, port, mode, baud), NULL, NULL);
 }
 
 /**
@@ -212,7 +210,7 @@ static inline struct mip_result mip_call_tools_set_time_write(struct mip_device 
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
     mip_put_8(data + 1, (uint8_t)part);
     mip_put_32(data + 2, (uint32_t)value);
-    return mip_device_send(device, &mip_tools_set_time_exchange, data, 6, NULL, NULL);
+    return mip_device_send(device, &mip_tools_set_time_exchange, data, 6);
 }
 
 /**
@@ -222,10 +220,9 @@ static inline struct mip_result mip_call_tools_set_time_write(struct mip_device 
  */
 static inline struct mip_result mip_call_tools_set_time_read(struct mip_device *device,
                                                              enum mip_mode part) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    mip_put_8(data + 1, (uint8_t)part);
-    return mip_device_send(device, &mip_tools_set_time_exchange, data, 2, NULL, NULL);
+    struct mip_tools_set_time command;
+    return mip_device_call(device, &mip_tools_set_time_command,
+                           mip_tools_set_time_read(&command, part), NULL, NULL);
 }
 
 /**
@@ -234,10 +231,9 @@ static inline struct mip_result mip_call_tools_set_time_read(struct mip_device *
  */
 static inline struct mip_result mip_call_for_tools_set_time_fast_response_read(
     struct mip_device *device, struct mip_tools_set_time_fast_response *response) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    mip_put_8(data + 1, (uint8_t)MIP_MODE_FAST);
-    return mip_device_send(device, &mip_tools_set_time_exchange, data, 2,
+    struct mip_tools_set_time command;
+    return mip_device_call(device, &mip_tools_set_time_command,
+                           mip_tools_set_time_read(&command, MIP_MODE_FAST),
                            &mip_tools_set_time_fast_response_codec, response);
 }
 
@@ -247,10 +243,9 @@ static inline struct mip_result mip_call_for_tools_set_time_fast_response_read(
  */
 static inline struct mip_result mip_call_for_tools_set_time_slow_response_read(
     struct mip_device *device, struct mip_tools_set_time_slow_response *response) {
-    uint8_t data[2];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    mip_put_8(data + 1, (uint8_t)MIP_MODE_SLOW);
-    return mip_device_send(device, &mip_tools_set_time_exchange, data, 2,
+    struct mip_tools_set_time command;
+    return mip_device_call(device, &mip_tools_set_time_command,
+                           mip_tools_set_time_read(&command, MIP_MODE_SLOW),
                            &mip_tools_set_time_slow_response_codec, response);
 }
 
@@ -263,11 +258,9 @@ static inline struct mip_result mip_call_for_tools_set_time_slow_response_read(
  */
 static inline struct mip_result mip_call_tools_set_time_apply(struct mip_device *device,
                                                               enum mip_mode part, uint32_t value) {
-    uint8_t data[6];
-    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_APPLY);
-    mip_put_8(data + 1, (uint8_t)part);
-    mip_put_32(data + 2, (uint32_t)value);
-    return mip_device_send(device, &mip_tools_set_time_exchange, data, 6, NULL, NULL);
+    struct mip_tools_set_time command;
+    return mip_device_call(device, &mip_tools_set_time_command,
+                           mip_tools_set_time_apply(&command, part, value), NULL, NULL);
 }
 
 /**
@@ -357,66 +350,49 @@ static inline mip_error mip_send_for_tools_full(struct mip_client *client,
  * - selector: Which layout. Range: 1 to 2. On the Model C: always 2. Inferred: It has one layout.
  */
 static inline struct mip_result mip_call_tools_status(struct mip_device *device, uint8_t selector) {
-    uint8_t data[3];
-    mip_put_8(data, (uint8_t)18);
-    mip_put_8(data + 1, (uint8_t)103);
-    mip_put_8(data + 2, (uint8_t)selector);
-    return mip_device_send(device, &mip_tools_status_exchange, data, 3, NULL, NULL);
+    struct mip_tools_status command;
+    return mip_device_call(device, &mip_tools_status_command,
+                           mip_tools_status_make(&command, selector), NULL, NULL);
 }
 
 /** Status. The answer is decoded as this response. See mip_device_call. */
 static inline struct mip_result mip_call_for_tools_status_paged(
     struct mip_device *device, struct mip_tools_status_paged *response) {
-    uint8_t data[3];
-    mip_put_8(data, (uint8_t)18);
-    mip_put_8(data + 1, (uint8_t)103);
-    mip_put_8(data + 2, (uint8_t)1);
-    return mip_device_send(device, &mip_tools_status_exchange, data, 3,
+    struct mip_tools_status command;
+    return mip_device_call(device, &mip_tools_status_command, mip_tools_status_make(&command, 1),
                            &mip_tools_status_paged_codec, response);
 }
 
 /** Status. The answer is decoded as this response. See mip_device_call. */
 static inline struct mip_result mip_call_for_tools_status_short(
     struct mip_device *device, struct mip_tools_status_short *response) {
-    uint8_t data[3];
-    mip_put_8(data, (uint8_t)18);
-    mip_put_8(data + 1, (uint8_t)103);
-    mip_put_8(data + 2, (uint8_t)1);
-    return mip_device_send(device, &mip_tools_status_exchange, data, 3,
+    struct mip_tools_status command;
+    return mip_device_call(device, &mip_tools_status_command, mip_tools_status_make(&command, 1),
                            &mip_tools_status_short_codec, response);
 }
 
 /** Status. The answer is decoded as this response. See mip_device_call. */
 static inline struct mip_result
 mip_call_for_tools_status_long(struct mip_device *device, struct mip_tools_status_long *response) {
-    uint8_t data[3];
-    mip_put_8(data, (uint8_t)18);
-    mip_put_8(data + 1, (uint8_t)103);
-    mip_put_8(data + 2, (uint8_t)2);
-    return mip_device_send(device, &mip_tools_status_exchange, data, 3,
+    struct mip_tools_status command;
+    return mip_device_call(device, &mip_tools_status_command, mip_tools_status_make(&command, 2),
                            &mip_tools_status_long_codec, response);
 }
 
 /** Status. The answer is decoded as this response. See mip_device_call. */
 static inline struct mip_result
 mip_call_for_tools_status_old(struct mip_device *device, struct mip_tools_status_old *response) {
-    uint8_t data[3];
-    mip_put_8(data, (uint8_t)18);
-    mip_put_8(data + 1, (uint8_t)103);
-    mip_put_8(data + 2, (uint8_t)2);
-    return mip_device_send(device, &mip_tools_status_exchange, data, 3, &mip_tools_status_old_codec,
-                           response);
+    struct mip_tools_status command;
+    return mip_device_call(device, &mip_tools_status_command, mip_tools_status_make(&command, 2),
+                           &mip_tools_status_old_codec, response);
 }
 
 /** Status. The answer is decoded as this response. See mip_device_call. */
 static inline struct mip_result mip_call_for_tools_full(struct mip_device *device,
                                                         struct mip_tools_full *response) {
-    uint8_t data[3];
-    mip_put_8(data, (uint8_t)18);
-    mip_put_8(data + 1, (uint8_t)103);
-    mip_put_8(data + 2, (uint8_t)2);
-    return mip_device_send(device, &mip_tools_status_exchange, data, 3, &mip_tools_full_codec,
-                           response);
+    struct mip_tools_status command;
+    return mip_device_call(device, &mip_tools_status_command, mip_tools_status_make(&command, 2),
+                           &mip_tools_full_codec, response);
 }
 
 /**
@@ -456,7 +432,7 @@ static inline struct mip_result mip_call_tools_bias_write(struct mip_device *dev
     for (size_t i = 0; i < 3; i++) {
         mip_put_float(data + 1 + 4 * i, &bias[i]);
     }
-    return mip_device_send(device, &mip_tools_bias_exchange, data, 13, NULL, NULL);
+    return mip_device_send(device, &mip_tools_bias_exchange, data, 13);
 }
 
 /** Bias: read. Send the current setting back in a response. See mip_device_call. */
@@ -464,29 +440,29 @@ static inline struct mip_result mip_call_tools_bias_read(struct mip_device *devi
                                                          struct mip_tools_bias_vector *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_tools_bias_exchange, data, 1, &mip_tools_bias_vector_codec,
-                           response);
+    return mip_device_request(device, &mip_tools_bias_exchange, data, 1,
+                              &mip_tools_bias_vector_codec, response);
 }
 
 /** Bias: save. Save the current setting to non-volatile memory. See mip_device_call. */
 static inline struct mip_result mip_call_tools_bias_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_tools_bias_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_tools_bias_exchange, data, 1);
 }
 
 /** Bias: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_tools_bias_load(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
-    return mip_device_send(device, &mip_tools_bias_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_tools_bias_exchange, data, 1);
 }
 
 /** Bias: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result mip_call_tools_bias_default(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
-    return mip_device_send(device, &mip_tools_bias_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_tools_bias_exchange, data, 1);
 }
 
 /**
@@ -527,8 +503,8 @@ static inline struct mip_result mip_call_tools_capture_bias(
     struct mip_device *device, uint16_t time, struct mip_tools_bias_vector *response) {
     uint8_t data[2];
     mip_put_16(data, (uint16_t)time);
-    return mip_device_send(device, &mip_tools_capture_bias_exchange, data, 2,
-                           &mip_tools_bias_vector_codec, response);
+    return mip_device_request(device, &mip_tools_capture_bias_exchange, data, 2,
+                              &mip_tools_bias_vector_codec, response);
 }
 
 /**
@@ -630,8 +606,8 @@ static inline struct mip_result mip_call_tools_choice_read(
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
     mip_put_8(data + 1, (uint8_t)instance);
-    return mip_device_send(device, &mip_tools_choice_exchange, data, 2,
-                           &mip_tools_choice_response_codec, response);
+    return mip_device_request(device, &mip_tools_choice_exchange, data, 2,
+                              &mip_tools_choice_response_codec, response);
 }
 
 /**
@@ -677,8 +653,7 @@ static inline struct mip_result mip_call_tools_list_write(struct mip_device *dev
         mip_put_16(data + 2 + 2 * i, (uint16_t)items[i]);
     }
     return mip_device_send(device, &mip_tools_list_exchange, data,
-                           count <= 125 ? 2 + 2 * (size_t)count : MIP_MAX_FIELD_DATA + 1, NULL,
-                           NULL);
+                           count <= 125 ? 2 + 2 * (size_t)count : MIP_MAX_FIELD_DATA + 1);
 }
 
 /** List: read. Send the current setting back in a response. See mip_device_call. */
@@ -686,15 +661,15 @@ static inline struct mip_result mip_call_tools_list_read(struct mip_device *devi
                                                          struct mip_tools_list_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
-    return mip_device_send(device, &mip_tools_list_exchange, data, 1,
-                           &mip_tools_list_response_codec, response);
+    return mip_device_request(device, &mip_tools_list_exchange, data, 1,
+                              &mip_tools_list_response_codec, response);
 }
 
 /** List: save. Save the current setting to non-volatile memory. See mip_device_call. */
 static inline struct mip_result mip_call_tools_list_save(struct mip_device *device) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
-    return mip_device_send(device, &mip_tools_list_exchange, data, 1, NULL, NULL);
+    return mip_device_send(device, &mip_tools_list_exchange, data, 1);
 }
 
 /**
@@ -727,8 +702,9 @@ static inline mip_error mip_send_tools_stock(struct mip_client *client, struct m
 /** Inventory. See mip_device_call. */
 static inline struct mip_result mip_call_tools_stock(struct mip_device *device,
                                                      struct mip_tools_stock_response *response) {
-    return mip_device_send(device, &mip_tools_stock_exchange, NULL, 0,
-                           &mip_tools_stock_response_codec, response);
+    return mip_device_request(device, &mip_tools_stock_exchange,
+                              MIP_NO_DATA(mip_tools_stock_exchange), 0,
+                              &mip_tools_stock_response_codec, response);
 }
 
 /** What the client knows of the command. */
@@ -761,7 +737,7 @@ static inline struct mip_result mip_call_tools_pin_write(struct mip_device *devi
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
     mip_put_8(data + 1, (uint8_t)drive);
     mip_put_8(data + 2, (uint8_t)use);
-    return mip_device_send(device, &mip_tools_pin_exchange, data, 3, NULL, NULL);
+    return mip_device_send(device, &mip_tools_pin_exchange, data, 3);
 }
 
 /**
@@ -775,8 +751,8 @@ static inline struct mip_result mip_call_tools_pin_read(struct mip_device *devic
     uint8_t data[2];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
     mip_put_8(data + 1, (uint8_t)drive);
-    return mip_device_send(device, &mip_tools_pin_exchange, data, 2, &mip_tools_pin_response_codec,
-                           response);
+    return mip_device_request(device, &mip_tools_pin_exchange, data, 2,
+                              &mip_tools_pin_response_codec, response);
 }
 
 /** Pin: calls the command with these values, including optional parameters. See mip_device_call. */
@@ -844,8 +820,8 @@ mip_call_tools_readings(struct mip_device *device, enum mip_tools_drive drive,
                         struct mip_tools_readings_response *response) {
     uint8_t data[1];
     mip_put_8(data, (uint8_t)drive);
-    return mip_device_send(device, &mip_tools_readings_exchange, data, 1,
-                           &mip_tools_readings_response_codec, response);
+    return mip_device_request(device, &mip_tools_readings_exchange, data, 1,
+                              &mip_tools_readings_response_codec, response);
 }
 
 /**
@@ -891,8 +867,7 @@ static inline struct mip_result mip_call_tools_poll(struct mip_device *device,
         mip_put_8(data + 3 + 1 * i, (uint8_t)descriptors[i]);
     }
     return mip_device_send(device, &mip_tools_poll_exchange, data,
-                           count <= 250 ? 3 + 1 * (size_t)count : MIP_MAX_FIELD_DATA + 1, NULL,
-                           NULL);
+                           count <= 250 ? 3 + 1 * (size_t)count : MIP_MAX_FIELD_DATA + 1);
 }
 
 /**

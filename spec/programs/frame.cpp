@@ -1,0 +1,34 @@
+// Opens a device, and sends a command of the reference.
+#include "mip/connect.h"
+#include "mip/device.hpp"
+#include "mip/line.h"
+// 1. the line of the page that begins with #include
+#include "mip/base_commands.hpp"
+
+#include <iostream>
+
+static bool run(mip::device<> &device) {
+    // 2. the other lines of the page
+    const auto result = device.call(mip::base::ping{});
+    // end of 2
+    std::cerr << "command: " << result << '\n';
+    return bool(result);
+}
+
+int main(int argc, char **argv) {
+    const char *place = argc > 1 ? argv[1] : "/dev/ttyACM0"; // or COM3, or HOST:PORT
+    mip_line line;
+    if (!mip_line_open(&line, place, 115200)) {
+        std::cerr << place << ": " << line.error << '\n';
+        return 1;
+    }
+    mip::device<> device(line.port);
+    mip_base_get_device_info_response info;
+    const mip::result<> found = mip_device_connect(&device.c(), mip_line_set_baud, &info);
+    if (!found) {
+        std::cerr << "connect: " << found << '\n';
+    }
+    const bool done = found && run(device);
+    mip_line_close(&line);
+    return done ? 0 : 1;
+}
