@@ -91,7 +91,7 @@ impl Line {
     ///
     /// That of the last attempt.
     pub fn reopen(&mut self, within: Duration) -> io::Result<()> {
-        let (end, rate) = (Instant::now() + within, self.baud());
+        let (began, rate) = (Instant::now(), self.baud());
         self.way = Way::Lost; // it is closed first
         loop {
             match Self::way(&self.place) {
@@ -99,7 +99,7 @@ impl Line {
                     self.way = way;
                     return rate.map_or(Ok(()), |rate| self.set_baud(rate).map(drop));
                 }
-                Err(error) if Instant::now() >= end => return Err(error),
+                Err(error) if began.elapsed() >= within => return Err(error),
                 Err(_) => std::thread::sleep(PAUSE),
             }
         }
