@@ -42,7 +42,7 @@ BREAKS = [
 
 def test_what_breaks_is_named(interface: ModuleType, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     out, kept = tmp_path / "generated", tmp_path / "interface"
-    for part in ("c", "javascript", "json", "python", "rust/src"):
+    for part in ("c/src", "c/ports", "javascript", "json", "python/mip_protocol", "rust/src"):
         shutil.copytree(ROOT / "generated" / part, out / part)
     assert interface.check(out, kept, "0.1.0") == 0, "nothing is released"
     kept.mkdir()
@@ -59,7 +59,6 @@ def test_what_breaks_is_named(interface: ModuleType, tmp_path: Path, capsys: pyt
         assert line in said.out
     assert "version 0.1.1 is too low for that, raise it in spec/protocol.yaml" in said.err
     assert "cpp" not in said.err, "an addition is minor, which is the last number before 1.0.0"
-    assert interface.check(out, kept, "0.2.0") == 0
 
 
 @pytest.mark.parametrize(
