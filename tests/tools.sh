@@ -66,19 +66,19 @@ prover() {
     if command -v apt-get >/dev/null 2>&1 && [ -f /usr/share/keyrings/debian-archive-keyring.gpg ]; then
         echo "installing cbmc"
         rm -rf "$folder"
-        mkdir -p "$folder/lists/partial" "$folder/archives/partial" "$folder/packages" "$folder/root"
+        mkdir -p "$folder/lists/partial" "$folder/archives/partial" "$folder/packages" "$folder/files"
         touch "$folder/status"
         echo "deb [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] http://deb.debian.org/debian trixie main" >"$folder/sources.list"
         set -- -qq -o Dir::State="$folder" -o Dir::State::status="$folder/status" -o Dir::Cache="$folder" -o Dir::Etc::sourcelist="$folder/sources.list" \
             -o Dir::Etc::sourceparts=- -o Acquire::Languages=none -o APT::Sandbox::User=
         (
             apt-get "$@" update && cd "$folder/packages" && apt-get "$@" download cbmc minisat libc6 libgcc-s1 libstdc++6 zlib1g &&
-                for package in *.deb; do dpkg-deb -x "$package" "$folder/root" || exit 1; done
+                for package in *.deb; do dpkg-deb -x "$package" "$folder/files" || exit 1; done
         ) >/dev/null 2>"$folder/errors"
         rm -rf "$folder/lists" "$folder/archives" "$folder/packages"
         cat >"$folder/cbmc" <<'END'
 #!/bin/sh
-usr=$(cd "$(dirname "$0")" && pwd)/root/usr
+usr=$(cd "$(dirname "$0")" && pwd)/files/usr
 libraries=$(echo "$usr"/lib/*-linux-gnu)
 exec "$(echo "$libraries"/ld-linux*.so.*)" --library-path "$libraries:$usr/lib" "$usr/bin/cbmc" "$@"
 END
