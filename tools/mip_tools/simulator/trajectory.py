@@ -12,6 +12,7 @@ from pathlib import Path
 
 from .earth import E2, Vector, radii
 from .state import PLACES, MotionError, State, check_place, is_place, rotation
+from .waypoints import read_text
 
 _TIME = {"s": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9}
 _LENGTH = {"m": 1.0, "km": 1e3, "ft": 0.3048}
@@ -176,12 +177,7 @@ class _Table:
 
     def __init__(self, path: str | Path) -> None:
         self._path = path
-        try:
-            text = Path(path).read_text("utf-8-sig")
-        except OSError as error:
-            raise MotionError(f"trajectory: cannot read {path}: {error.strerror}") from None
-        except UnicodeDecodeError:
-            raise MotionError(f"trajectory: {path} is not a text file in UTF-8") from None
+        text = read_text(path, "trajectory")
         lines = [(i, line) for i, line in enumerate(text.splitlines(), 1) if line.strip() and line.lstrip()[0] != "#"]
         if len(lines) < 2:
             raise MotionError(f"{path}:1:1: a trajectory has a line with names and units, and lines of numbers")

@@ -34,17 +34,22 @@ def check(points: Sequence[Waypoint], loop: bool) -> None:
             raise MotionError(f"track: the speed at waypoint {i} is {p.speed:g} m/s; it must be above 0")
 
 
+def read_text(path: str | Path, motion: str) -> str:
+    """The text of a file that a motion needs. Raises MotionError."""
+    try:
+        return Path(path).read_text("utf-8-sig")
+    except OSError as error:
+        raise MotionError(f"{motion}: cannot read {path}: {error.strerror}") from None
+    except UnicodeDecodeError:
+        raise MotionError(f"{motion}: {path} is not a text file in UTF-8") from None
+
+
 def read_waypoints(path: str | Path) -> list[Waypoint]:
     """Waypoints of a CSV file: latitude, longitude (degrees), height (m), and optionally speed (m/s).
 
     A heading, empty lines and lines that begin with # are ignored.
     """
-    try:
-        text = Path(path).read_text("utf-8-sig")
-    except OSError as error:
-        raise MotionError(f"track: cannot read {path}: {error.strerror}") from None
-    except UnicodeDecodeError:
-        raise MotionError(f"track: {path} is not a text file in UTF-8") from None
+    text = read_text(path, "track")
     waypoints: list[Waypoint] = []
     first = True
     for number, row in enumerate(csv.reader(text.splitlines()), 1):
