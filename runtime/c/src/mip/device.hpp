@@ -190,7 +190,7 @@ template <MIP_PORT_TYPE Port> mip_port port_of(Port &port) {
 template <std::size_t Handlers = 8> class device {
   public:
     explicit device(const mip_port &port) {
-        mip_device_init(&device_, &port, entries_, 0);
+        mip_device_init(&device_, &port, 0, entries_);
     }
     template <MIP_PORT_TYPE Port, class = std::enable_if_t<!std::is_same_v<Port, mip_port>>>
     explicit device(Port &port) : device(port_of(port)) {
