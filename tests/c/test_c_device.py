@@ -306,7 +306,7 @@ def ran(program: Path, *arguments: str) -> tuple[int, str, str]:
 
 def test_the_examples_are_these() -> None:
     assert {p.name for p in EXAMPLES.iterdir()} == {
-        "stream.c", "bare_metal.c", "arduino", "autopilot.cpp", "log.cpp", "node.cpp"
+        "stream.c", "bare_metal.c", "arduino", "autopilot.cpp", "log.c", "log.cpp", "node.cpp"
     }  # fmt: skip
     headers = set(re.findall(r"#include <(.*)>", (EXAMPLES / "bare_metal.c").read_text("utf-8")))
     assert headers == set()  # nothing of the C library

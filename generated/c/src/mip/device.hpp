@@ -43,13 +43,10 @@ inline std::string_view to_string(outcome value) {
     return mip_outcome_name(static_cast<enum mip_outcome>(value));
 }
 
-/** The outcome of a command, and the response of one that has a response: `if (r) { r->... }`. */
-template <class Response = void> class result;
-
-/** The outcome of a command without a response. */
-template <> class [[nodiscard]] result<void> {
+/** What all results have. */
+class [[nodiscard]] basic_result {
   public:
-    result(const mip_result &of) : result_(of) {
+    basic_result(const mip_result &of) : result_(of) {
     }
     /** Has the command been carried out, as far as is known? */
     explicit operator bool() const {
@@ -75,10 +72,11 @@ template <> class [[nodiscard]] result<void> {
     mip_result result_;
 };
 
-/** The outcome of a command with a response, which is zeroed if there is none. */
-template <class Response> class [[nodiscard]] result : public result<void> {
+/** The outcome of a command and its response, which is zeroed if there is none:
+ * `if (r) { r->... }`. */
+template <class Response = void> class [[nodiscard]] result : public basic_result {
   public:
-    result(const mip_result &of, const Response &response) : result<void>(of), response_(response) {
+    result(const mip_result &of, const Response &response) : basic_result(of), response_(response) {
     }
     const Response &operator*() const {
         return response_;
@@ -89,6 +87,11 @@ template <class Response> class [[nodiscard]] result : public result<void> {
 
   private:
     Response response_;
+};
+
+/** The outcome of a command without a response. */
+template <> class [[nodiscard]] result<void> : public basic_result {
+    using basic_result::basic_result;
 };
 
 /** Writes "refused, unknown_command" to a stream such as std::ostream. */
@@ -116,6 +119,18 @@ template <class Command> struct exchange;
             return ::type##_command;           \
         }                                      \
     };
+
+namespace detail {
+
+/** The response of a command, which may be a structure of C. */
+template <class T, class = void> struct answer {
+    using type = typename exchange<T>::response;
+};
+template <class T> struct answer<T, std::void_t<typename T::command>> {
+    using type = typename T::response;
+};
+
+} // namespace detail
 
 /** A command whose data is always the same: nothing, or the function selector. */
 template <class Command, class Response, std::uint8_t... Function> struct fixed_command {
