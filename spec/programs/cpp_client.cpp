@@ -9,7 +9,7 @@ bool set_pps_source(mip::client &client, mip::mip_3dm::pps_source source) {
     while (command.waiting()) {
         std::uint8_t piece[64];
         const std::size_t size = receive(piece, sizeof(piece)); // 0 if there are none
-        client.receive({piece, size}, milliseconds(), // and the data among the answers
+        client.receive({piece, size}, milliseconds(),           // and the data among the answers
                        [](const mip::sensor::scaled_accel &accel) { show(accel.scaled_accel); });
     }
     if (!command.result()) {

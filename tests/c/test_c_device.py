@@ -194,7 +194,7 @@ def test_the_compiler_sees_a_set_in_place_of_true(call: str, arguments: str, goo
 @pytest.mark.parametrize("cc", ["gcc", "clang"])
 @pytest.mark.parametrize("call", ["mip_3dm_message_format_write(c, {})", "mip_call_3dm_message_format_write(d, {})"])
 def test_the_compiler_sees_a_count_above_the_array(call: str, cc: str, tmp_path: Path) -> None:
-    """A constant count, if the compiler optimizes; MIP_ARRAY has none that could be wrong, and does not take a pointer."""
+    """A constant count, if the compiler optimizes; MIP_ARRAY has none that could be wrong, and takes no pointer."""
     program = tmp_path / "count.c"
     types = "struct mip_device *d, struct mip_3dm_message_format *c, const struct mip_descriptor_rate *p, uint8_t x"
     array = "const struct mip_descriptor_rate a[] = {{4, 1}, {5, 1}, {6, 1}};"
@@ -306,7 +306,8 @@ def ran(program: Path, *arguments: str) -> tuple[int, str, str]:
 
 def test_the_examples_are_these() -> None:
     assert {p.name for p in EXAMPLES.iterdir()} == {
-        "stream.c", "bare_metal.c", "arduino", "autopilot.cpp", "log.c", "log.cpp", "node.cpp"
+        "stream.c", "bare_metal.c", "arduino", "arduino_cpp", "autopilot.cpp", "log.c", "log.cpp",
+        "node.cpp"
     }  # fmt: skip
     headers = set(re.findall(r"#include <(.*)>", (EXAMPLES / "bare_metal.c").read_text("utf-8")))
     assert headers == set()  # nothing of the C library

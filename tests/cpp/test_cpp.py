@@ -107,7 +107,8 @@ def test_readme_shows_programs_that_compile(tmp_path: Path) -> None:
         "struct Port {\n  std::optional<std::size_t> read(mip::span<std::uint8_t>) { return 0; }\n"
         "  bool write(mip::bytes) { return true; }\n  std::uint32_t now() { return 0; }\n};\n"
     )
-    used = "int main() {\n  Port port;\n  mip::builder b(1);\n  mip::client c;\n  return run(port) && ask(b) && set_pps_source(c, {});\n}\n"
+    used = "int main() {\n  Port port;\n  mip::builder b(1);\n  mip::client c;\n  return run(port) && ask(b) &&"
+    used += " set_pps_source(c, {});\n}\n"
     bodies = "".join(re.sub("^#include.*\n", "", block, flags=re.M) for block in blocks)
     program.write_text(f"{includes}{outside}{bodies}{used}")
     assert (done := checked(program, "g++", "-std=c++17", *BARE)).returncode == 0, done.stderr

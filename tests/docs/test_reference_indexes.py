@@ -155,7 +155,11 @@ def symbols(manual: Manual, language: str) -> dict[str, tuple[str, list[str]]]:
 def test_every_type_and_field_has_symbols(manual: Manual) -> None:
     of = manual.model
     every = [*manual.fields, *of.all_types, of.protocol.function_selector]
-    absent = {"c": m.Vector, "cpp": m.Vector, "javascript": (m.Vector, m.Struct)}  # arrays and objects have no name in programs
+    absent = {
+        "c": m.Vector,
+        "cpp": m.Vector,
+        "javascript": (m.Vector, m.Struct),
+    }  # arrays and objects have no name in programs
     for language in ("c", "cpp", "python", "rust", "javascript"):
         shown = [to for to, _ in symbols(manual, language).values()]
         wanted = [anchor(t) for t in every if not isinstance(t, absent.get(language, ()))]
@@ -199,8 +203,7 @@ def test_symbols_of_cpp(spec: str, tmp_path: Path) -> None:
     uses = []
     for name, (_, others) in symbols(manual_of(spec), "cpp").items():
         uses.append(f"static_assert(sizeof({name}) > 0);")
-        uses += [f"static_assert(sizeof({name}{{}}.{x}) > 0);" if x.endswith("()") else f"static_assert(sizeof({x}) > 0);"
-                 for x in others]  # fmt: skip
+        uses += [f"static_assert(sizeof({f'{name}{{}}.{x}' if x.endswith('()') else x}) > 0);" for x in others]
     program = tmp_path / "symbols.cpp"
     program.write_text('#include "mip/mip.hpp"\n' + "\n".join(uses) + "\n")
     source = SPECS[spec][1] / "c/src"

@@ -20,7 +20,16 @@ from .identifiers import identifiers
 from .names import GRAMMAR
 
 #: Programs for several kinds of systems. Arduino's IDE wants each in a folder of its name.
-EXAMPLES = ("stream.c", "bare_metal.c", "node.cpp", "autopilot.cpp", "log.cpp", "log.c", "arduino/arduino.ino")
+EXAMPLES = (
+    "stream.c",
+    "bare_metal.c",
+    "node.cpp",
+    "autopilot.cpp",
+    "log.cpp",
+    "log.c",
+    "arduino/arduino.ino",
+    "arduino_cpp/arduino_cpp.ino",
+)
 
 
 def files(model: m.Model) -> Iterator[File]:
@@ -115,7 +124,15 @@ def packages(model: m.Model, made: list[File]) -> Iterator[File]:
         ),
     }
     yield File("cmake/sources.cmake", "sources.cmake.j2", facts)
-    manifests = ("meson.build", "library.json", "library.properties", "idf_component.yml", "conanfile.py", "Doxyfile", "Doxyfile.cpp")
+    manifests = (
+        "meson.build",
+        "library.json",
+        "library.properties",
+        "idf_component.yml",
+        "conanfile.py",
+        "Doxyfile",
+        "Doxyfile.cpp",
+    )
     for path in (*manifests, "vcpkg/vcpkg.json", "cmake/mip.pc.in", "zephyr/Kconfig"):
         yield File(path, f"{path.rpartition('/')[2]}.j2", facts)
 

@@ -66,9 +66,8 @@ template <class Command> class request {
             answer = static_cast<c_type<response> *>(&response_);
         }
         client_ = &to;
-        error_ = static_cast<std::uint8_t>(
-            mip_client_send(&to, &request_, &packet, &exchange<structure>::command(), value, codec,
-                            answer, now));
+        error_ = static_cast<std::uint8_t>(mip_client_send(
+            &to, &request_, &packet, &exchange<structure>::command(), value, codec, answer, now));
         return error_ == MIP_OK;
     }
     void forget() {

@@ -506,24 +506,24 @@ template <class R, class C, class T, class... More> T first_parameter(R (C::*)(T
 template <class R, class C, class T, class... More> T first_parameter(R (C::*)(T, More...));
 template <class R, class T, class... More> T first_parameter(R (*)(T, More...));
 
-template <class F, class = void> struct handled {
-    using type = decltype(first_parameter(&F::operator()));
+template <class Handler, class = void> struct handled {
+    using type = decltype(first_parameter(&Handler::operator()));
 };
-template <class F>
-struct handled<F, std::enable_if_t<std::is_function_v<std::remove_pointer_t<F>>>> {
-    using type = decltype(first_parameter(std::declval<F>()));
+template <class Handler>
+struct handled<Handler, std::enable_if_t<std::is_function_v<std::remove_pointer_t<Handler>>>> {
+    using type = decltype(first_parameter(std::declval<Handler>()));
 };
 /** The type that a handler's first parameter names. */
-template <class F>
+template <class Handler>
 using handled_by =
-    std::remove_cv_t<std::remove_reference_t<typename handled<std::decay_t<F>>::type>>;
+    std::remove_cv_t<std::remove_reference_t<typename handled<std::decay_t<Handler>>::type>>;
 
 /** Calls a handler with as much as it takes: the value, the field, the time. */
-template <class F, class T, class... More>
-void call(F &handler, const T &value, const field &from, More... more) {
-    if constexpr (std::is_invocable_v<F &, const T &, const field &, More...>) {
+template <class Handler, class T, class... More>
+void call(Handler &handler, const T &value, const field &from, More... more) {
+    if constexpr (std::is_invocable_v<Handler &, const T &, const field &, More...>) {
         handler(value, from, more...);
-    } else if constexpr (std::is_invocable_v<F &, const T &, const field &>) {
+    } else if constexpr (std::is_invocable_v<Handler &, const T &, const field &>) {
         handler(value, from);
     } else {
         handler(value);
@@ -531,8 +531,8 @@ void call(F &handler, const T &value, const field &from, More... more) {
 }
 
 /** Calls a handler if it is for this field. */
-template <class F> bool offer(const field &from, std::uint16_t key, F &handler) {
-    using T = handled_by<F>;
+template <class Handler> bool offer(const field &from, std::uint16_t key, Handler &handler) {
+    using T = handled_by<Handler>;
     if constexpr (std::is_same_v<T, field>) {
         (void)key;
         handler(from);

@@ -221,14 +221,15 @@ template <std::size_t Handlers = 8> class device {
      * The device keeps a copy, so a lambda may capture at most two pointers, such as `[this]` or
      * `[&a, &b]`. If there is no room for it, poll returns false from then on.
      */
-    template <MIP_LAYOUT_TYPE T, class F> void on(F handler) {
+    template <MIP_LAYOUT_TYPE T, class Handler> void on(Handler handler) {
         on<T>(MIP_ANY_SET, handler);
     }
     /** The same for one of the descriptor sets in which the type occurs. */
-    template <MIP_LAYOUT_TYPE T, class F> void on(std::uint8_t descriptor_set, F handler) {
-        static_assert(std::is_invocable_v<F &, const T &> ||
-                          std::is_invocable_v<F &, const T &, const field &> ||
-                          std::is_invocable_v<F &, const T &, const field &, std::uint32_t>,
+    template <MIP_LAYOUT_TYPE T, class Handler>
+    void on(std::uint8_t descriptor_set, Handler handler) {
+        static_assert(std::is_invocable_v<Handler &, const T &> ||
+                          std::is_invocable_v<Handler &, const T &, const field &> ||
+                          std::is_invocable_v<Handler &, const T &, const field &, std::uint32_t>,
                       "a handler takes the value, and perhaps the field and the time");
         add(&traits<T>::codec(), descriptor_set, handler,
             [](void *user, const mip_field *from, std::uint32_t arrived) {
@@ -236,18 +237,18 @@ template <std::size_t Handlers = 8> class device {
                 c_type<T> &to = value;
                 if (mip_decode_only(&traits<T>::codec(), traits<T>::descriptor, &to, sizeof(to),
                                     from) == MIP_OK) {
-                    detail::call(*std::launder(static_cast<F *>(user)), value, field(*from),
+                    detail::call(*std::launder(static_cast<Handler *>(user)), value, field(*from),
                                  arrived);
                 }
             });
     }
     /** Calls a handler with each field that no earlier one is for: `(const field &from)`, perhaps
      * with the time. */
-    template <class F> void on_other(F handler) {
+    template <class Handler> void on_other(Handler handler) {
         add(MIP_ANY_FIELD, MIP_ANY_SET, handler,
             [](void *user, const mip_field *from, std::uint32_t arrived) {
-                F &call = *std::launder(static_cast<F *>(user));
-                if constexpr (std::is_invocable_v<F &, const field &, std::uint32_t>) {
+                Handler &call = *std::launder(static_cast<Handler *>(user));
+                if constexpr (std::is_invocable_v<Handler &, const field &, std::uint32_t>) {
                     call(field(*from), arrived);
                 } else {
                     (void)arrived;
@@ -307,14 +308,15 @@ template <std::size_t Handlers = 8> class device {
         unsigned char bytes[2 * sizeof(void *)];
     };
 
-    template <class F>
-    void add(const mip_codec *type, std::uint8_t descriptor_set, const F &handler,
+    template <class Handler>
+    void add(const mip_codec *type, std::uint8_t descriptor_set, const Handler &handler,
              void (*handle)(void *, const mip_field *, std::uint32_t)) {
-        static_assert(std::is_trivially_copyable_v<F> && std::is_trivially_destructible_v<F> &&
-                          sizeof(F) <= sizeof(room) && alignof(F) <= alignof(room),
+        static_assert(std::is_trivially_copyable_v<Handler> &&
+                          std::is_trivially_destructible_v<Handler> &&
+                          sizeof(Handler) <= sizeof(room) && alignof(Handler) <= alignof(room),
                       "a handler captures too much: capture a reference, or use std::ref");
         if (void *at = enter(type, descriptor_set, handle)) {
-            new (at) F(handler);
+            new (at) Handler(handler);
         }
     }
     /** The part of it that all handlers share; returns the place of what they capture. */
