@@ -49,6 +49,7 @@ def files(model: m.Model) -> Iterator[File]:
     shown = {name: model.program(f"{name}.c").rstrip() for name in ("device", "client", "present", "receivers")}
     shown |= {name: model.program(f"{name}.cpp").rstrip() for name in ("cpp", "cpp_stream", "cpp_client")}
     shown |= {"vendor_sdk": model.program("vendor_sdk.md").rstrip(), "bench": model.program("bench_c.md").rstrip()}
+    shown["by_source"] = model.program("bench_c_sources.md").rstrip()
     shown["bench_peer"] = model.program("bench_c_peer.md").rstrip()
     session = calls.session(model)
     shown["first"] = model.program("stream.c").partition("*/\n")[2].rstrip() if session else ""
