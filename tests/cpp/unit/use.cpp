@@ -236,6 +236,8 @@ void calls() {
     CHECK((port.written == std::vector<std::uint8_t>{0x75, 0x65, 0x01, 0x02, 0x02, 0x01, 0xE0, 0xC6})); // of a manual
     const mip::result<pps_source_control_response> read = device.call(read_pps_source_control{});
     CHECK(read && read->source() == pps_source::gpio && (*read).source() == pps_source::gpio);
+    const mip::result<> &any = read; // whatever its response
+    CHECK(any && any.outcome() == mip::outcome::acknowledged);
     const auto refused = device.call(write_pps_source_control{pps_source::gpio});
     CHECK(!refused && refused.outcome() == mip::outcome::refused);
     CHECK(refused.code() == mip::ack_code::invalid_parameter);

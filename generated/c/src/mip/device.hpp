@@ -89,9 +89,12 @@ template <class Response = void> class [[nodiscard]] result : public basic_resul
     Response response_;
 };
 
-/** The outcome of a command without a response. */
+/** The outcome of a command without a response, or of any command. */
 template <> class [[nodiscard]] result<void> : public basic_result {
+  public:
     using basic_result::basic_result;
+    result(const basic_result &of) : basic_result(of) {
+    }
 };
 
 /** Writes "refused, unknown_command" to a stream such as std::ostream. */
