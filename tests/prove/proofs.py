@@ -102,10 +102,11 @@ def layout(f: m.Field, of: m.Model) -> Iterator[Proof]:
         "--unwindset", "run:3", "--max-field-sensitivity-array-size", "1000", "--object-bits", "16",
     ]  # fmt: skip
     if not numbers:
-        given += [f"-DWIRE={joined(wire(f))}", f"-DMEMORY={joined(memory(f))}"]
+        given += ["--slice-formula", f"-DWIRE={joined(wire(f))}", f"-DMEMORY={joined(memory(f))}"]
+    harness = "numbers.c" if numbers else "program.c"
     sources = ("core.c", "codec.c", "program.c", "double.c", f"{module}.c", "core.h", "program.h", f"{module}.h")
     for function in ("decode", "encode"):
-        yield Proof(f"{f.full_name}, {function}", bounds, "layout.c", function, tuple(given), sources)
+        yield Proof(f"{f.full_name}, {function}", bounds, harness, function, tuple(given), sources)
 
 
 def deciding(f: m.Field) -> Iterator[tuple[m.Parameter, list[int]]]:
@@ -155,7 +156,8 @@ def prover() -> str | None:
 
 def key(proof: Proof, sources: Path, cbmc: str) -> str:
     digest = hashlib.sha256(repr((proof.function, proof.options, version(cbmc))).encode())
-    for path in (HERE / proof.harness, *(sources / "mip" / name for name in proof.sources)):
+    shared = () if proof.harness == "core.c" else ("layout.h",)
+    for path in (*(HERE / name for name in (proof.harness, *shared)), *(sources / "mip" / name for name in proof.sources)):
         digest.update(without_comments(path.read_text("utf-8")).encode())
     return digest.hexdigest()[:24]
 
@@ -172,9 +174,8 @@ def version(cbmc: str, known: dict[str, str] = {}) -> str:  # noqa: B006
 
 def prove(proof: Proof, cbmc: str, seconds: int, sources: Path = SOURCES) -> Result:
     """Proves it, or finds what refutes it, within so many seconds of processor time."""
-    also = (
-        [sources / "mip" / name for name in proof.sources if name.endswith(".c")] if proof.harness == "layout.c" else []
-    )
+    linked = [] if proof.harness == "core.c" else [n for n in proof.sources if n.endswith(".c")]
+    also = [sources / "mip" / name for name in linked]
     command = [cbmc, HERE / proof.harness, *also, "-I", sources, "--function", proof.function, "--json-ui",
                "--unwinding-assertions", "--drop-unused-functions", *proof.options]  # fmt: skip
 
