@@ -166,7 +166,7 @@ docs: workbench $(VENV)/development.stamp ## build the reference as a searchable
 
 .PHONY: release
 release: export SOURCE_DATE_EPOCH = 315532800
-release: docs ## build what people install in dist/: the same bytes each time, with checksums, an SBOM and notes
+release: docs $(VENV)/all.stamp ## build what people install in dist/: the same bytes each time, with checksums, an SBOM and notes
 	@$(RUN) tools/release/build.py --site $(BUILD)/site
 
 .PHONY: interface
