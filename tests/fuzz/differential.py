@@ -15,7 +15,7 @@ from typing import Any
 import fuzz
 from conformance.scenarios import Words, random_steps
 from mipgen.lower import codec
-from support import Driver, driver, model
+from support import OFFERS, Driver, driver, model
 
 LANGUAGES = ("c", "cpp", "python", "rust", "javascript")
 BATCH = 4000  # requests: each driver begins anew for each batch
@@ -61,8 +61,7 @@ class Session:
     def drawn(self) -> Request:
         source = self.chance.choice(("parser", "fields", "fields", "client"))
         if source == "client":
-            asked = {"op": "client", "steps": random_steps(self.chance, self.words)}
-            return asked if offered(asked) else self.drawn()
+            return {"op": "client", "steps": random_steps(self.chance, self.words)}
         inputs = self.inputs[source]
         data = changed(self.chance, self.chance.choice(inputs), inputs, fuzz.LARGEST[source])
         return request(source, data) or self.drawn()
@@ -77,18 +76,14 @@ class Session:
         return count
 
 
-def offered(asked: Request) -> bool:
-    return bool(asked["steps"])
-
-
 def of(d: Driver, asked: list[Request]) -> list[Any]:
-    """The answers of a driver; C++ has no client. Of a batch that ends it, the request that does."""
-    mine = [r for r in asked if r["op"] != "client" or d.language != "cpp"]
-    given = iter(answered(d, mine))
-    return [next(given) if r in mine or r["op"] != "client" else None for r in asked] if mine != asked else list(given)
+    """The answers of a driver, None to what it does not offer: C++ has no client."""
+    given = iter(answered(d, [r for r in asked if r["op"] in OFFERS[d.language]]))
+    return [next(given) if r["op"] in OFFERS[d.language] else None for r in asked]
 
 
 def answered(d: Driver, asked: list[Request]) -> list[Any]:
+    """The same; the request that ends a driver has that as its answer."""
     try:
         return list(d.ask(asked))
     except AssertionError as error:

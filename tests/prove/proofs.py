@@ -156,8 +156,8 @@ def prover() -> str | None:
 
 def key(proof: Proof, sources: Path, cbmc: str) -> str:
     digest = hashlib.sha256(repr((proof.function, proof.options, version(cbmc))).encode())
-    shared = () if proof.harness == "core.c" else ("layout.h",)
-    for path in (*(HERE / name for name in (proof.harness, *shared)), *(sources / "mip" / name for name in proof.sources)):
+    harness = [proof.harness] if proof.harness == "core.c" else [proof.harness, "layout.h"]
+    for path in (*(HERE / name for name in harness), *(sources / "mip" / name for name in proof.sources)):
         digest.update(without_comments(path.read_text("utf-8")).encode())
     return digest.hexdigest()[:24]
 
@@ -295,7 +295,10 @@ def run(proofs: list[Proof], cbmc: str, seconds: int) -> list[tuple[Proof, Resul
 
 def write(cbmc: str) -> None:
     """The tables of docs/proofs.md, from what is kept of the sources as they are."""
-    rows, known = [], {p: result for p in (*core(), *layouts()) if (result := found(p, cbmc))}
+    known = {p: result for p in (*core(), *layouts()) if (result := found(p, cbmc))}
+    git = ["git", "log", "-1", "--format=revision %h of %cs", "--abbrev=8", "--", "generated/c/src/mip", "tests/prove"]
+    revision = subprocess.run(git, cwd=ROOT, capture_output=True, text=True).stdout.strip()
+    rows = []
     for p in core():
         r = known.get(p)
         rows.append(f"| {p.name} | {p.bounds} | {f'{r.outcome}, {r.properties} properties' if r else 'not tried'} |")
@@ -316,7 +319,7 @@ def write(cbmc: str) -> None:
         rows += ["", f"Not in the time: {'; '.join(late)}."]
     text = TABLE.read_text("utf-8")
     before, _, rest = text.partition(BEGIN)
-    head = ["| Core | Looked at | Result |", "|---|---|---|"]
+    head = [f"Sources of {revision or 'no revision'}.", "", "| Core | Looked at | Result |", "|---|---|---|"]
     TABLE.write_text(before + BEGIN + "\n".join(["", "", *head, *rows, "", ""]) + END + rest.partition(END)[2], "utf-8")
 
 

@@ -1,6 +1,6 @@
 """The client of Python in any order of calls, as hypothesis chooses them, against the plain model of a client.
 
-    python conversations.py COUNT SEED
+python conversations.py COUNT SEED
 """
 
 from __future__ import annotations

@@ -135,8 +135,8 @@ def bill(of: dict[str, str]) -> str:
     files = []
     for name, digest in of.items():
         file = Component(
-            name=name, type=ComponentType.FILE, bom_ref=name, version=VERSION, licenses=[DisjunctiveLicense(id=LICENSE)],
-            hashes=[HashType(alg=HashAlgorithm.SHA_256, content=digest)],
+            name=name, type=ComponentType.FILE, bom_ref=name, version=VERSION,
+            licenses=[DisjunctiveLicense(id=LICENSE)], hashes=[HashType(alg=HashAlgorithm.SHA_256, content=digest)],
         )  # fmt: skip
         files.append(file)
         document.components.add(file)
