@@ -402,7 +402,7 @@ def test_what_does_not_fit_is_refused(language: str) -> None:
 
 @each("encode")
 def test_only_a_set_that_has_a_field_is_built_with_it(language: str, spec: str) -> None:
-    """No packet is built of sets 0 and 0xFF; data of several sets, shared data and the acknowledge only in their own."""
+    """No packet is built of sets 0 and 0xFF; fields of several sets, shared ones, acknowledges only in their own."""
     of, requests, errors = model(spec), [], []
     several = next(f for f in of.fields if f.everywhere and f.set == 0xFF), of.protocol.acknowledge
     several += (next(f for f in of.fields if f.role == m.DATA and len(f.sets) > 1 and not f.everywhere),)
