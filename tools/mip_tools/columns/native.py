@@ -60,7 +60,7 @@ class Kernel:
         """The fields of packets; None if there are too many different ones."""
         keys, counts = np.empty(_KINDS, np.uint32), np.empty(_KINDS, np.int64)
         room = len(data) // _SHORTEST
-        in_log = [np.empty(room, np.uint16), np.empty(room, np.int32), np.empty(room, np.uint8)]
+        in_log: list[Array] = [np.empty(room, np.uint16), np.empty(room, np.int32), np.empty(room, np.uint8)]
         places = [_at(array) for array in in_log]
         kinds = self._fields(_at(data), _at(at), len(at), room, _at(keys), _at(counts), *places)
         if kinds < 0:
