@@ -1,0 +1,191 @@
+"""`make fuzz`: libFuzzer on each target for a while; inputs that reach new code are kept in corpus/, as text.
+
+    make fuzz TIME=60 TARGETS="parser fields-invented"
+
+The targets of C are in tests/c/fuzz, those of Rust in tests/rust/fuzz. Inputs of one source have the same form in both
+languages, and each language begins with what was found in the other one. An input that fails is shown as hexadecimal:
+after the repair it belongs into corpus/, as a line of its own. Python (tests/python/fuzz.py, with Atheris) and the
+comparison of all languages (differential.py) begin with these inputs, too, and keep none. counts.txt has how many
+inputs were run.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+from typing import NamedTuple
+
+HERE = Path(__file__).parent
+TESTS = HERE.parent
+sys.path += [str(TESTS), str(TESTS / "c"), str(TESTS.parent / "generator")]
+
+import c_build  # noqa: E402
+import counts  # noqa: E402
+import crates  # noqa: E402
+from seeds import seeds  # noqa: E402
+from support import BUILD, model  # noqa: E402
+
+
+class Target(NamedTuple):
+    language: str
+    #: What it tries, which says what an input is.
+    source: str
+    #: The specification whose library it runs. The parser is the same in both.
+    spec: str
+
+
+TARGETS = {
+    "parser": Target("c", "parser", "real"),
+    "fields": Target("c", "fields", "real"),
+    "fields-invented": Target("c", "fields", "invented"),
+    "client": Target("c", "client", "real"),
+    "client-invented": Target("c", "client", "invented"),
+    "rust-parser": Target("rust", "parser", "real"),
+    "rust-fields": Target("rust", "fields", "real"),
+    "rust-client": Target("rust", "client", "real"),
+}
+C = [name for name, target in TARGETS.items() if target.language == "c"]
+RUST = [name for name, target in TARGETS.items() if target.language == "rust"]
+
+#: Those that keep no inputs, and the sources of Python's.
+PYTHON = {"python-parser": "parser", "python-fields": "fields"}
+OTHERS = [*PYTHON, "differential"]
+ATHERIS = "3.0.0"
+
+FLAGS = ["-std=c99", "-g", "-O1", "-fsanitize=fuzzer-no-link,address,undefined", "-fno-sanitize-recover=all"]
+LARGEST = {"parser": 800, "fields": 260, "client": 400}  # bytes of an input: what is kept stays small
+
+#: What clang adds with fuzzer-no-link, as the stable compiler of Rust knows it; clang links libFuzzer.
+COVERAGE = ["level=4", "inline-8bit-counters", "pc-table", "trace-compares"]
+RUSTFLAGS = ["-Cpasses=sancov-module", *(f"-Cllvm-args=-sanitizer-coverage-{flag}" for flag in COVERAGE)]
+RUSTFLAGS += ["-Cdebug-assertions", "-Clinker=clang", "-Clink-arg=-fsanitize=fuzzer"]
+
+
+def begin(name: str) -> list[bytes]:
+    """The inputs that need no search."""
+    return seeds(TARGETS[name].source, model(TARGETS[name].spec))
+
+
+def kept(name: str) -> list[bytes]:
+    """The inputs of the kept corpus."""
+    lines = (HERE / f"corpus/{name}.hex").read_text("ascii").splitlines()
+    return [bytes.fromhex(line) for line in lines if line and not line.startswith("#")]
+
+
+def known(name: str) -> list[bytes]:
+    """Those of all targets with inputs of the same form and specification."""
+    return [i for other, target in TARGETS.items() if target[1:] == TARGETS[name][1:] for i in kept(other)]
+
+
+def keep(name: str, inputs: list[bytes]) -> None:
+    head = f"# Inputs for {name} that reach what the seeds do not, found by `make fuzz`; one per line.\n"
+    lines = sorted({i.hex() for i in inputs}, key=lambda line: (len(line), line))
+    (HERE / f"corpus/{name}.hex").write_text(head + "".join(f"{line}\n" for line in lines), "ascii")
+
+
+def build(name: str, program: Path) -> Path:
+    language, source, spec = TARGETS[name]
+    if language == "rust":
+        return build_rust(source, spec, program)
+    library = c_build.archive(spec, "clang", *FLAGS)
+    path = TESTS / f"c/fuzz/{source}.c"
+    return c_build.compiled(program, spec, "clang", path, *FLAGS, "-fsanitize=fuzzer", library=library)
+
+
+def build_rust(source: str, spec: str, program: Path) -> Path:
+    binary = f'[[bin]]\nname = "libfuzzer"\npath = "{TESTS / "rust/fuzz/libfuzzer.rs"}"\ntest = false\n'
+    folder = crates.project(spec, "libfuzzer", binary)
+    machine = crates.passes(folder, "-vV").partition("host: ")[2].split()[0]
+    arguments = ("build", "--offline", "--quiet", "--release", "--target", machine)
+    flags = {"RUSTFLAGS": " ".join(RUSTFLAGS), "CARGO_PROFILE_RELEASE_LTO": "off"}
+    crates.passes(folder, *arguments, TARGET=source, **flags)
+    shutil.copy2(crates.WORK / f"target/{machine}/release/libfuzzer", program)
+    return program
+
+
+def write(folder: Path, inputs: list[bytes]) -> Path:
+    folder.mkdir()
+    for i, data in enumerate(inputs):
+        (folder / f"{i:05}").write_bytes(data)
+    return folder
+
+
+def run(folder: Path, *arguments: str | Path) -> str:
+    """The fuzzer, with a failure shown."""
+    command = [folder / "program", f"-artifact_prefix={folder}/failure-", "-timeout=20", *arguments]
+    done = subprocess.run([str(c) for c in command], capture_output=True, text=True)
+    if done.returncode != 0:
+        shown = [f"{path.name}: {path.read_bytes().hex()}" for path in sorted(folder.glob("failure-*"))]
+        sys.exit("\n".join([done.stderr[-4000:], *shown]))
+    return done.stderr
+
+
+def executions(output: str) -> int:
+    return int(re.findall(r"Done (\d+) runs", output)[-1])
+
+
+def fuzz(name: str, seconds: int) -> int:
+    folder = BUILD / f"fuzz/{name}"
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    build(name, folder / "program")
+    first = write(folder / "seeds", begin(name))
+    before = write(folder / "known", known(name))
+    found = write(folder / "found", [])
+    largest = LARGEST[TARGETS[name].source]
+    output = run(folder, f"-max_total_time={seconds}", f"-max_len={largest}", found, first, before)
+    # What is needed beside the seeds, the smallest of those that reach the same; edges count, not how often.
+    merged = write(folder / "merged", begin(name))
+    seeded = {p.name for p in merged.iterdir()}
+    run(folder, "-merge=1", "-use_counters=0", merged, before, found)
+    keep(name, [p.read_bytes() for p in merged.iterdir() if p.name not in seeded])
+    print(f"{name}: {len(kept(name))} inputs kept")
+    return executions(output)
+
+
+def fuzz_python(name: str, seconds: int) -> int:
+    """Atheris is no part of the lock: it is there for few Pythons and systems."""
+    source, tool, folder = PYTHON[name], BUILD / "tools/atheris", BUILD / f"fuzz/{name}"
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    if not (tool / f"atheris-{ATHERIS}.dist-info").is_dir():
+        pip = [sys.executable, "-m", "pip", "install", "--quiet", "--upgrade", "--target", tool, f"atheris=={ATHERIS}"]
+        if subprocess.run([str(c) for c in pip], capture_output=True).returncode != 0:
+            sys.exit(f"make: atheris {ATHERIS} cannot be installed for this Python; leave out {' '.join(PYTHON)}")
+    first = write(folder / "seeds", [*begin(source), *known(source)])
+    limits = [f"-artifact_prefix={folder}/failure-", f"-max_total_time={seconds}", f"-max_len={LARGEST[source]}"]
+    done = subprocess.run(
+        [sys.executable, str(TESTS / "python/fuzz.py"), source, *limits, str(first)],
+        capture_output=True, text=True, env={**os.environ, "PYTHONPATH": str(tool)},
+    )  # fmt: skip
+    if done.returncode != 0:
+        sys.exit(done.stdout[-4000:] + done.stderr[-4000:])
+    return executions(done.stderr)
+
+
+def compare(seconds: int) -> int:
+    import differential  # it needs this module itself
+
+    return differential.Session(str(os.urandom(8))).run(seconds)
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(prog="make fuzz")
+    parser.add_argument("--time", type=int, default=60, metavar="SECONDS", help="for each target")
+    every = [*TARGETS, *OTHERS]
+    parser.add_argument("--targets", nargs="*", default=every, choices=every)
+    given = parser.parse_args()
+    for name in given.targets:
+        how = fuzz if name in TARGETS else fuzz_python if name in PYTHON else lambda _, seconds: compare(seconds)
+        count = how(name, given.time)
+        counts.add(name, count)
+        print(f"{name}: {count:,} executions", flush=True)
+
+
+if __name__ == "__main__":
+    main()
