@@ -40,7 +40,7 @@ _BEGINNINGS = {
     "types/": 0,
     "types.md": 0,
     "compare/": 0,
-    "examples.md": 0,
+    "examples": 0,
     "errata.md": 40,
     "sets/": 120,
     "devices/": 120,

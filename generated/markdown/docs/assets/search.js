@@ -6,7 +6,7 @@ globalThis.mipSearch = (() => {
     const OF_A_PAGE = 3;
     const LEADING = 4;
     const WEAK = 4; // a rank of fields: the words are in parameters, values and descriptions
-    const COLLECTIONS = /^(errata|examples|types|compare|types\/.*)\b/; // they repeat what other pages have
+    const COLLECTIONS = /^(errata|examples|types|compare|types\/.*|examples\/.*)\b/; // they repeat what other pages have
 
     /** Words of questions that say nothing of their subject. */
     const FILLING = new Set(
