@@ -93,7 +93,7 @@ test-all: tools-all test $(VENV)/all.stamp ## these, and those that take long, o
 
 .PHONY: nightly
 nightly: SEED ?= $(shell date +%s)
-nightly: tools-all tools-cross tools-fuzz tools-semver tools-workflows $(VENV)/all.stamp ## all tests, random ones with a seed of their own and many more rounds, and fuzzing: make nightly SEED=2 TIME=600
+nightly: tools-all tools-cross tools-fuzz tools-miri tools-semver tools-workflows $(VENV)/all.stamp ## all tests, random ones with a seed of their own and many more rounds, and fuzzing: make nightly SEED=2 TIME=600
 	@NIGHTLY=1 $(PYTEST) $(TESTS)
 	@$(MAKE) --no-print-directory fuzz TIME=$(or $(TIME),600)
 	@$(MAKE) --no-print-directory prove
@@ -118,8 +118,8 @@ mutate: $(VENV)/development.stamp ## change the project at random and report wha
 	@$(RUN) tests/mutate.py $(addprefix --count ,$(COUNT)) $(addprefix --part ,$(PART)) $(addprefix --seed ,$(SEED)) $(addprefix --path ,$(FILE))
 
 .PHONY: fuzz
-fuzz: tools-fuzz $(VENV)/development.stamp ## search for inputs that break C, and keep those that reach new code: make fuzz TIME=60 TARGETS="parser client"
-	@$(RUN) tests/c/fuzz/fuzz.py $(addprefix --time ,$(TIME)) $(if $(TARGETS),--targets $(TARGETS))
+fuzz: tools-fuzz $(VENV)/development.stamp ## search for inputs that break C and Rust, and keep those that reach new code: make fuzz TIME=60 TARGETS="parser client"
+	@$(RUN) tests/fuzz/fuzz.py $(addprefix --time ,$(TIME)) $(if $(TARGETS),--targets $(TARGETS))
 
 .PHONY: prove
 prove: tools-prove $(VENV)/development.stamp ## prove properties of C for all inputs: make prove FIELD=base.ping SECONDS=300, make prove PLANT=1
@@ -196,7 +196,7 @@ conformance-driver: $(VENV)/generator.stamp ## build a driver and print its comm
 
 # ----------------------------------------------------------------- tools and dirt
 
-.PHONY: tools tools-check tools-all tools-cross tools-fuzz tools-prove tools-semver tools-workflows
+.PHONY: tools tools-check tools-all tools-cross tools-fuzz tools-miri tools-prove tools-semver tools-workflows
 tools:
 	@tests/tools.sh test
 
@@ -211,6 +211,9 @@ tools-cross:
 
 tools-fuzz:
 	@tests/tools.sh fuzz
+
+tools-miri:
+	@tests/tools.sh miri
 
 tools-prove:
 	@tests/tools.sh prove

@@ -1,5 +1,5 @@
 #!/bin/sh
-# tools.sh check|test|all|cross|fuzz|prove|semver|workflows: brings what can be brought, and names what is missing with its
+# tools.sh check|test|all|cross|fuzz|miri|prove|semver|workflows: brings what can be brought, and names what is missing with its
 # remedy, all of it at once.
 set -u
 missing=0
@@ -53,6 +53,7 @@ if [ "$1" = fuzz ]; then
     printf '#include <stddef.h>\nint LLVMFuzzerTestOneInput(const void *d, size_t n) { return d == NULL && n > 0; }\n' |
         clang -fsanitize=fuzzer,address,undefined -x c - -o /dev/null 2>/dev/null ||
         lacks libFuzzer "clang must link with -fsanitize=fuzzer,address,undefined (Debian: apt-get install libclang-rt-dev)"
+    command_or cargo "install Rust: https://rustup.rs"
     exit $missing
 fi
 
@@ -123,6 +124,17 @@ semver_checks() {
     "$tools/bin/cargo-semver-checks" --version >/dev/null 2>&1 ||
         lacks cargo-semver-checks "it could not be compiled (rustup update; cargo install cargo-semver-checks --version $version)"
 }
+
+# An interpreter of Rust, which sees undefined behaviour. It is part of the nightly toolchain, but not of each night's.
+if [ "$1" = miri ]; then
+    remedy="rustup toolchain install nightly --profile minimal --component miri,rust-src"
+    if ! cargo +nightly miri --version >/dev/null 2>&1; then
+        echo "installing Miri"
+        $remedy >/dev/null 2>&1
+    fi
+    cargo +nightly miri setup >/dev/null 2>&1 || lacks "Miri, of Rust's nightly toolchain," "$remedy"
+    exit $missing
+fi
 
 if [ "$1" = semver ]; then
     command_or cargo "install Rust: https://rustup.rs"

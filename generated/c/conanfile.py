@@ -10,7 +10,6 @@ class Mip(ConanFile):
     version = "0.1.0"
     description = "The MIP protocol of MicroStrain (LORD, HBK) inertial sensors"
     license = "MIT"
-    url = homepage = "https://example.com/mip"
     topics = ["mip", "imu", "microstrain", "hbk", "lord", "3dm", "inertial sensor", "ahrs", "ins", "gnss", "protocol"]
     languages = "C"
     package_type = "library"

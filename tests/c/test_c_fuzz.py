@@ -13,7 +13,7 @@ from c_build import SANITIZE
 from support import heavy, need
 
 HERE = Path(__file__).parent
-sys.path.append(str(HERE / "fuzz"))
+sys.path.append(str(HERE.parent / "fuzz"))
 import fuzz  # noqa: E402
 
 FLAGS = ["-std=c99", "-O1", *SANITIZE]
@@ -28,10 +28,10 @@ def replay(program: Path, inputs: list[bytes], count: int) -> subprocess.Complet
     )
 
 
-@pytest.mark.parametrize("name", fuzz.TARGETS)
+@pytest.mark.parametrize("name", fuzz.C)
 def test_replay(name: str, tmp_path: Path) -> None:
-    program, inputs = tmp_path / "replay", [*fuzz.begin(name), *fuzz.kept(name)]
-    source, spec = fuzz.TARGETS[name]
+    program, inputs = tmp_path / "replay", [*fuzz.begin(name), *fuzz.known(name)]
+    _, source, spec = fuzz.TARGETS[name]
     c_build.compiled(program, spec, "cc", HERE / f"fuzz/{source}.c", *FLAGS, also=[HERE / "fuzz/replay.c"])
     done = replay(program, inputs, 50_000)
     assert done.returncode == 0, done.stderr[-6000:]
@@ -59,7 +59,7 @@ def test_replay_shows_what_fails(failure: str, tmp_path: Path) -> None:
 
 
 @heavy("clang")
-@pytest.mark.parametrize("name", fuzz.TARGETS)
+@pytest.mark.parametrize("name", fuzz.C)
 def test_libfuzzer(name: str, tmp_path: Path) -> None:
     """What `make fuzz` builds, for a moment; the kept corpus is well-formed and small."""
     program = fuzz.build(name, tmp_path / "program")
@@ -69,7 +69,7 @@ def test_libfuzzer(name: str, tmp_path: Path) -> None:
 
 
 def test_the_corpus_is_text_and_small() -> None:
-    files = sorted((HERE / "fuzz/corpus").iterdir())
+    files = sorted((fuzz.HERE / "corpus").iterdir())
     assert [p.name for p in files] == sorted(f"{name}.hex" for name in fuzz.TARGETS)
     assert sum(p.stat().st_size for p in files) < 200_000
     assert sum(len(fuzz.kept(name)) for name in fuzz.TARGETS) > 10

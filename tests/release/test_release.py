@@ -28,6 +28,19 @@ def run(*command: str | Path, cwd: Path) -> str:
     return done.stdout
 
 
+def test_addresses() -> None:
+    """Nothing that is published has an invented address; what is written by hand has that of the specification."""
+    address = re.search(r"^url: (\S+)", (ROOT / "spec/protocol.yaml").read_text("utf-8"), re.M)
+    for name in ("CITATION.cff", "tools/pyproject.toml"):
+        keys = re.findall(
+            r"^(?:repository-code|Homepage)(?:: | = )\"?([^\s\"]+)", (ROOT / name).read_text("utf-8"), re.M
+        )
+        assert keys == ([address[1]] if address else []), name
+    published = ["generated", "tools", "README.md", "CITATION.cff"]
+    found = subprocess.run(["git", "grep", "-lF", "example.com", "--", *published], cwd=ROOT, capture_output=True)
+    assert found.stdout == b""
+
+
 def built(name: str) -> Path:
     dist = BUILD / "release" / name
     run(sys.executable, ROOT / "tools/release/build.py", "--dist", dist, cwd=ROOT)

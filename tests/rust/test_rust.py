@@ -63,6 +63,15 @@ def test_cases() -> None:
     assert out.count("test result: ok") >= len(names)
 
 
+@nightly("Miri, of Rust's nightly toolchain")
+def test_cases_in_miri() -> None:
+    """Nothing that they do is undefined, in the library of the language too, and nothing overflows."""
+    names = sorted(p.stem for p in (HERE / "cases").glob("*.rs"))
+    folder = project("invented", "cases", cargo_tests(*names))
+    out = passes(folder, "+nightly", "miri", "test", "--offline", "--quiet")
+    assert out.count("test result: ok") >= len(names)
+
+
 def with_everything(spec: str) -> Path:
     source = everything.source(specification(spec))
     target = '[[test]]\nname = "everything"\npath = "everything.rs"\n'

@@ -202,6 +202,7 @@ def test_manifest() -> None:
         package = manifest(spec)
         for key in ("description", "license", "readme", "documentation", "rust_version"):
             assert package[key], key
+        assert package["repository"] == (specification(spec).protocol.url or None)
         assert len(package["keywords"]) <= 5 and all(re.fullmatch(r"[a-z][\w-]{0,19}", k) for k in package["keywords"])
         assert len(package["categories"]) <= 5
         docs = package["metadata"]["docs"]["rs"]

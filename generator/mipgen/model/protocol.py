@@ -126,5 +126,5 @@ class Protocol:
     clocks: tuple[Clock, ...] = ()  # preferred clocks come first
     session: Session | None = None
     barrier: tuple[int, int] = (0, 0)  # set and descriptor of the command behind which no answer is late; 0: none
-    url: Prose = ""  # where packages are from
+    url: Prose = ""  # the public repository
     leap_seconds: Detail[tuple[tuple[str, int], ...]] = ()  # day -> seconds that clocks with an epoch are ahead of UTC

@@ -271,9 +271,10 @@ fn every_chunking_gives_the_same_packets() {
     let stream = parts.concat();
     let wanted = parse(&stream, &[]);
     assert_eq!(wanted.0.len(), 5);
-    for cut in 0..=stream.len() {
+    let step = if cfg!(miri) { 13 } else { 1 }; // Miri is a thousand times slower
+    for cut in (0..=stream.len()).step_by(step) {
         assert_eq!(parse(&stream, &[cut]), wanted, "{cut}");
-        for next in cut..=stream.len() {
+        for next in (cut..=stream.len()).step_by(step) {
             assert_eq!(parse(&stream, &[cut, next]), wanted, "{cut} {next}");
         }
     }

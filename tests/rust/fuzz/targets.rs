@@ -1,5 +1,5 @@
-//! What fuzzing runs on any bytes. Inputs have the same form as those of C, whose seeds and corpus are
-//! replayed here too: see the heads of `parser.c`, `fields.c` and `client.c` in `tests/c/fuzz`.
+//! What fuzzing runs on any bytes. Inputs have the same form as those of C, with the same
+//! seeds: see the heads of `parser.c`, `fields.c` and `client.c` in `tests/c/fuzz`.
 
 use mip_protocol::registry::{visit, FieldInfo, Listed, Visitor};
 use mip_protocol::{checksum, packets, AnyField, Client, Event, Packet, PacketBuilder, Parser};

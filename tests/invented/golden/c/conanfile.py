@@ -10,6 +10,7 @@ class Mip(ConanFile):
     version = "0.1.0"
     description = "The MIP protocol"
     license = "MIT"
+    url = homepage = "https://example.com/invented"
     topics = ["mip", "protocol"]
     languages = "C"
     package_type = "library"

@@ -2,7 +2,9 @@
 
     make fuzz TIME=60 TARGETS="parser fields-invented"
 
-An input that fails is shown as hexadecimal: after the repair it belongs into corpus/, as a line of its own.
+The targets of C are in tests/c/fuzz, those of Rust in tests/rust/fuzz. Inputs of one source have the same form in both
+languages, and each language begins with what was found in the other one. An input that fails is shown as hexadecimal:
+after the repair it belongs into corpus/, as a line of its own.
 """
 
 from __future__ import annotations
@@ -12,31 +14,51 @@ import shutil
 import subprocess
 import sys
 from pathlib import Path
+from typing import NamedTuple
 
 HERE = Path(__file__).parent
-sys.path += [str(HERE.parent), str(HERE.parents[1]), str(HERE.parents[2] / "generator")]
+TESTS = HERE.parent
+sys.path += [str(TESTS), str(TESTS / "c"), str(TESTS.parent / "generator")]
 
 import c_build  # noqa: E402
+import crates  # noqa: E402
 from seeds import seeds  # noqa: E402
 from support import BUILD, model  # noqa: E402
 
-#: Name -> source, and the specification whose library it runs. The parser is the same in both.
+
+class Target(NamedTuple):
+    language: str
+    #: What it tries, which says what an input is.
+    source: str
+    #: The specification whose library it runs. The parser is the same in both.
+    spec: str
+
+
 TARGETS = {
-    "parser": ("parser", "real"),
-    "fields": ("fields", "real"),
-    "fields-invented": ("fields", "invented"),
-    "client": ("client", "real"),
-    "client-invented": ("client", "invented"),
+    "parser": Target("c", "parser", "real"),
+    "fields": Target("c", "fields", "real"),
+    "fields-invented": Target("c", "fields", "invented"),
+    "client": Target("c", "client", "real"),
+    "client-invented": Target("c", "client", "invented"),
+    "rust-parser": Target("rust", "parser", "real"),
+    "rust-fields": Target("rust", "fields", "real"),
+    "rust-client": Target("rust", "client", "real"),
 }
+C = [name for name, target in TARGETS.items() if target.language == "c"]
+RUST = [name for name, target in TARGETS.items() if target.language == "rust"]
 
 FLAGS = ["-std=c99", "-g", "-O1", "-fsanitize=fuzzer-no-link,address,undefined", "-fno-sanitize-recover=all"]
 LARGEST = {"parser": 800, "fields": 260, "client": 400}  # bytes of an input: what is kept stays small
 
+#: What clang adds with fuzzer-no-link, as the stable compiler of Rust knows it; clang links libFuzzer.
+COVERAGE = ["level=4", "inline-8bit-counters", "pc-table", "trace-compares"]
+RUSTFLAGS = ["-Cpasses=sancov-module", *(f"-Cllvm-args=-sanitizer-coverage-{flag}" for flag in COVERAGE)]
+RUSTFLAGS += ["-Cdebug-assertions", "-Clinker=clang", "-Clink-arg=-fsanitize=fuzzer"]
+
 
 def begin(name: str) -> list[bytes]:
     """The inputs that need no search."""
-    source, spec = TARGETS[name]
-    return seeds(source, model(spec))
+    return seeds(TARGETS[name].source, model(TARGETS[name].spec))
 
 
 def kept(name: str) -> list[bytes]:
@@ -45,16 +67,35 @@ def kept(name: str) -> list[bytes]:
     return [bytes.fromhex(line) for line in lines if line and not line.startswith("#")]
 
 
+def known(name: str) -> list[bytes]:
+    """Those of all targets with inputs of the same form and specification."""
+    return [i for other, target in TARGETS.items() if target[1:] == TARGETS[name][1:] for i in kept(other)]
+
+
 def keep(name: str, inputs: list[bytes]) -> None:
-    head = f"# Inputs for {TARGETS[name][0]}.c that reach what the seeds do not, found by `make fuzz`; one per line.\n"
+    head = f"# Inputs for {name} that reach what the seeds do not, found by `make fuzz`; one per line.\n"
     lines = sorted({i.hex() for i in inputs}, key=lambda line: (len(line), line))
     (HERE / f"corpus/{name}.hex").write_text(head + "".join(f"{line}\n" for line in lines), "ascii")
 
 
 def build(name: str, program: Path) -> Path:
-    source, spec = TARGETS[name]
+    language, source, spec = TARGETS[name]
+    if language == "rust":
+        return build_rust(source, spec, program)
     library = c_build.archive(spec, "clang", *FLAGS)
-    return c_build.compiled(program, spec, "clang", HERE / f"{source}.c", *FLAGS, "-fsanitize=fuzzer", library=library)
+    path = TESTS / f"c/fuzz/{source}.c"
+    return c_build.compiled(program, spec, "clang", path, *FLAGS, "-fsanitize=fuzzer", library=library)
+
+
+def build_rust(source: str, spec: str, program: Path) -> Path:
+    binary = f'[[bin]]\nname = "libfuzzer"\npath = "{TESTS / "rust/fuzz/libfuzzer.rs"}"\ntest = false\n'
+    folder = crates.project(spec, "libfuzzer", binary)
+    machine = crates.passes(folder, "-vV").partition("host: ")[2].split()[0]
+    arguments = ("build", "--offline", "--quiet", "--release", "--target", machine)
+    flags = {"RUSTFLAGS": " ".join(RUSTFLAGS), "CARGO_PROFILE_RELEASE_LTO": "off"}
+    crates.passes(folder, *arguments, TARGET=source, **flags)
+    shutil.copy2(crates.WORK / f"target/{machine}/release/libfuzzer", program)
+    return program
 
 
 def write(folder: Path, inputs: list[bytes]) -> Path:
@@ -80,15 +121,15 @@ def fuzz(name: str, seconds: int) -> None:
     folder.mkdir(parents=True)
     build(name, folder / "program")
     first = write(folder / "seeds", begin(name))
-    before = write(folder / "kept", kept(name))
+    before = write(folder / "known", known(name))
     found = write(folder / "found", [])
-    largest = LARGEST[TARGETS[name][0]]
+    largest = LARGEST[TARGETS[name].source]
     output = run(folder, f"-max_total_time={seconds}", f"-max_len={largest}", found, first, before)
     # What is needed beside the seeds, the smallest of those that reach the same; edges count, not how often.
     merged = write(folder / "merged", begin(name))
-    known = {p.name for p in merged.iterdir()}
+    seeded = {p.name for p in merged.iterdir()}
     run(folder, "-merge=1", "-use_counters=0", merged, before, found)
-    keep(name, [p.read_bytes() for p in merged.iterdir() if p.name not in known])
+    keep(name, [p.read_bytes() for p in merged.iterdir() if p.name not in seeded])
     status = next((line.strip() for line in reversed(output.splitlines()) if "DONE" in line), "")
     print(f"{name}: {status}; {len(kept(name))} inputs kept")
 
