@@ -301,10 +301,10 @@ TASKS = {
     "what error code 0x03 means": ("error 0x03", "packets.html", "invalid_parameter"),
     "what bits 2 to 15 of a flag word are": ("reserved bits", "packets.html", "the other bits of a flag word"),
     "the same, on the page of the flags": ("gps time", "fields/gnss_data/gps_time.html", "other bits"),
-    "code that reads the PPS source": ("read pps source", "fields/3dm/pps_source_control.html", "PpsSourceControl.read()"),
+    "code that reads the PPS source": ("read pps source", "fields/3dm/pps_source_control.html", "Control.read()"),
     "a complete file with it": ("whole program", "programs.html", "open_port("),
     "what the GX5-15 has and the CV7 lacks": (
-        "GX5-15 CV7", "guides/migrate_from_gx5_15_to_cv7.html", "All that the 3DM-GX5-15 has and the 3DM-CV7-GNSS/INS lacks"
+        "GX5-15 CV7", "guides/migrate_from_gx5_15_to_cv7.html", "has and the 3DM-CV7-GNSS/INS lacks"
     ),
     "from the GX5-45 to the CV7-INS": ("GX5-45 to CV7-INS", "compare/commands.html", "3DM-CV7-INS"),
     "zero or tare the heading": ("zero heading", "guides/troubleshooting.html", "Tare orientation (0x0D,0x21)"),
