@@ -22,6 +22,7 @@ CV7, GX5 = "3dm-cv7-gnss-ins", "3dm-gx5-15"
 LINE = re.compile(r" +-?0\.0\d{3} +-?0\.0\d{3} +-(?:0\.9|1\.0)\d{3} g")
 
 
+@heavy("the Rust crate in many more builds")
 def test_connect_and_stream_at_a_port_that_does_as_one_likes() -> None:
     """With few sets: with all of them the crate takes longer than everything else."""
     target = f'[[test]]\nname = "first_day"\npath = "{HERE / "first_day.rs"}"\n'
