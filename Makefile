@@ -181,7 +181,7 @@ docs-serve: workbench $(VENV)/development.stamp ## show that site at http://127.
 .PHONY: pictures
 pictures: docs $(VENV)/all.stamp ## make the pictures of the README anew, and in build/pictures those of the site
 	@$(RUN) docs/pictures/session.py docs/pictures/session.svg
-	@PYTHONPATH=generator:tests $(RUN) docs/pictures/site.py $(BUILD)/site $(BUILD)/pictures
+	@PYTHONPATH=generator:tests $(RUN) docs/pictures/pages.py $(BUILD)/site $(BUILD)/pictures
 	@cp $(BUILD)/pictures/field.png docs/pictures/field.png
 
 .PHONY: bench

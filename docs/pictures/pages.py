@@ -1,6 +1,6 @@
 """Takes pictures of the reference as a site, in Chromium.
 
-    PYTHONPATH=generator:tests python docs/pictures/site.py SITE FOLDER
+    PYTHONPATH=generator:tests python docs/pictures/pages.py SITE FOLDER
 
 Each is at most 300 kB. Those that a README shows are committed; the others are for a look at what has changed.
 """
