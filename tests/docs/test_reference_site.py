@@ -748,3 +748,14 @@ def test_no_serious_findings_of_axe(page: browser.Page) -> None:
             found += [(address, width, scheme, finding) for finding in page.run(look)]
     page.size(1400)
     assert found == []
+
+
+@in_browser
+def test_pictures_can_be_taken(tmp_path: Path) -> None:
+    """`make pictures` takes them; it fails if a script of a page does, or if a picture is too large."""
+    path = os.pathsep.join(str(ROOT / name) for name in ("generator", "tests"))
+    script = ROOT / "docs/pictures/pages.py"
+    subprocess.run([sys.executable, script, built("real"), tmp_path], env=os.environ | {"PYTHONPATH": path}, check=True)
+    names = {picture.name for picture in tmp_path.iterdir()}
+    committed = set((ROOT / "docs/pictures").glob("*.png"))
+    assert {p.name for p in committed} <= names and all(p.stat().st_size <= 300_000 for p in committed)

@@ -1358,7 +1358,7 @@ static const struct mip_profile_limit cv7_gnss_ins_limits[] = {
     {"baud_rate_delay", 250, "ms", "Time to wait after a change of the baud rate.", ""},
     {"time_update_window", 250, "ms",
      "Time after the rising edge of the PPS within which the GPS time update must arrive.", ""},
-    {"save_time", 1, "s", "Time that saving all settings may take.", ""},
+    {"save_time", 1, "s", "Maximum duration of saving all settings.", ""},
     {"motion_latency", 1.9, "ms",
      "Typical time from a motion to the message that reports it, not including transmission.", ""},
     {"timestamp_repeatability", 1, "us",
@@ -1592,7 +1592,7 @@ static const struct mip_profile_note cv7_gnss_ins_notes[] = {
      "enabled, and GPS L1 with BeiDou L1 alone is rejected.",
      cv7_gnss_ins_gnss_signals_cells, 5, 2},
     {"sensor_ranges", "Sensor ranges",
-     "Settings of `3dm.sensor_range`. The manual gives them for related models, and its gyroscope "
+     "Settings of `3dm.sensor_range`. The manual lists them for related models, and its gyroscope "
      "column is cut off; `3dm.get_calibrated_sensor_ranges` returns those of the device.",
      cv7_gnss_ins_sensor_ranges_cells, 5, 3},
     {"pps", "Pulse per second",
@@ -4481,7 +4481,7 @@ static const char *const gx5_15_low_pass_filter_cells[] = {
 
 static const struct mip_profile_note gx5_15_notes[] = {
     {"base_rates", "Base rates",
-     "The manual gives both 1000 and 500 for each stream. Read the base rates from the device "
+     "The manual states both 1000 and 500 for each stream. Read the base rates from the device "
      "before computing a decimation.",
      NULL, 0, 0},
     {"frames", "Frame of the sensor data",

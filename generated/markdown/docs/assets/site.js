@@ -86,7 +86,7 @@
         const found = [];
         while (texts.nextNode()) found.push(texts.currentNode);
         for (const text of found) {
-            const parts = text.data.split(/(?<=[a-z0-9][_.*](?=[a-z0-9]))|(?<=\w::)|(?=\[)/i);
+            const parts = text.data.split(/(?<=[a-z0-9][_*](?=[a-z0-9]))|(?<=[a-z]\.(?=[a-z]))|(?<=\w::)|(?=\[)/i);
             if (parts.length > 1) text.replaceWith(...parts.flatMap((part, i) => (i ? [element("wbr", {}), part] : [part])));
         }
         const last = Math.max(...[...table.rows].map((row) => row.lastElementChild.textContent.length));
