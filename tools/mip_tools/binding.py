@@ -137,8 +137,8 @@ _USED = {
     "described": "Described",
     "device": "open_port",
     "devices": "DEVICES identify model_number",
-    "errors": "DecodeError EncodeError MipError MissingExtra NoAnswer PacketError PortClosed PortError Refused "
-    "UnknownName",
+    "errors": "DecodeError EncodeError MipError MissingExtra NoAnswer NoSuchRate PacketError PortClosed "
+    "PortError Refused UnknownName",
     "field": "Command Data Field Response Structure chosen",
     "info": "BitsInfo EnumInfo",
     "lookup": "device_id",
@@ -176,6 +176,7 @@ if TYPE_CHECKING:
         MipError,
         MissingExtra,
         NoAnswer,
+        NoSuchRate,
         PacketError,
         PortClosed,
         PortError,

@@ -41,6 +41,29 @@ def test_fields_at_rates(place: str) -> None:
     assert sum("sensor.scaled_gyro.x" in one for one in found) == 10
 
 
+def test_a_time_comes_along(place: str) -> None:
+    """That of a clock that is always valid, without being asked for."""
+    words = ("stream", place, "sensor.scaled_accel@50", "--packets", "3")
+    code, out, error = mip(*words, "--format", "csv")
+    assert (code, error) == (0, "")
+    head, *rows = csv.reader(io.StringIO(out))
+    assert head[:3] == ["time [s]", "time_own", "scaled_accel.x [g]"] and len(head) == 5
+    assert [round(float(b[0]) - float(a[0]), 6) for a, b in pairwise(rows)] == [0.02] * 2
+    code, out, _ = mip(*words, "--time", "utc")
+    assert code == 0 and all(one["time"].endswith("Z") and one["time_own"] for one in lines(out))
+    code, out, _ = mip(*words, "--time", "none")
+    assert code == 0 and not any("time" in one for one in lines(out))
+
+
+def test_a_time_of_an_older_device() -> None:
+    """It has no reference clock, and another field for the time of GPS."""
+    with running("simulate", "3dm-gx5-45", "--tcp", "0") as process:
+        assert process.stdout is not None
+        place = process.stdout.readline().decode().strip()
+        code, out, error = mip("stream", place, "sensor.scaled_accel@50", "--packets", "2")
+    assert (code, error) == (0, "") and all(one["time_own"] for one in lines(out))
+
+
 def test_as_csv_the_columns_are_those_that_were_named(place: str) -> None:
     code, out, error = mip(
         "stream", place, "sensor.scaled_mag@10", "reference_timestamp@10", "--format", "csv", "--packets", "5"

@@ -2,106 +2,17 @@
 
 from __future__ import annotations
 
-from functools import cache
 from typing import Any
 
 import pytest
-from mip_protocol import aiding, base, gnss, mip_3dm
 from mip_protocol import filter as commands
 from mip_tools.simulator import VirtualDevice, facts
 from mip_tools.simulator.filter_effects import FILTER_EFFECTS
 from mip_tools.simulator.knowledge import without_effect
-from mip_tools.simulator.motion import Circle
-from mip_tools.simulator.values import encoder
 from mipgen import model as m
-from simulated_world import SETS, TYPES
+from settings_act import AR, BEGIN, COMMANDS, ELSEWHERE, PAGE, block, changed, row
 from simulator_host import Host
-from support import ROOT, model
-
-CV7, GX5, AR = "3dm-cv7-gnss-ins", "3dm-gx5-45", "3dm-gx5-15"
-
-#: Without the sets in which a device counts its packets and events.
-SHOWN = [name for name in TYPES if not name.startswith(("shared.", "displacement_data."))]
-
-TIME = aiding.MeasurementTime(timebase=aiding.Timebase(3), nanoseconds=0)
-
-
-GLONASS_OFF = mip_3dm.ConstellationSettings.decode(bytes((1, 0, 32, 1, 6, 0, 0, 0, 0, 0)))
-
-#: A device, a command, and how much noise there must be to see it.
-COMMANDS: list[tuple[str, Any, float]] = [
-    (CV7, mip_3dm.AccelBias.write((0.1, 0.2, 0.3)), 0),
-    (CV7, mip_3dm.GyroBias.write((0.1, 0.2, 0.3)), 0),
-    (CV7, mip_3dm.MagHardIronOffset.write((0.1, 0.0, 0.0)), 0),
-    (CV7, mip_3dm.MagSoftIronMatrix.write((1.1, 0, 0, 0, 1, 0, 0, 0, 1)), 0),
-    (AR, commands.TareOrientation.write(7), 0),
-    ("3dm-gq7", mip_3dm.PpsSourceControl.write(0), 0),
-    ("3dm-gq7", gnss.SignalConfig.write(1, 0, 0, 0), 0),
-    (GX5, mip_3dm.GnssSbasSettings.write(0, 0, ()), 0),
-    (CV7, mip_3dm.LowPassFilter.write(0x80, 0x05, True, True, 1.0), 1),
-    (GX5, mip_3dm.ImuLowPassFilter.write(0x04, True, True, 1), 1),
-    (GX5, mip_3dm.ComplementaryFilter.write(False, False, 10.0, 10.0), 1),
-    ("3dm-gq7", mip_3dm.OdometerConfig.write(2, 100.0, 0.1), 0),
-    (GX5, GLONASS_OFF, 0),
-    (CV7, commands.Reset(), 0),
-    (CV7, commands.SetInitialHeading(1.0), 0),
-    (GX5, commands.SetInitialAttitude(0.1, 0.2, 0.3), 0),
-    (GX5, commands.VehicleDynamicsMode.write(2), 0),
-    (GX5, commands.SensorToVehicleOffset.write((1.0, 2.0, 0.0)), 0),
-    (CV7, commands.ReferencePointLeverArm.write(1, (1.0, 2.0, 0.0)), 0),
-    (CV7, commands.MultiAntennaOffset.write(1, (1.0, 2.0, 0.0)), 0),
-    (GX5, commands.AntennaOffset.write((1.0, 2.0, 0.0)), 0),
-    (GX5, commands.EstimationControl.write(0), 1),
-    (CV7, commands.GnssSource.write(3), 1),
-    (GX5, commands.HeadingSource.write(0), 0),
-    (CV7, commands.AccelNoise.write((0.5, 0.5, 0.5)), 0),
-    (CV7, commands.GyroNoise.write((0.01, 0.01, 0.01)), 0),
-    (CV7, commands.GravityNoise.write((0.5, 0.5, 0.5)), 0),
-    (CV7, commands.AccelBiasModel.write((0.01,) * 3, (0.01,) * 3), 0),
-    (CV7, commands.GyroBiasModel.write((0.01,) * 3, (0.0001,) * 3), 0),
-    (GX5, commands.MagNoise.write((0.2, 0.2, 0.2)), 0),
-    (GX5, commands.PressureAltitudeNoise.write(0.01), 0),
-    (GX5, commands.AutoZupt.write(1, 100.0), 0),
-    (CV7, commands.AutoAngularZupt.write(1, 1.0), 0),
-    (GX5, commands.CommandedZupt(), 0),
-    (GX5, commands.CommandedAngularZupt(), 0),
-    (GX5, commands.ReferencePosition.write(1, 10.0, 20.0, 0.0), 0),
-    (AR, commands.EnableMeasurements.write(0), 0),
-    (AR, commands.PitchRollAiding.write(0), 0),
-    (GX5, commands.AltitudeAiding.write(0), 0),
-    (GX5, commands.MagneticDeclinationSource.write(3, 0.5), 0),
-    (CV7, commands.AidingMeasurementEnable.write(0, False), 0),
-    (CV7, commands.RelativePositionConfig.write(1, 2, (47.0, 8.0, 0.0)), 0),
-    (CV7, commands.ExternalHeadingUpdate(1.6, 0.01, 1), 0),
-    (CV7, aiding.LlhPosition(TIME, 1, 47.0, 8.0, 500.0, (20.0, 20.0, 20.0), 7), 0),
-    (CV7, aiding.NedVelocity(TIME, 1, (1.0, 2.0, 0.0), (1.0, 1.0, 1.0), 7), 0),
-    (CV7, aiding.BodyFrameVelocity(TIME, 1, (1.0, 2.0, 0.0), (1.0, 1.0, 1.0), 7), 0),
-    (CV7, aiding.HeightAboveEllipsoid(TIME, 1, 501.0, 1.0, 1), 0),
-    (CV7, aiding.Pressure(TIME, 1, 955.0, 0.1, 1), 0),
-    (CV7, aiding.EcefPosition(TIME, 1, (4315559.0, 606465.0, 4642190.0), (20.0,) * 3, 7), 0),
-    (CV7, aiding.EcefVelocity(TIME, 1, (1.0, 2.0, 0.0), (1.0, 1.0, 1.0), 7), 0),
-    (CV7, commands.ExternalHeadingUpdateWithTime(0.0, 2296, 1.6, 0.01, 1), 0),
-    (CV7, aiding.TrueHeading(TIME, 1, 1.6, 0.01, 1), 0),
-]  # fmt: skip
-
-
-@cache
-def untouched(device: str, noise: float) -> dict[str, list[bytes]]:
-    return after(device, base.Ping(), noise)
-
-
-def after(name: str, command: Any, noise: float) -> dict[str, list[bytes]]:
-    """All data of a device that runs for a second, gets a command, and runs on."""
-    host = Host(VirtualDevice(name, motion=Circle(20, 5), seed=1, noise=noise))
-    device = host.device
-    device.advance(1)
-    device.world.filter.advance()
-    host.ok(command)
-    encoders = {x: encoder(TYPES[x], device.profile, device.world, SETS[x]) for x in SHOWN}
-    for _ in range(3):
-        device.advance(0.1)
-        found = {x: encode() for x, encode in encoders.items()}
-    return found
+from support import model
 
 
 def stated(command: str) -> set[str]:
@@ -121,31 +32,28 @@ def stated(command: str) -> set[str]:
 def test_it_acts(device: str, command: Any, noise: float) -> None:
     """On something that the specification says, and on no other set: what a filter estimates depends on all, and so
     does what a receiver shows."""
-    before, now = untouched(device, noise), after(device, command, noise)
-    changed, known = {x for x in before if before[x] != now[x]}, stated(command.NAME)
-    assert changed & known if known else changed
-    assert {x.partition(".")[0] for x in changed} <= {x.partition(".")[0] for x in known} | {"filter_data"}
+    found, known = set(changed(device, command, noise)), stated(command.NAME)
+    assert found & known if known else found
+    assert {x.partition(".")[0] for x in found} <= {x.partition(".")[0] for x in known} | {"filter_data"}
+    assert row(device, command, noise) in table(), "the table: python tests/tools/simulator/settings_act.py"
 
 
-#: Commands with such effects that need a state of their own; other tests have them.
-ELSEWHERE = {
-    "3dm.sensor_range": "test_filter.py",
-    "filter.run": "test_filter.py",
-    "filter.initialization_config": "test_filter.py",
-    "filter.auto_initialization_control": "test_it_waits_for_an_attitude",
-    "filter.set_initial_attitude_from_imu": "as filter.set_initial_attitude",
-    "filter.speed_measurement": "no device is known to have it",
-    "filter.external_gnss_update": "as aiding.llh_position",
-}
+def table() -> list[str]:
+    return block(PAGE.read_text("utf-8"), BEGIN).splitlines(keepends=True)
+
+
+def test_the_table_is_whole() -> None:
+    """Its rows are compared where their settings are tried; there are no others."""
+    assert [line.split("`")[1] for line in table()[2:]] == [command.NAME for _, command, _ in COMMANDS]
 
 
 def test_every_command_with_an_effect_on_the_data_is_tried() -> None:
     """And all others are named, by the program and on the page."""
     tried = {c.NAME for _, c, _ in COMMANDS} | ELSEWHERE.keys()
     assert {name for name, b in facts.COMMANDS.items() if b.effect in FILTER_EFFECTS} <= tried
-    page = (ROOT / "docs/simulate.md").read_text("utf-8")
-    listed = page.partition("<!-- no effect -->\n")[2].partition("<!-- end -->")[0]
-    assert listed == "".join(f"- `{name}`\n" for name in without_effect())
+    page = PAGE.read_text("utf-8")
+    assert all(f"`{name}`" in page for name in ELSEWHERE)
+    assert block(page, "<!-- no effect -->\n") == "".join(f"- `{name}`\n" for name in without_effect())
 
 
 def test_it_waits_for_an_attitude() -> None:

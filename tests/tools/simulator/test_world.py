@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from datetime import datetime, timedelta
+from itertools import pairwise
 from math import atan2, cos, degrees, dist, hypot, isclose, pi, radians, sin, sqrt
 from typing import Any
 
 import pytest
-from mip_tools.simulator import earth
+from mip_tools.simulator import earth, wmm
 from mip_tools.simulator.motion import Circle, Motion, Standing, Track, Waypoint
 from mip_tools.simulator.world import START
 from simulated_world import Shown
@@ -302,19 +303,46 @@ def test_magnetic_field(shown: Shown) -> None:
         assert close(turned, shown("sensor.scaled_mag").scaled_mag, 1)
 
 
-def test_the_magnetic_dipole() -> None:
-    """It is a gradient: down at the magnetic pole in the north, level at its equator, 0.3 to 0.6 gauss."""
-    n, e, d = earth.magnetic_field(radians(80.65), radians(-72.68), 0)
-    assert hypot(n, e) < 0.002 and 0.58 < d < 0.61
-    for longitude in range(-180, 180, 30):
-        assert 0.28 < hypot(*earth.magnetic_field(0, radians(longitude), 0)) < 0.37
-    h = 1e-5
-    for latitude, longitude in ((0.3, 1.0), (-0.9, -2.0), (1.2, 0.1)):
-        turning = (
-            earth.magnetic_field(latitude, longitude + h, 0)[0] - earth.magnetic_field(latitude, longitude - h, 0)[0]
-        ) / (2 * h)
-        a, b = (earth.magnetic_field(x, longitude, 0)[1] * cos(x) for x in (latitude + h, latitude - h))
-        assert isclose(turning, (a - b) / (2 * h), abs_tol=1e-7), "no curl"
+#: Year, height in km, latitude, longitude -> X, Y, Z in nT: test values that NOAA publishes with its models.
+PUBLISHED = [
+    (2020.0, 0, 80, 0, 6570.4, -146.3, 54606.0),
+    (2020.0, 0, 0, 120, 39624.3, 109.9, -10932.5),
+    (2020.0, 0, -80, 240, 5940.6, 15772.1, -52480.8),
+    (2020.0, 100, 80, 0, 6261.8, -185.5, 52429.1),
+    (2020.0, 100, 0, 120, 37636.7, 104.9, -10474.8),
+    (2020.0, 100, -80, 240, 5744.9, 14799.5, -49969.4),
+    (2022.5, 0, 80, 0, 6529.9, 1.1, 54713.4),
+    (2022.5, 0, 0, 120, 39684.7, -42.2, -10809.5),
+    (2022.5, 0, -80, 240, 6016.5, 15776.7, -52251.6),
+    (2022.5, 100, 80, 0, 6224.0, -44.5, 52527.0),
+    (2022.5, 100, 0, 120, 37694.0, -35.3, -10362.0),
+    (2022.5, 100, -80, 240, 5815.0, 14803.0, -49755.3),
+    (2025.0, 0, 80, 0, 6521.6, 145.9, 54791.5),
+    (2025.0, 0, 0, 120, 39677.8, -109.6, -10580.2),
+    (2025.0, 0, -80, 240, 6117.5, 15751.9, -52022.5),
+    (2027.5, 100, 80, 0, 6196.7, 233.8, 52670.5),
+    (2027.5, 100, 0, 120, 37711.5, -148.7, -9969.8),
+    (2027.5, 100, -80, 240, 5984.0, 14760.1, -49317.7),
+]
+
+
+@pytest.mark.parametrize("row", PUBLISHED)
+def test_the_magnetic_field(row: tuple[float, ...]) -> None:
+    year, height, latitude, longitude, *field = row
+    found = wmm.field_in_year(year, radians(latitude), radians(longitude), height * 1000.0)
+    assert [x * 1e5 for x in found] == pytest.approx(field, abs=0.051)
+
+
+def test_the_magnetic_field_everywhere() -> None:
+    """At the poles, before the first model, and long after the last one; and between places it does not jump."""
+    for latitude in (radians(90), radians(-90)):
+        assert hypot(*wmm.field_in_year(2024.0, latitude, 1.0, 0.0)) == pytest.approx(0.56, abs=0.02)
+    assert wmm.field_in_year(1980.0, 1.0, 0.0, 0.0) == wmm.field_in_year(2020.0, 1.0, 0.0, 0.0)
+    assert wmm.field_in_year(3000.0, 1.0, 0.0, 0.0) == wmm.field_in_year(2030.0, 1.0, 0.0, 0.0)
+    there = [wmm.field(START, 0.8 + i * 1e-6, 0.1, 400.0) for i in range(100)]
+    assert max(hypot(*(x - y for x, y in zip(a, b, strict=True))) for a, b in pairwise(there)) < 1e-5
+    exact = wmm.field_in_year(2024.0 + 6 / 366, 0.8, 0.1, 400.0)
+    assert there[0] == pytest.approx(exact, abs=1e-5)
 
 
 # --------------------------------------------------------------------------- time

@@ -8,11 +8,12 @@ import sys
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from ..binding import Data, MipError
+from ..binding import Data, MipError, NoSuchRate, Refused, timestamps
 from ..errors import Failure, Misuse
 from ..occurrence import Occurrence
 from . import inputs, live, outputs, ports, show, signals, silence, table_options
 from .arguments import hertz, positive, seconds
+from .clocks import CLOCKS, dated
 from .scan import Piece
 from .selection import Selection, fields
 
@@ -30,8 +31,8 @@ examples:
 
 With rates, the device is told to send these fields, in place of all others of their sets, and it
 continues afterwards; without, it is not changed. Lines have the form of `mip export`, with the time
-of the device. If it does not send a time, name a timestamp, too. The clock, and the columns of csv
-if no fields are named, are those of the first second.
+of the device, which is told to send a timestamp, too, unless you name one. The clock, and the
+columns of csv if no fields are named, are those of the first second.
 
 Ctrl-C ends it. exit status: 4 if nothing arrives within --timeout
 """
@@ -139,8 +140,11 @@ def _of_one_set(name: str) -> list[Occurrence]:
     return found
 
 
-def _start(device: DeviceAtPort, rates: Rates) -> None:
-    """Starts fields at their rates, set by set. Those that all sets have are sent with each set."""
+def _start(device: DeviceAtPort, rates: Rates, time: str | None) -> None:
+    """Starts fields at their rates, set by set. Those that all sets have are sent with each set.
+
+    A timestamp is added if none is named, unless `time` is "none".
+    """
     shared = {one.kind: rate for one, rate in rates.items() if isinstance(one.kind.SETS, range)}
     sets: dict[int, dict[type[Field], float]] = {}
     for one, rate in rates.items():
@@ -149,16 +153,31 @@ def _start(device: DeviceAtPort, rates: Rates) -> None:
     if not sets:
         raise Misuse("a field that all sets have is sent with others; name one of these, too")
     for number, own in sets.items():
-        try:
-            device.stream({**shared, **own}, set=number)
-        except (OSError, MipError, NotImplementedError) as error:
-            raise Failure(f"{show.set_name(number)} cannot be started: {ports.reason(error)}") from None
+        wanted = {**shared, **own}
+        for stamp in _timestamps(number, wanted, time):
+            try:
+                device.stream(wanted | stamp, set=number)
+                break
+            except (OSError, MipError, NotImplementedError) as error:
+                if not stamp or not isinstance(error, (Refused, NoSuchRate)):
+                    reason = ports.reason(error)
+                    raise Failure(f"{show.set_name(number)} cannot be started: {reason}") from None
+
+
+def _timestamps(number: int, wanted: dict[type[Field], float], time: str | None) -> Iterator[dict[type[Field], float]]:
+    """Timestamps to try for fields of a set, with their rate: one that is always valid first, none last."""
+    suitable = [clock for clock in reversed(CLOCKS) if time not in ("utc", "unix") or dated(clock)]
+    known = [kind for clock in suitable for kind in timestamps.kinds(number, clock)]
+    if time != "none" and not any(kind in wanted for kind in known):
+        rate = 0 if 0 in wanted.values() else max(wanted.values())
+        yield from ({kind: rate} for kind in known)
+    yield {}
 
 
 def _arriving(options: argparse.Namespace, rates: Rates, at_port: bool) -> Iterator[Piece | None]:
     if not at_port:
         return inputs.arriving(options.input, progress=False)
-    begin = (lambda device: _start(device, rates)) if rates else None
+    begin = (lambda device: _start(device, rates, options.time)) if rates else None
     return ports.pieces(options.input, options, options.duration, begin)
 
 

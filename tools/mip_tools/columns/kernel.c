@@ -28,17 +28,17 @@ enum {
 /* The size of the packet that begins here, or 0 if there is none. `left` bytes belong to the log. */
 static int64_t packet_size(const uint8_t *data, int64_t left)
 {
-    uint32_t a = 0, b = 0;
-    int64_t size, i;
+    uint16_t a = 0, b = 0;
+    int size, i;
 
     if (left < OVERHEAD || data[1] != 0x65 || data[2] == 0)
         return 0;
     size = data[3] + OVERHEAD;
     if (size > left)
         return 0;
-    for (i = 0; i < size - 2; i++) {
-        a += data[i];
-        b += a;
+    for (i = 0; i < size - 2; i++) { /* no sum needs the one before: compilers add several bytes at once */
+        a = (uint16_t)(a + data[i]);
+        b = (uint16_t)(b + data[i] * (size - 2 - i));
     }
     return data[size - 2] == (uint8_t)a && data[size - 1] == (uint8_t)b ? size : 0;
 }
@@ -89,45 +89,18 @@ static int32_t number_of(uint32_t key, uint32_t *keys, int64_t *count, uint16_t 
     return slots[slot] - 1;
 }
 
-/* Tells the fields of packets apart by set, descriptor and length: `keys` are set << 16 | descriptor
- * << 8 | length, in the order in which they come first, `counts` how many fields each has. Returns
- * the number of keys, or -1 if there are more than KINDS.
+/* All fields of packets, in the order of the log: the packet of each, where in its payload the data
+ * begin, and the number of its key. `keys` are set << 16 | descriptor << 8 | length, in the order in
+ * which they come first, `counts` how many fields each has. Returns the number of keys, or -1 if
+ * there are more than KINDS, or more fields than `room`.
  */
-API int64_t mip_count(const uint8_t *data, const int32_t *begin, int64_t packets, uint32_t *keys,
-                      int64_t *counts)
+API int64_t mip_fields(const uint8_t *data, const int32_t *begin, int64_t packets, int64_t room,
+                       uint32_t *keys, int64_t *counts, uint16_t *number, int32_t *packet,
+                       uint8_t *offset)
 {
     uint16_t slots[SLOTS] = {0};
-    int64_t kinds = 0, p;
+    int64_t kinds = 0, count = 0, p;
 
-    for (p = 0; p < packets; p++) {
-        const uint8_t *at = data + begin[p];
-        const uint8_t *stop = at + HEAD + at[3];
-        uint32_t set = (uint32_t)at[2] << 16;
-
-        for (at += HEAD; at < stop && at[0] >= 2 && at[0] <= stop - at; at += at[0]) {
-            int64_t before = kinds;
-            int32_t n = number_of(set | (uint32_t)at[1] << 8 | at[0], keys, &kinds, slots);
-            if (n < 0)
-                return -1;
-            counts[n] = n == before ? 1 : counts[n] + 1;
-        }
-    }
-    return kinds;
-}
-
-/* The packets of all these fields, and where in their payloads the data begin: those of the first
- * key in the order of the log, then those of the second one ... `next` is where each key's begin,
- * `end` where they end: another program may have changed the bytes since they were counted.
- */
-API void mip_fields(const uint8_t *data, const int32_t *begin, int64_t packets, uint32_t *keys,
-                    int64_t kinds, int64_t *next, const int64_t *end, int32_t *packet,
-                    uint8_t *offset)
-{
-    uint16_t slots[SLOTS] = {0};
-    int64_t known = 0, p;
-
-    while (known < kinds)
-        number_of(keys[known], keys, &known, slots);
     for (p = 0; p < packets; p++) {
         const uint8_t *payload = data + begin[p] + HEAD;
         const uint8_t *stop = payload + payload[-1];
@@ -135,18 +108,36 @@ API void mip_fields(const uint8_t *data, const int32_t *begin, int64_t packets, 
         uint32_t set = (uint32_t)payload[-2] << 16;
 
         while (at < stop) {
-            int length = at[0]; /* read once */
+            int length = at[0]; /* read once: another program may change it */
+            int64_t before = kinds;
             int32_t n;
 
             if (length < 2 || length > stop - at)
                 break;
-            n = number_of(set | (uint32_t)at[1] << 8 | (uint32_t)length, keys, &known, slots);
-            if (n >= 0 && n < kinds && next[n] < end[n]) {
-                packet[next[n]] = (int32_t)p;
-                offset[next[n]++] = (uint8_t)(at + 2 - payload);
-            }
+            n = number_of(set | (uint32_t)at[1] << 8 | (uint32_t)length, keys, &kinds, slots);
+            if (n < 0 || count == room)
+                return -1;
+            counts[n] = n == before ? 1 : counts[n] + 1;
+            number[count] = (uint16_t)n;
+            packet[count] = (int32_t)p;
+            offset[count++] = (uint8_t)(at + 2 - payload);
             at += length;
         }
+    }
+    return kinds;
+}
+
+/* The same fields, those of the first key first. `next` is where each key's begin. */
+API void mip_sort(const uint16_t *number, const int32_t *packet, const uint8_t *offset,
+                  int64_t fields, int64_t *next, int32_t *packets, uint8_t *offsets)
+{
+    int64_t i;
+
+    for (i = 0; i < fields; i++) {
+        int64_t place = next[number[i]]++;
+
+        packets[place] = packet[i];
+        offsets[place] = offset[i];
     }
 }
 

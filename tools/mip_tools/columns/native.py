@@ -16,6 +16,7 @@ Array: TypeAlias = "np.ndarray[Any, Any]"
 
 _KINDS = 1024  # as in kernel.c
 _SMALLEST = 6  # bytes of a packet
+_SHORTEST = 2  # bytes of a field
 
 
 class Fields(NamedTuple):
@@ -44,8 +45,8 @@ class Kernel:
             return call
 
         self._packets = function("mip_packets", number, place, number, number, number, number, place, place)
-        self._count = function("mip_count", number, place, place, number, place, place)
-        self._fields = function("mip_fields", None, place, place, number, place, number, *[place] * 4)
+        self._fields = function("mip_fields", number, place, place, number, number, *[place] * 5)
+        self._sort = function("mip_sort", None, place, place, place, number, place, place, place)
         self._gather = function("mip_gather", None, *[place] * 4, number, number, number, place)
 
     def packets(self, data: Array, first: int, limit: int, length: int, overlap: bool) -> tuple[Array, Array]:
@@ -58,21 +59,19 @@ class Kernel:
     def fields(self, data: Array, at: Array) -> list[Fields] | None:
         """The fields of packets; None if there are too many different ones."""
         keys, counts = np.empty(_KINDS, np.uint32), np.empty(_KINDS, np.int64)
-        kinds = self._count(_at(data), _at(at), len(at), _at(keys), _at(counts))
+        room = len(data) // _SHORTEST
+        in_log: list[Array] = [np.empty(room, np.uint16), np.empty(room, np.int32), np.empty(room, np.uint8)]
+        places = [_at(array) for array in in_log]
+        kinds = self._fields(_at(data), _at(at), len(at), room, _at(keys), _at(counts), *places)
         if kinds < 0:
             return None
-        stop = np.cumsum(counts[:kinds])
-        next_ = stop - counts[:kinds]
-        begin = next_.tolist()
-        total = int(stop[-1]) if kinds else 0
-        # Zeros: rows that are left over, as the bytes of a file have changed, are in the first packet.
-        packet, offset = np.zeros(total, np.int32), np.zeros(total, np.uint8)
-        rows = (_at(next_), _at(stop), _at(packet), _at(offset))
-        self._fields(_at(data), _at(at), len(at), _at(keys), kinds, *rows)
-        return [
-            Fields(key >> 16, key >> 8 & 255, (key & 255) - 2, packet[a:b], offset[a:b])
-            for key, a, b in zip(keys[:kinds].tolist(), begin, stop.tolist())
-        ]
+        ends = np.cumsum(counts[:kinds])
+        begins = ends - counts[:kinds]
+        bounds = zip(keys[:kinds].tolist(), begins.tolist(), ends.tolist())
+        total = int(counts[:kinds].sum())
+        packet, offset = np.empty(total, np.int32), np.empty(total, np.uint8)
+        self._sort(*places, total, _at(begins), _at(packet), _at(offset))
+        return [Fields(key >> 16, key >> 8 & 255, (key & 255) - 2, packet[a:b], offset[a:b]) for key, a, b in bounds]
 
     def gather(self, data: Array, at: Array, packet: Array, offset: Array, item: int, rows: Array) -> None:
         """The bytes of fields, one row for each. They consist of items of so many bytes, which are turned round."""

@@ -11,8 +11,8 @@ import numpy as np
 
 from .scan import Array
 
-#: A read maps so many bytes around it, also some that were given back before.
-_AROUND = 1 << 18
+#: A read maps so many bytes around it at most, also some that were given back before.
+_AROUND = 1 << 21
 
 
 class Source:

@@ -109,8 +109,8 @@ def places(runs: list[Run], packets: int) -> tuple[Array, Array]:
         return runs[0].packet, _filled(runs[0], runs[0].offset)
     slot = np.zeros(packets, np.uint8)
     for run in runs:
-        slot[run.packet] = run.offset
-    packet = np.flatnonzero(slot)
+        slot[run.packet.astype(np.intp, copy=False)] = run.offset  # much faster than indexes of 32 bits
+    packet = np.flatnonzero(slot != 0)  # much faster than of numbers
     if len(packet) == sum(len(run.packet) for run in runs):  # no packet has two of them
         return packet, slot[packet]
     packet = np.concatenate([run.packet for run in runs])

@@ -1,4 +1,4 @@
-"""The Earth of the simulation: WGS84, its gravity, a magnetic dipole, the standard atmosphere, and time.
+"""The Earth of the simulation: WGS84, its gravity, the standard atmosphere, and time.
 
 It does not turn in inertial space: a gyroscope at rest measures no rate, and there is no Coriolis acceleration.
 """
@@ -99,16 +99,6 @@ def gravity(latitude: float, height: float) -> float:
     m = 0.00344978650684
     ratio = height / A
     return normal * (1 - 2 * (1 + F + m - 2 * F * s2) * ratio + 3 * ratio * ratio)
-
-
-def magnetic_field(latitude: float, longitude: float, height: float) -> Vector:
-    """Field of the Earth in gauss, north, east, down: the dipole of the reference field of 2020."""
-    g10, g11, h11 = -0.294048, -0.014509, 0.046525
-    s, c = sin(latitude), cos(latitude)
-    along = g11 * cos(longitude) + h11 * sin(longitude)
-    across = g11 * sin(longitude) - h11 * cos(longitude)
-    k = (6371200.0 / (6371200.0 + height)) ** 3
-    return k * (s * along - c * g10), k * across, -2 * k * (s * g10 + c * along)
 
 
 # Geopotential height in m, temperature in K, pressure in mbar at the lower end, and lapse rate in K/m of each layer.

@@ -299,11 +299,11 @@ def _declination(north: float, east: float, down: float) -> float:
 
 
 _SURROUNDINGS: dict[str, Function] = {
-    "magnetic.north": lambda w, _: earth.magnetic_field(*w.modelled)[0],
-    "magnetic.east": lambda w, _: earth.magnetic_field(*w.modelled)[1],
-    "magnetic.down": lambda w, _: earth.magnetic_field(*w.modelled)[2],
-    "magnetic.inclination": lambda w, _: _inclination(*earth.magnetic_field(*w.modelled)),
-    "magnetic.declination": lambda w, _: _declination(*earth.magnetic_field(*w.modelled)),
+    "magnetic.north": lambda w, _: w.modelled_field[0],
+    "magnetic.east": lambda w, _: w.modelled_field[1],
+    "magnetic.down": lambda w, _: w.modelled_field[2],
+    "magnetic.inclination": lambda w, _: _inclination(*w.modelled_field),
+    "magnetic.declination": lambda w, _: _declination(*w.modelled_field),
     "air.altitude": lambda w, _: w.altitude,
     "air.temperature": lambda w, _: w.air[0],
     "air.pressure": lambda w, _: w.air[1],

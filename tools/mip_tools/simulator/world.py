@@ -7,7 +7,7 @@ from math import atan2, cos, hypot, pi, sin, sqrt
 from random import Random
 from typing import Any, NamedTuple, TypeVar
 
-from . import earth
+from . import earth, wmm
 from .earth import SECOND, Matrix, Vector, turned, turned_back
 from .estimate import Complementary, Filter
 from .facts import NOISE
@@ -375,7 +375,12 @@ class World:
     def magnetic_field(self) -> Vector:
         """North, east, down."""
         s = self.state
-        return earth.magnetic_field(s.latitude, s.longitude, s.height)
+        return wmm.field(self.gps, s.latitude, s.longitude, s.height)
+
+    @property
+    def modelled_field(self) -> Vector:
+        """The same, at the place for which the device computes it."""
+        return wmm.field(self.gps, *self.modelled)
 
     @property
     def declination(self) -> float:
