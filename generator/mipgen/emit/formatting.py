@@ -9,7 +9,7 @@ from __future__ import annotations
 import importlib
 import subprocess
 import tempfile
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -70,13 +70,13 @@ RUFF = Formatter(
 )
 
 
-def formatted(formatter: Formatter, made: Mapping[str, Made], fresh: Collection[str]) -> dict[str, Made]:
-    """The files of an output, those of the formatter's language formatted, if they are fresh."""
+def formatted(formatter: Formatter, made: Mapping[str, Made]) -> dict[str, Made]:
+    """The files of an output, those of the formatter's language formatted."""
     if formatter.style not in made:
         raise FormatError(f"{formatter.package} needs {formatter.style} in the output, to know the style")
     how = cache.key(formatter.package, formatter.version(), repr(formatter.steps), content(made[formatter.style]))
     files = [path for path in made if path.endswith(formatter.suffixes)]
-    keys = {path: cache.key(how, path, content(made[path])) for path in files if path in fresh}
+    keys = {path: cache.key(how, path, data) for path in files if isinstance(data := made[path], bytes)}
     known = {path: cache.get("formatted", name) for path, name in keys.items()}
     done = {path: text for path, text in known.items() if text is not None}
     wanted = sorted(known.keys() - done.keys())

@@ -61,7 +61,6 @@ def renew(source: Source, model: Model, past: Anew) -> dict[str, Made]:
             made[path] = data
         else:  # in paths too
             made[rename(path)] = rename(data.decode("utf-8")).encode("utf-8")
-    fresh = set(made)
     for file in files:
         if not isinstance(file, File):
             raise Failure(f"files yields {file!r}; it must yield File(path, template)", place)
@@ -69,13 +68,12 @@ def renew(source: Source, model: Model, past: Anew) -> dict[str, Made]:
         output.admit(path, made, place)
         same = past.right(path)
         if same is None:
-            fresh.add(path)
             text = past.make(path, templates.render, file.template, file.context, file.path)
             made[path] = (text if rename is None else rename(text)).encode("utf-8")
         else:
             made[path] = same
     if target.formatter is not None:
-        made = formatting.formatted(target.formatter, made, fresh)
+        made = formatting.formatted(target.formatter, made)
     made = output.finished(made, place)
     past.keep(made)
     return made
