@@ -1,4 +1,4 @@
-"""The examples of the crate microstrain-inertial, against the virtual device: a client that this project has not written."""
+"""The examples of the crate microstrain-inertial at a virtual device: a client that this project has not written."""
 
 from __future__ import annotations
 
