@@ -122,10 +122,10 @@ def test_mistakes(tmp_path: Path, text: str, message: str, form: bool) -> None:
 
 
 def test_all_mistakes_at_once(tmp_path: Path) -> None:
-    text = "devices: [{device: x}, {device: 3dm-gx5-15, motion: fly}]\nevents: [{at: x, event: restart}]"
+    text = "devices: [{device: x}, {device: 3dm-gx5-15, motion: fly}]\nevents: [{at: x, event: unplug}, {event: fly}]"
     with pytest.raises(Failure) as error:
         read_scenario(written(tmp_path, text))
-    assert len(str(error.value).splitlines()) == 3
+    assert len(str(error.value).splitlines()) == 4
 
 
 def test_the_schema(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
