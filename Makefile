@@ -118,7 +118,7 @@ mutate: $(VENV)/development.stamp ## change the project at random and report wha
 	@$(RUN) tests/mutate.py $(addprefix --count ,$(COUNT)) $(addprefix --part ,$(PART)) $(addprefix --seed ,$(SEED)) $(addprefix --path ,$(FILE))
 
 .PHONY: fuzz
-fuzz: tools-fuzz $(VENV)/development.stamp ## search for inputs that break C and Rust, and keep those that reach new code: make fuzz TIME=60 TARGETS="parser client"
+fuzz: tools-fuzz $(VENV)/development.stamp ## search for inputs that break a language or tell two apart, and keep those that reach new code: make fuzz TIME=60 TARGETS="parser client"
 	@$(RUN) tests/fuzz/fuzz.py $(addprefix --time ,$(TIME)) $(if $(TARGETS),--targets $(TARGETS))
 
 .PHONY: prove
@@ -166,7 +166,7 @@ docs: workbench $(VENV)/development.stamp ## build the reference as a searchable
 
 .PHONY: release
 release: export SOURCE_DATE_EPOCH = 315532800
-release: docs ## build what people install in dist/: the same bytes each time, with checksums, an SBOM and notes
+release: docs $(VENV)/all.stamp ## build what people install in dist/: the same bytes each time, with checksums, an SBOM and notes
 	@$(RUN) tools/release/build.py --site $(BUILD)/site
 
 .PHONY: interface

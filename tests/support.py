@@ -334,6 +334,8 @@ def expected_field(of: m.Model, number: int, descriptor: int, data: bytes) -> di
 
 
 def expected_encode(of: m.Model, request: dict[str, Any]) -> dict[str, Any]:
+    if request["set"] in m.NO_SETS:
+        return {"error": "set"}
     try:
         parts = []
         for f in request["fields"]:

@@ -400,14 +400,30 @@ def test_what_does_not_fit_is_refused(language: str) -> None:
     assert [a.get("error") for a in answers] == [None, "length", None, None, "length", "unknown"]
 
 
+@each("encode")
+def test_only_a_set_that_has_a_field_is_built_with_it(language: str, spec: str) -> None:
+    """No packet is built of sets 0 and 0xFF; fields of several sets, shared ones, acknowledges only in their own."""
+    of, requests, errors = model(spec), [], []
+    several = next(f for f in of.fields if f.everywhere and f.set == 0xFF), of.protocol.acknowledge
+    several += (next(f for f in of.fields if f.role == m.DATA and len(f.sets) > 1 and not f.everywhere),)
+    for f in several:
+        values = next(values for one, values in one_of_each(spec) if one == f)
+        for number in (0, *f.sets[:2], 1, 2, *(s.number for s in of.sets), 0xFF):
+            requests.append(encode_request(number, f, values))
+            errors.append("set" if number in m.NO_SETS else None if number in f.sets else "unknown")
+    for number in m.NO_SETS:
+        requests += [{"op": "encode", "set": number, "fields": [{"descriptor": 1, "raw": ""}] * n} for n in (0, 1)]
+        errors += ["set"] * 2
+    assert [a.get("error") for a in compare(language, spec, requests)] == errors
+
+
 @pytest.mark.parametrize("language", offering())
 def test_no_request_kills_a_driver(language: str) -> None:
     requests: list[Any] = [
         1, None, [], {}, {"op": 1}, {"op": "none"}, {"op": "decode"}, {"op": "decode", "packet": "xx"},
         {"op": "decode", "packet": 5}, {"op": "decode", "packet": "756"}, {"op": "parse", "stream": "00"},
         {"op": "encode", "set": 1}, {"op": "encode", "set": 1, "fields": 3}, {"op": "encode", "fields": []},
-        {"op": "encode", "set": 0, "fields": []}, {"op": "encode", "set": 256, "fields": []},
-        {"op": "encode", "set": 255, "fields": []},
+        {"op": "encode", "set": -1, "fields": []}, {"op": "encode", "set": 256, "fields": []},
         {"op": "encode", "set": 1, "fields": [{"descriptor": 256, "raw": ""}]},
         {"op": "encode", "set": 1, "fields": [{"descriptor": -1, "raw": ""}]},
         {"op": "parse", "stream": "7565", "chunk": 0}, {"op": "parse", "stream": "7565", "chunk": -1},

@@ -4,12 +4,16 @@
 
 The targets of C are in tests/c/fuzz, those of Rust in tests/rust/fuzz. Inputs of one source have the same form in both
 languages, and each language begins with what was found in the other one. An input that fails is shown as hexadecimal:
-after the repair it belongs into corpus/, as a line of its own.
+after the repair it belongs into corpus/, as a line of its own. Python (tests/python/fuzz.py, with Atheris) and the
+comparison of all languages (differential.py) begin with these inputs, too, and keep none. counts.txt has how many
+inputs were run.
 """
 
 from __future__ import annotations
 
 import argparse
+import os
+import re
 import shutil
 import subprocess
 import sys
@@ -21,6 +25,7 @@ TESTS = HERE.parent
 sys.path += [str(TESTS), str(TESTS / "c"), str(TESTS.parent / "generator")]
 
 import c_build  # noqa: E402
+import counts  # noqa: E402
 import crates  # noqa: E402
 from seeds import seeds  # noqa: E402
 from support import BUILD, model  # noqa: E402
@@ -41,11 +46,17 @@ TARGETS = {
     "client": Target("c", "client", "real"),
     "client-invented": Target("c", "client", "invented"),
     "rust-parser": Target("rust", "parser", "real"),
-    "rust-fields": Target("rust", "fields", "real"),
-    "rust-client": Target("rust", "client", "real"),
+    # In the real crate each field has code of its own, and the corpus would be larger than all others together.
+    "rust-fields-invented": Target("rust", "fields", "invented"),
+    "rust-client-invented": Target("rust", "client", "invented"),
 }
 C = [name for name, target in TARGETS.items() if target.language == "c"]
 RUST = [name for name, target in TARGETS.items() if target.language == "rust"]
+
+#: Those that keep no inputs, and the sources of Python's.
+PYTHON = {"python-parser": "parser", "python-fields": "fields"}
+OTHERS = [*PYTHON, "differential"]
+ATHERIS = "3.0.0"
 
 FLAGS = ["-std=c99", "-g", "-O1", "-fsanitize=fuzzer-no-link,address,undefined", "-fno-sanitize-recover=all"]
 LARGEST = {"parser": 800, "fields": 260, "client": 400}  # bytes of an input: what is kept stays small
@@ -115,7 +126,11 @@ def run(folder: Path, *arguments: str | Path) -> str:
     return done.stderr
 
 
-def fuzz(name: str, seconds: int) -> None:
+def executions(output: str) -> int:
+    return int(re.findall(r"Done (\d+) runs", output)[-1])
+
+
+def fuzz(name: str, seconds: int) -> int:
     folder = BUILD / f"fuzz/{name}"
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
@@ -130,17 +145,47 @@ def fuzz(name: str, seconds: int) -> None:
     seeded = {p.name for p in merged.iterdir()}
     run(folder, "-merge=1", "-use_counters=0", merged, before, found)
     keep(name, [p.read_bytes() for p in merged.iterdir() if p.name not in seeded])
-    status = next((line.strip() for line in reversed(output.splitlines()) if "DONE" in line), "")
-    print(f"{name}: {status}; {len(kept(name))} inputs kept")
+    print(f"{name}: {len(kept(name))} inputs kept")
+    return executions(output)
+
+
+def fuzz_python(name: str, seconds: int) -> int:
+    """Atheris is no part of the lock: it is there for few Pythons and systems."""
+    source, tool, folder = PYTHON[name], BUILD / "tools/atheris", BUILD / f"fuzz/{name}"
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    if not (tool / f"atheris-{ATHERIS}.dist-info").is_dir():
+        pip = [sys.executable, "-m", "pip", "install", "--quiet", "--upgrade", "--target", tool, f"atheris=={ATHERIS}"]
+        if subprocess.run([str(c) for c in pip], capture_output=True).returncode != 0:
+            sys.exit(f"make: atheris {ATHERIS} cannot be installed for this Python; leave out {' '.join(PYTHON)}")
+    first = write(folder / "seeds", [*begin(source), *known(source)])
+    limits = [f"-artifact_prefix={folder}/failure-", f"-max_total_time={seconds}", f"-max_len={LARGEST[source]}"]
+    done = subprocess.run(
+        [sys.executable, str(TESTS / "python/fuzz.py"), source, *limits, str(first)],
+        capture_output=True, text=True, env={**os.environ, "PYTHONPATH": str(tool)},
+    )  # fmt: skip
+    if done.returncode != 0:
+        sys.exit(done.stdout[-4000:] + done.stderr[-4000:])
+    return executions(done.stderr)
+
+
+def compare(seconds: int) -> int:
+    import differential  # it needs this module itself
+
+    return differential.Session(str(os.urandom(8))).run(seconds)
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(prog="make fuzz")
     parser.add_argument("--time", type=int, default=60, metavar="SECONDS", help="for each target")
-    parser.add_argument("--targets", nargs="*", default=list(TARGETS), choices=list(TARGETS))
-    arguments = parser.parse_args()
-    for name in arguments.targets:
-        fuzz(name, arguments.time)
+    every = [*TARGETS, *OTHERS]
+    parser.add_argument("--targets", nargs="*", default=every, choices=every)
+    given = parser.parse_args()
+    for name in given.targets:
+        how = fuzz if name in TARGETS else fuzz_python if name in PYTHON else lambda _, seconds: compare(seconds)
+        count = how(name, given.time)
+        counts.add(name, count)
+        print(f"{name}: {count:,} executions", flush=True)
 
 
 if __name__ == "__main__":

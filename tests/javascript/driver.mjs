@@ -80,7 +80,8 @@ function decoded({ set, descriptor, data }) {
 }
 
 function encode({ set, fields }) {
-    check(Number.isInteger(set) && set > 0 && set < 255 && Array.isArray(fields));
+    check(Number.isInteger(set) && set >= 0 && set < 256 && Array.isArray(fields));
+    Packet.build(set, []); // of several mistakes the first one is told
     const parts = fields.map(({ descriptor, name, raw, values }) => {
         check(Number.isInteger(descriptor) && descriptor >= 0 && descriptor < 256);
         check(typeof raw === "string" || (typeof values === "object" && values !== null));

@@ -85,6 +85,8 @@ class Interpreter:
         return {**head, "values": values, "trailing": trailing}
 
     def encode(self, number: int, fields: list[Any]) -> bytes:
+        if number in NO_SETS:
+            raise Wrong("set")
         payload = b""
         for f in fields:
             data = bytes.fromhex(f["raw"]) if "raw" in f else self.data(number, f)
@@ -327,7 +329,7 @@ def answer(line: str, known: Interpreter) -> dict[str, Any]:
         request = json.loads(line)
         if request["op"] == "decode":
             return known.decode(bytes.fromhex(request["packet"]))
-        if request["op"] == "encode" and request["set"] in range(1, 255):
+        if request["op"] == "encode" and request["set"] in range(256):
             return {"packet": known.encode(request["set"], request["fields"]).hex()}
     except Wrong as error:
         return {"error": str(error)}

@@ -102,10 +102,11 @@ def layout(f: m.Field, of: m.Model) -> Iterator[Proof]:
         "--unwindset", "run:3", "--max-field-sensitivity-array-size", "1000", "--object-bits", "16",
     ]  # fmt: skip
     if not numbers:
-        given += [f"-DWIRE={joined(wire(f))}", f"-DMEMORY={joined(memory(f))}"]
+        given += ["--slice-formula", f"-DWIRE={joined(wire(f))}", f"-DMEMORY={joined(memory(f))}"]
+    harness = "numbers.c" if numbers else "program.c"
     sources = ("core.c", "codec.c", "program.c", "double.c", f"{module}.c", "core.h", "program.h", f"{module}.h")
     for function in ("decode", "encode"):
-        yield Proof(f"{f.full_name}, {function}", bounds, "layout.c", function, tuple(given), sources)
+        yield Proof(f"{f.full_name}, {function}", bounds, harness, function, tuple(given), sources)
 
 
 def deciding(f: m.Field) -> Iterator[tuple[m.Parameter, list[int]]]:
@@ -155,7 +156,8 @@ def prover() -> str | None:
 
 def key(proof: Proof, sources: Path, cbmc: str) -> str:
     digest = hashlib.sha256(repr((proof.function, proof.options, version(cbmc))).encode())
-    for path in (HERE / proof.harness, *(sources / "mip" / name for name in proof.sources)):
+    harness = [proof.harness] if proof.harness == "core.c" else [proof.harness, "layout.h"]
+    for path in (*(HERE / name for name in harness), *(sources / "mip" / name for name in proof.sources)):
         digest.update(without_comments(path.read_text("utf-8")).encode())
     return digest.hexdigest()[:24]
 
@@ -172,9 +174,8 @@ def version(cbmc: str, known: dict[str, str] = {}) -> str:  # noqa: B006
 
 def prove(proof: Proof, cbmc: str, seconds: int, sources: Path = SOURCES) -> Result:
     """Proves it, or finds what refutes it, within so many seconds of processor time."""
-    also = (
-        [sources / "mip" / name for name in proof.sources if name.endswith(".c")] if proof.harness == "layout.c" else []
-    )
+    linked = [] if proof.harness == "core.c" else [n for n in proof.sources if n.endswith(".c")]
+    also = [sources / "mip" / name for name in linked]
     command = [cbmc, HERE / proof.harness, *also, "-I", sources, "--function", proof.function, "--json-ui",
                "--unwinding-assertions", "--drop-unused-functions", *proof.options]  # fmt: skip
 
@@ -294,7 +295,10 @@ def run(proofs: list[Proof], cbmc: str, seconds: int) -> list[tuple[Proof, Resul
 
 def write(cbmc: str) -> None:
     """The tables of docs/proofs.md, from what is kept of the sources as they are."""
-    rows, known = [], {p: result for p in (*core(), *layouts()) if (result := found(p, cbmc))}
+    known = {p: result for p in (*core(), *layouts()) if (result := found(p, cbmc))}
+    git = ["git", "log", "-1", "--format=revision %h of %cs", "--abbrev=8", "--", "generated/c/src/mip", "tests/prove"]
+    revision = subprocess.run(git, cwd=ROOT, capture_output=True, text=True).stdout.strip()
+    rows = []
     for p in core():
         r = known.get(p)
         rows.append(f"| {p.name} | {p.bounds} | {f'{r.outcome}, {r.properties} properties' if r else 'not tried'} |")
@@ -315,7 +319,7 @@ def write(cbmc: str) -> None:
         rows += ["", f"Not in the time: {'; '.join(late)}."]
     text = TABLE.read_text("utf-8")
     before, _, rest = text.partition(BEGIN)
-    head = ["| Core | Looked at | Result |", "|---|---|---|"]
+    head = [f"Sources of {revision or 'no revision'}.", "", "| Core | Looked at | Result |", "|---|---|---|"]
     TABLE.write_text(before + BEGIN + "\n".join(["", "", *head, *rows, "", ""]) + END + rest.partition(END)[2], "utf-8")
 
 

@@ -166,7 +166,7 @@ def number(p: Parameter, value: Any) -> Any:
 
 
 def encode(request: dict[str, Any]) -> dict[str, Any]:
-    if not 1 <= request["set"] <= 254 or not all(0 <= f["descriptor"] <= 255 for f in request["fields"]):
+    if not 0 <= request["set"] <= 255 or not all(0 <= f["descriptor"] <= 255 for f in request["fields"]):
         raise ValueError("neither a set nor a descriptor")
     builder = PacketBuilder(request["set"])
     for field in request["fields"]:

@@ -271,7 +271,7 @@ def test_builder_refuses_and_stays_valid() -> None:
         builder.add(1, bytes(2))
     assert len(builder.add(1, b"\x00").build().payload) == 255
     for no_set in (0, 0xFF, 256):
-        with pytest.raises(mip.errors.EncodeError, match="range"):
+        with pytest.raises(mip.errors.EncodeError, match="set: "):
             mip.packet.PacketBuilder(no_set)
 
 

@@ -343,7 +343,7 @@ def test_any_buffer_is_data() -> None:
 
 def test_a_packet_is_built_of_whole_numbers() -> None:
     for wrong in (1.0, "base", None, 0, 255, -1):
-        with pytest.raises(real.errors.EncodeError, match=r"range: .* is not a descriptor set; use 1 to 254"):
+        with pytest.raises(real.errors.EncodeError, match=r"set: .* is not a descriptor set; use 1 to 254"):
             real.packet.PacketBuilder(wrong)
     for wrong in (1.0, "ping", None, 256, -1):
         with pytest.raises(real.errors.EncodeError, match=r"range: .* is not a descriptor; use 0 to 255"):

@@ -11,10 +11,13 @@ import sys
 import tarfile
 import zipfile
 from functools import cache
+from importlib.util import find_spec
 from pathlib import Path
 
 import pytest
-from support import BUILD, ROOT, heavy, need
+from support import BUILD, ROOT, heavy, later, need
+
+schema, validation = later("cyclonedx.schema"), later("cyclonedx.validation.json")
 
 MESSAGE = "75 65 80 0E 0E 04 3E 7A 63 A0 BB 8E 3B 29 7F E5 BF 7F 84 EE"
 RELEASE = "packages as they are released"
@@ -69,11 +72,14 @@ def test_sums_bill_and_notes_name_everything() -> None:
     listed = dict(line.split("  ")[::-1] for line in (dist() / "SHA256SUMS").read_text("utf-8").splitlines())
     assert listed.keys() == {p.name for p in dist().iterdir()} - {"SHA256SUMS"}
     assert all(hashlib.sha256((dist() / name).read_bytes()).hexdigest() == digest for name, digest in listed.items())
-    bill = json.loads((dist() / "sbom.cdx.json").read_text("utf-8"))
+    text = (dist() / "sbom.cdx.json").read_text("utf-8")
+    assert validation.JsonStrictValidator(schema.SchemaVersion.V1_6).validate_str(text) is None
+    bill = json.loads(text)
     files = {c["name"]: c["hashes"][0]["content"] for c in bill["components"] if c["type"] == "file"}
     assert files == {n: d for n, d in listed.items() if n not in ("sbom.cdx.json", "NOTES.md")}
-    references = {c["bom-ref"] for c in bill["components"]}
-    assert all({d["ref"], *d["dependsOn"]} <= references for d in bill["dependencies"])
+    needed = {d["ref"]: d.get("dependsOn", []) for d in bill["dependencies"]}
+    assert set(needed["mipgen"]) == files.keys()
+    assert [name for name in files if needed[name] == ["numpy"]] == [n for n in files if n.startswith("mip_tools")]
     assert (dist() / "NOTES.md").read_text("utf-8").startswith("- ")
 
 
@@ -81,26 +87,25 @@ def test_sums_bill_and_notes_name_everything() -> None:
 @pytest.mark.parametrize("form", ["wheel", "source"])
 def test_python(tmp_path: Path, form: str) -> None:
     run(sys.executable, "-m", "venv", "--without-pip", tmp_path / "venv", cwd=tmp_path)
-    python = tmp_path / "venv/bin/python"
-    if form == "wheel":
-        packages = [the("mip_protocol*.whl"), the("mip_tools*.whl")]
-        run(
-            sys.executable,
-            "-m",
-            "pip",
-            "--python",
-            python,
-            "install",
-            "--no-index",
-            "--no-deps",
-            *packages,
-            cwd=tmp_path,
-        )
-        assert "scaled_accel = (x=0.24452066" in run(tmp_path / "venv/bin/mip", "dump", *MESSAGE.split(), cwd=tmp_path)
-    else:
-        run("tar", "xf", the("mip_protocol*.tar.gz"), "--strip-components=1", cwd=tmp_path)
-        assert (tmp_path / "README.md").is_file() and (tmp_path / "LICENSE").is_file()
+    python, mip = tmp_path / "venv/bin/python", tmp_path / "venv/bin/mip"
+    packages = [the("mip_protocol*.whl"), the("mip_tools*.whl")]
+    if form == "source":
+        sources = [the("mip_protocol*.tar.gz"), the("mip_tools*.tar.gz")]
+        built = ("wheel", "--no-build-isolation", "--no-index", "--no-deps", "--wheel-dir", tmp_path / "wheels")
+        run(sys.executable, "-m", "pip", *built, *sources, cwd=tmp_path)
+        packages = sorted((tmp_path / "wheels").iterdir())
+    install = ("--python", python, "install", "--no-index", "--no-deps", *packages)
+    run(sys.executable, "-m", "pip", *install, cwd=tmp_path)
     assert "g" in run(python, ROOT / "generated/python/quickstart.py", cwd=tmp_path)
+    assert "scaled_accel = (x=0.24452066" in run(mip, "dump", *MESSAGE.split(), cwd=tmp_path)
+    (site,) = (tmp_path / "venv/lib").glob("python*/site-packages")
+    numpy = find_spec("numpy")
+    assert numpy and numpy.origin
+    for part in Path(numpy.origin).parents[1].glob("numpy*"):  # without the network
+        (site / part.name).symlink_to(part)
+    (tmp_path / "log.bin").write_bytes(bytes.fromhex(MESSAGE))
+    run(mip, "export", "log.bin", "-o", "log.csv", cwd=tmp_path)
+    assert "0.24452066" in (tmp_path / "log.csv").read_text("utf-8")
 
 
 @heavy(RELEASE)

@@ -14,7 +14,8 @@ import pytest
 from support import BUILD, ROOT, heavy
 
 PAGE = (ROOT / "docs/vendor.md").read_text("utf-8")
-TAG = "v0.1.0"
+TAG, LATER = "v0.1.0", "v0.2.0"
+FOLDERS = ("generated/c/", "generated/javascript/", "generated/python/", "generated/rust/", "tests/rust/", "tools/")
 FOREIGN = "bindings from a repository"
 pytestmark = pytest.mark.xdist_group("vendor")  # a repository that is made once
 
@@ -26,11 +27,14 @@ def repository() -> str:
     shutil.rmtree(where, ignore_errors=True)
     listed = subprocess.run(["git", "ls-files", "-z"], cwd=ROOT, capture_output=True, text=True, check=True).stdout
     for name in listed.split("\0"):
-        if name.startswith(("generated/c/", "generated/rust/", "generated/python/", "tools/", "tests/rust/")):
+        if name.startswith(FOLDERS):
             target = where / name
             target.parent.mkdir(parents=True, exist_ok=True)
             shutil.copyfile(ROOT / name, target)
     for command in ("init -q -b main", "add -A -f", "commit -q -m all", f"tag {TAG}"):
+        git(*command.split(), cwd=where)
+    (where / "LATER").touch()
+    for command in ("add LATER", "commit -q -m later", f"tag {LATER}"):
         git(*command.split(), cwd=where)
     return f"file://{where}"
 
@@ -101,3 +105,17 @@ def test_git_submodule_and_subtree(tmp_path: Path) -> None:
     copy = tmp_path / "copy"
     run(f"git clone -q --recurse-submodules file://{tmp_path / 'module'} {copy}", tmp_path)
     assert (copy / "external/mipgen/generated/c/CMakeLists.txt").is_file()
+    use_folders(tmp_path / "tree")
+
+
+def use_folders(project: Path) -> None:
+    """A later version of the subtree, in CMake and in npm."""
+    run(shown("Any language, with Git", 2), project)
+    assert (project / "external/mipgen/LATER").is_file()
+    (project / "CMakeLists.txt").write_text(shown("Any language, with Git", 3), "utf-8")
+    shutil.copyfile(ROOT / "generated/c/quickstart.c", project / "main.c")
+    run("cmake -S . -B build >log && cmake --build build --target app >>log", project)
+    assert " g" in run("./build/app", project)
+    run(shown("Any language, with Git", 4), project, npm_config_offline="true")
+    shutil.copyfile(ROOT / "generated/javascript/quickstart.mjs", project / "first.mjs")
+    assert " g" in run("node first.mjs", project)

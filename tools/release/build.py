@@ -23,7 +23,16 @@ import tempfile
 import uuid
 import zipfile
 from collections.abc import Callable
+from datetime import datetime, timezone
 from pathlib import Path
+
+from cyclonedx.model import HashAlgorithm, HashType
+from cyclonedx.model.bom import Bom, BomMetaData
+from cyclonedx.model.component import Component, ComponentType
+from cyclonedx.model.license import DisjunctiveLicense
+from cyclonedx.output import make_outputter
+from cyclonedx.schema import OutputFormat, SchemaVersion
+from packageurl import PackageURL
 
 ROOT = Path(__file__).resolve().parents[2]
 GENERATED = ROOT / "generated"
@@ -116,23 +125,24 @@ def sums(dist: Path) -> dict[str, str]:
 
 def bill(of: dict[str, str]) -> str:
     """A CycloneDX document: each artefact with its hash, and what it needs. All dependencies are optional but NumPy."""
-    numpy = {"type": "library", "bom-ref": "numpy", "name": "numpy", "purl": "pkg:pypi/numpy"}
-    files = [
-        {"type": "file", "bom-ref": name, "name": name, "version": VERSION, "licenses": [{"license": {"id": LICENSE}}],
-         "hashes": [{"alg": "SHA-256", "content": digest}]}
-        for name, digest in of.items()
-    ]  # fmt: skip
-    document = {
-        "$schema": "http://cyclonedx.org/schema/bom-1.6.schema.json",
-        "bomFormat": "CycloneDX",
-        "specVersion": "1.6",
-        "serialNumber": f"urn:uuid:{uuid.uuid5(uuid.NAMESPACE_URL, json.dumps(of))}",
-        "version": 1,
-        "metadata": {"component": {"type": "application", "bom-ref": "mipgen", "name": "mipgen", "version": VERSION}},
-        "components": [*files, numpy],
-        "dependencies": [{"ref": n, "dependsOn": ["numpy"] if n.startswith("mip_tools") else []} for n in of],
-    }
-    return json.dumps(document, indent=2) + "\n"
+    numpy = Component(name="numpy", type=ComponentType.LIBRARY, bom_ref="numpy", purl=PackageURL("pypi", name="numpy"))
+    about = Component(name="mipgen", type=ComponentType.APPLICATION, bom_ref="mipgen", version=VERSION)
+    document = Bom(
+        serial_number=uuid.uuid5(uuid.NAMESPACE_URL, json.dumps(of)),
+        metadata=BomMetaData(timestamp=datetime.fromtimestamp(EPOCH, timezone.utc), component=about),
+    )
+    document.components.add(numpy)
+    files = []
+    for name, digest in of.items():
+        file = Component(
+            name=name, type=ComponentType.FILE, bom_ref=name, version=VERSION,
+            licenses=[DisjunctiveLicense(id=LICENSE)], hashes=[HashType(alg=HashAlgorithm.SHA_256, content=digest)],
+        )  # fmt: skip
+        files.append(file)
+        document.components.add(file)
+        document.register_dependency(file, [numpy] if name.startswith("mip_tools") else [])
+    document.register_dependency(about, files)
+    return make_outputter(document, OutputFormat.JSON, SchemaVersion.V1_6).output_as_string(indent=2) + "\n"
 
 
 def release(dist: Path, site: Path | None) -> None:

@@ -1,4 +1,4 @@
-"""Finds the baud rate of a device."""
+"""Finds and changes the baud rate of a device."""
 
 from __future__ import annotations
 
@@ -6,7 +6,8 @@ import time
 from collections.abc import Iterable
 from typing import Any
 
-from .errors import NoDevice
+from .conversation import AtPort, Dialog, Step
+from .errors import NoAnswer, NoDevice, Refused
 from .field import Command
 from .parser import Parser
 from .port import READ_TIMEOUT, as_port, read_some, write_all
@@ -92,4 +93,27 @@ def answers(port: Any, listen: float) -> bool:
     return False
 
 
-__all__ = ["CHANGE", "LISTEN", "Ping", "answers", "detect_baud", "rates"]
+def changing(device: AtPort, command: Command[Any], attempts: int) -> Dialog[int]:
+    """The steps of `Device.change_baud`."""
+    new, old = getattr(command, "baud", None), device.baud
+    if new is None or old is None:
+        raise ValueError("it takes a command that writes `baud`, and a port with a baud rate")
+    try:
+        yield Step(command)
+    except NoAnswer:  # its answer may have come at the new rate
+        pass
+    yield Step(None, CHANGE)
+    for rate in (new, old):
+        device.baud = rate
+        for _ in range(attempts):
+            try:
+                yield Step(Ping(), LISTEN)
+            except NoAnswer:
+                continue
+            except Refused:  # by a device that answers
+                pass
+            return int(rate)
+    raise NoAnswer(command)
+
+
+__all__ = ["answers", "changing", "detect_baud", "rates"]

@@ -9,19 +9,20 @@ from __future__ import annotations
 
 import time
 from collections import deque
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Generator, Iterator, Sequence
 from copy import copy
 from dataclasses import dataclass, replace
-from typing import Any, TypeVar, cast
+from typing import Any, NamedTuple, TypeAlias, TypeVar, cast
 
 from ._clocks import CLOCKS
 from .client import Answer, Client, Event, Outcome, Received, Skipped, TimedOut, check_seconds
-from .errors import NoAnswer, Refused
-from .field import Command, Field, R, Response
+from .errors import NoAnswer, PortClosed, Refused
+from .field import Command, Field, Response
 from .packet import Packet, RawField
 from .protocol import FunctionSelector
 
 F = TypeVar("F", bound=Field)
+T = TypeVar("T")
 
 #: Seconds without a byte after which an incomplete packet is discarded.
 SILENCE = 1.0
@@ -208,14 +209,16 @@ class Conversation:
     # ----------------------------------------------------------------- what comes
 
     def receive(self, data: bytes, monotonic: float, clock: float) -> News:
-        """Takes bytes received at this time, by both clocks."""
+        """Takes bytes received at this time, by both clocks; no bytes if none have arrived for a
+        moment."""
+        if not data:
+            return self._idle(monotonic, clock)
         self._heard = monotonic
         self._incomplete = True
         return self._handle(self._client.receive(data, monotonic), monotonic, clock)
 
-    def idle(self, monotonic: float, clock: float) -> News:
-        """No bytes have arrived for a moment. Noise may look like the start of a packet: packets
-        after it are processed."""
+    def _idle(self, monotonic: float, clock: float) -> News:
+        # Noise may look like the start of a packet: packets after it are processed.
         if not self._incomplete:
             return self._handle(self._client.poll(monotonic), monotonic, clock)
         if monotonic - self._heard < SILENCE:
@@ -266,6 +269,68 @@ class Conversation:
         return False
 
 
+class AtPort:
+    """What is known of a device at a port, however its callers wait: the base of both devices."""
+
+    _closed = True  # until there is a port
+    _url = ""  # of a port that `open_port` has opened
+    _closes = 0
+    _end: PortClosed | None = None  # why no more data arrives
+    _talk: Conversation
+    _port: Any
+
+    def __repr__(self) -> str:
+        return f"<Device at {self._url or 'a port'}{', closed' * self._closed}>"
+
+    @property
+    def closed(self) -> bool:
+        """Is the port closed or lost? Data already received can still be read."""
+        return self._end is not None
+
+    @property
+    def dropped(self) -> int:
+        """The number of packets dropped because they were not read in time."""
+        return self._talk.dropped
+
+    @property
+    def skipped(self) -> int:
+        """The number of bytes that are not part of a packet."""
+        return self._talk.skipped
+
+    @property
+    def waiting(self) -> int:
+        """The number of packets that can be read without waiting."""
+        return len(self._talk.arrivals)
+
+    @property
+    def baud(self) -> int | None:
+        """The baud rate of the port; None if it has none."""
+        return getattr(self._port, "baudrate", None)
+
+    @baud.setter
+    def baud(self, rate: int) -> None:
+        """Changes the rate of the port, not that of the device; see `change_baud`. Raises ValueError if the port
+        has none; what the port raises if it cannot have this one."""
+        if self.baud is None:
+            raise ValueError("the port has no baud rate")
+        self._port.baudrate = rate
+
+    def _must_be_open(self) -> None:
+        if self._end is not None:
+            raise PortClosed(self._end.detail) from self._end.__cause__
+
+
+class Step(NamedTuple):
+    """A command to send, and the seconds for its answer; without a command, the seconds to wait."""
+
+    command: Command[Any] | None
+    seconds: float | None = None
+
+
+#: Steps that depend on the answers: each is sent the response, or thrown Refused or NoAnswer.
+Dialog: TypeAlias = Generator[Step, Any, T]
+
+
 def response(ticket: Ticket, tickets: Sequence[Ticket]) -> Response | None:
     """The answer of the device, or the error that says why there is none."""
     outcome = ticket.outcome
@@ -285,4 +350,15 @@ def responses(tickets: Sequence[Ticket]) -> tuple[Response | None, ...]:
     return tuple(response(ticket, tickets) for ticket in tickets)
 
 
-__all__ = ["CAPACITY", "Arrival", "Conversation", "News", "R", "Ticket", "response", "responses"]
+__all__ = [
+    "CAPACITY",
+    "Arrival",
+    "AtPort",
+    "Conversation",
+    "Dialog",
+    "News",
+    "Step",
+    "Ticket",
+    "response",
+    "responses",
+]

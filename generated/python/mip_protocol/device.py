@@ -22,9 +22,19 @@ from types import TracebackType
 from typing import Any, TypeVar, cast, overload
 
 from ._session import session
-from .baud import CHANGE, LISTEN, USUAL, Ping, detect_baud, rates
+from .baud import USUAL, changing, detect_baud, rates
 from .client import Outcome, check_seconds
-from .conversation import CAPACITY, Arrival, Conversation, News, Ticket, responses
+from .conversation import (
+    CAPACITY,
+    Arrival,
+    AtPort,
+    Conversation,
+    Dialog,
+    News,
+    T,
+    Ticket,
+    responses,
+)
 from .errors import NoAnswer, PortClosed, Refused
 from .field import Command, Field, R, Response
 from .port import Reader, as_port, open_url, warn_unclosed, weakly
@@ -45,14 +55,11 @@ Callback = Callable[[bytes], object]
 CLOSED_MEANWHILE = "the device has been closed while it was opened again"
 
 
-class Device:
+class Device(AtPort):
     """A device on an open port. A `with` statement closes it at the end.
 
     One that is dropped without being closed is closed, with a ResourceWarning.
     """
-
-    _closed = True  # until there is a port
-    _url = ""  # of a port that `open_port` has opened
 
     def __init__(
         self,
@@ -82,8 +89,6 @@ class Device:
         self._arrived = threading.Condition(self._lock)
         self._writing = threading.Lock()
         self._opening = threading.Lock()
-        self._closes = 0
-        self._end: PortClosed | None = None
         self._again: Callable[[int], Any] | None = None  # opens the same port at this baud rate
         self._start(as_port(port))
 
@@ -98,9 +103,6 @@ class Device:
         if not self._closed and not sys.is_finalizing():
             warn_unclosed(self)
             self._reader.stop()
-
-    def __repr__(self) -> str:
-        return f"<Device at {self._url or 'a port'}{', closed' * self._closed}>"
 
     def __enter__(self) -> Device:
         return self
@@ -167,41 +169,6 @@ class Device:
                 if time.monotonic() >= end:
                     raise
                 time.sleep(0.1)
-
-    # ----------------------------------------------------------------- what is known
-
-    @property
-    def closed(self) -> bool:
-        """Is the port closed or lost? Data already received can still be read."""
-        return self._end is not None
-
-    @property
-    def dropped(self) -> int:
-        """The number of packets dropped because they were not read in time."""
-        return self._talk.dropped
-
-    @property
-    def skipped(self) -> int:
-        """The number of bytes that are not part of a packet."""
-        return self._talk.skipped
-
-    @property
-    def waiting(self) -> int:
-        """The number of packets that can be read without waiting."""
-        return len(self._talk.arrivals)
-
-    @property
-    def baud(self) -> int | None:
-        """The baud rate of the port; None if it has none."""
-        return getattr(self._port, "baudrate", None)
-
-    @baud.setter
-    def baud(self, rate: int) -> None:
-        """Changes the rate of the port, not that of the device; see `change_baud`. Raises ValueError if the port
-        has none; what the port raises if it cannot have this one."""
-        if self.baud is None:
-            raise ValueError("the port has no baud rate")
-        self._port.baudrate = rate
 
     # ----------------------------------------------------------------- commands
 
@@ -311,10 +278,6 @@ class Device:
             else:
                 self._tell(self._talk.poll(time.monotonic()))
 
-    def _must_be_open(self) -> None:
-        if self._end is not None:
-            raise PortClosed(self._end.detail) from self._end.__cause__
-
     def stream(
         self, rates: Mapping[type[Field], float], *, set: int | None = None
     ) -> dict[type[Field], float]:
@@ -325,18 +288,24 @@ class Device:
         before anything is changed, if a rate is not the base rate divided by a whole number;
         ValueError and EncodeError if the fields have no set in common; and what `request` raises.
         """
-        commands = steps(session(), rates, set)
+        return self._follow(steps(session(), rates, set))
+
+    def _follow(self, dialog: Dialog[T]) -> T:
         answer: Any = None
-        refused: Refused | None = None
-        try:
-            while True:
-                command = commands.send(answer) if refused is None else commands.throw(refused)
-                try:
-                    answer, refused = self.request(command), None
-                except Refused as error:
-                    refused = error
-        except StopIteration as end:
-            return cast("dict[type[Field], float]", end.value)
+        failed: NoAnswer | Refused | None = None
+        while True:
+            try:
+                step = dialog.throw(failed) if failed else dialog.send(answer)
+            except StopIteration as end:
+                return cast(T, end.value)
+            answer = failed = None
+            try:
+                if step.command is None:
+                    time.sleep(step.seconds or 0)
+                else:
+                    answer = self.request(step.command, step.seconds)
+            except (NoAnswer, Refused) as error:
+                failed = error
 
     # ----------------------------------------------------------------- data
 
@@ -413,28 +382,7 @@ class Device:
         or the port has no rate; Refused; and NoAnswer if the device answers at neither rate, in
         which case the port keeps the old one.
         """
-        new, old = getattr(command, "baud", None), self.baud
-        if new is None or old is None:
-            raise ValueError("it takes a command that writes `baud`, and a port with a baud rate")
-        try:
-            self.request(command)
-        except NoAnswer:  # its answer may have come at the new rate
-            pass
-        time.sleep(CHANGE)
-        for rate in (new, old):
-            self._port.baudrate = rate
-            if any(self._pings() for _ in range(attempts)):
-                return rate
-        raise NoAnswer(command)
-
-    def _pings(self) -> bool:
-        try:
-            self.request(Ping(), timeout=LISTEN)
-        except Refused:  # a device that answers
-            return True
-        except NoAnswer:
-            return False
-        return True
+        return self._follow(changing(self, command, attempts))
 
     # ----------------------------------------------------------------- in the reading thread
 
@@ -442,10 +390,7 @@ class Device:
         if data and self._on_bytes is not None:
             self._on_bytes(data)
         with self._lock:
-            if data:
-                self._tell(self._talk.receive(data, monotonic, clock))
-            else:
-                self._tell(self._talk.idle(monotonic, clock))
+            self._tell(self._talk.receive(data, monotonic, clock))
 
     def _lose(self, error: BaseException | None) -> None:
         with self._lock:

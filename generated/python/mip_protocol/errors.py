@@ -50,7 +50,7 @@ class EncodeError(MipError):
 
     `missing`: a required value is None. `range`: a number does not fit. `count`: a wrong number of
     elements. `tag`: a union's member is not the one that its tag selects. `length`: too long.
-    `set`: not of the descriptor set of the packet.
+    `set`: not of the descriptor set of the packet, or no packet has this set.
     """
 
 

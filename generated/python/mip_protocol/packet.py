@@ -171,7 +171,7 @@ class PacketBuilder:
         except TypeError:
             self._set = 0
         if not 1 <= self._set <= 254:
-            raise EncodeError("range", f"{set!r} is not a descriptor set; use 1 to 254")
+            raise EncodeError("set", f"{set!r} is not a descriptor set; use 1 to 254")
         self._payload = bytearray()
 
     def add(self, descriptor: int, data: bytes | bytearray | memoryview = b"") -> PacketBuilder:

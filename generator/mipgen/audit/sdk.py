@@ -158,20 +158,9 @@ def _scopes(lines: list[str], space: str) -> Iterator[_Scope]:
         if line.startswith("///"):
             about = [] if "@defgroup" in line else [*about, line.removeprefix("///").strip()]
             continue
-        if match := _SCOPE.match(line):
-            kind, name, base = match[1], match[2], match[3] or ""
-            around = inside.name if inside and inside.kind != "mip" else ""
-            if kind == "namespace":
-                pending = _Scope("namespace" if name == space else "mip", "")
-            elif base.startswith("Bitfield"):
-                pending = _Scope("bitfield", f"{around}::{name}".lstrip(":"))
-            else:
-                pending = _Scope(kind.removesuffix(" class"), f"{around}::{name}".lstrip(":"), _SCALARS.get(base, ""))
+        if begun := _begun(line, inside, space):
+            pending = begun
             pending.about = inside.about if inside and inside.about else " ".join(about)
-        elif _ALTERNATIVES.match(line):
-            pending = _Scope("alternatives", "")
-        elif match := _NUMBERS.match(line):
-            pending = _Scope("numbers", "", _SCALARS.get(match[1] or "", ""))
         if line.startswith(("{", "}")) or line.endswith("{"):
             if line.startswith("}"):
                 closed = stack.pop() if stack else None
@@ -189,6 +178,22 @@ def _scopes(lines: list[str], space: str) -> Iterator[_Scope]:
                 pending = None
         elif inside and stack[-1] is inside:
             _member(inside, line)
+
+
+def _begun(line: str, inside: _Scope | None, space: str) -> _Scope | None:
+    """The scope that begins with a line, if one does."""
+    if match := _SCOPE.match(line):
+        kind, name, base = match[1], match[2], match[3] or ""
+        if kind == "namespace":
+            return _Scope("namespace" if name == space else "mip", "")
+        full = f"{inside.name}::{name}".lstrip(":") if inside and inside.kind != "mip" else name
+        if base.startswith("Bitfield"):
+            return _Scope("bitfield", full)
+        return _Scope(kind.removesuffix(" class"), full, _SCALARS.get(base, ""))
+    if _ALTERNATIVES.match(line):
+        return _Scope("alternatives", "")
+    match = _NUMBERS.match(line)
+    return _Scope("numbers", "", _SCALARS.get(match[1] or "", "")) if match else None
 
 
 def _member(scope: _Scope, line: str) -> None:

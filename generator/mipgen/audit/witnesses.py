@@ -278,46 +278,51 @@ class _Layout:
 
     def number(self, a: Leaf, b: Leaf) -> None:
         """One number: each fact that the witness states."""
-        path, at = a.path, a.position
         self.counts["numbers"] += 1
-        if a.scalar != b.scalar and not (b.label and (a.scalar, b.scalar) == ("bool", "u8")):
-            self.note(f"{path}: type {a.scalar}, witness {b.scalar}", at)
-        if b.needed is not None or (a.needed and not self.partial and self.field.functions):
-            self.counts["functions of parameters"] += 1
-            if (a.needed or "") != (b.needed or ""):
-                self.note(f"{path}: for {a.needed or 'none'}, witness {b.needed or 'none'}", at)
-        if a.optional and not self.partial:
-            self.note(f"{path}: optional", at)
-        if b.units is not None:
-            self.counts["units"] += 1
-            units = a.units or frozenset()
-            if units != b.units and not (b.units == {"1"} and not units):
-                self.note(f"{path}: unit {_all(units)}, witness {_all(b.units)}", at)
-        if b.frames is not None and a.frames:
-            self.counts["frames"] += 1
-            if not a.frames <= b.frames:
-                self.note(f"{path}: frame {_all(a.frames)}, witness {_all(b.frames)}", at)
-        ours = dict(a.bounds or ())
-        if b.bounds is not None and not a.types and a.scalar != "bool":
-            self.counts["ranges"] += 1
-            if any(ours.get(name) != value for name, value in b.bounds):
-                self.note(f"{path}: range {_range(a.bounds)}, witness {_range(b.bounds)}", at)
-        if b.most is not None and ours:
-            self.counts["ranges"] += 1
-            if ours.get("maximum") != b.most:
-                self.note(f"{path}: range {_range(a.bounds)}, witness maximum {b.most}", at)
-        if b.default is not None:
-            self.counts["defaults"] += 1
-            if a.default != b.default:
-                self.note(f"{path}: default {a.default}, witness {b.default}", at)
+        self.form(a, b)
+        self.measure(a, b)
+        self.limits(a, b)
         if b.valid is not None:
-            self.counts["valid flags"] += 1
-            if a.valid != b.valid:
-                self.note(f"{path}: valid by bit {_all(a.valid)}, witness {_all(b.valid)}", at)
+            text = f"valid by bit {_all(a.valid)}, witness {_all(b.valid)}"
+            self.fact("valid flags", a.valid == b.valid, text, a)
         for theirs in b.types:
             self.type(a, a.types, theirs)
         if a.scalar == b.scalar == "union":
             self.union(a, b)
+
+    def fact(self, kind: str, same: bool, text: str, a: Leaf) -> None:
+        """One fact that both state; the text says how they differ."""
+        self.counts[kind] += 1
+        if not same:
+            self.note(f"{a.path}: {text}", a.position)
+
+    def form(self, a: Leaf, b: Leaf) -> None:
+        if a.scalar != b.scalar and not (b.label and (a.scalar, b.scalar) == ("bool", "u8")):
+            self.note(f"{a.path}: type {a.scalar}, witness {b.scalar}", a.position)
+        if b.needed is not None or (a.needed and not self.partial and self.field.functions):
+            ours, theirs = a.needed or "", b.needed or ""
+            text = f"for {ours or 'none'}, witness {theirs or 'none'}"
+            self.fact("functions of parameters", ours == theirs, text, a)
+        if a.optional and not self.partial:
+            self.note(f"{a.path}: optional", a.position)
+
+    def measure(self, a: Leaf, b: Leaf) -> None:
+        if b.units is not None:
+            same = (a.units or frozenset()) == b.units or (b.units == {"1"} and not a.units)
+            self.fact("units", same, f"unit {_all(a.units or frozenset())}, witness {_all(b.units)}", a)
+        if b.frames is not None and a.frames:
+            self.fact("frames", a.frames <= b.frames, f"frame {_all(a.frames)}, witness {_all(b.frames)}", a)
+
+    def limits(self, a: Leaf, b: Leaf) -> None:
+        ours = dict(a.bounds or ())
+        if b.bounds is not None and not a.types and a.scalar != "bool":
+            same = all(ours.get(name) == value for name, value in b.bounds)
+            self.fact("ranges", same, f"range {_range(a.bounds)}, witness {_range(b.bounds)}", a)
+        if b.most is not None and ours:
+            text = f"range {_range(a.bounds)}, witness maximum {b.most}"
+            self.fact("ranges", ours.get("maximum") == b.most, text, a)
+        if b.default is not None:
+            self.fact("defaults", a.default == b.default, f"default {a.default}, witness {b.default}", a)
 
     def repeats(self, ours: list[Leaf], theirs: list[Leaf]) -> None:
         places = [{x.top: i for i, x in reversed(list(enumerate(leaves)))} for leaves in (ours, theirs)]

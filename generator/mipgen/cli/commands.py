@@ -21,6 +21,7 @@ PARTS = ("devices", "sets", "fields")
 EXIT_STATUS = {"same": 0, "compatible": 3, "source": 4, "wire": 5}
 
 if TYPE_CHECKING:
+    from mipgen.audit.witnesses import Report as WitnessReport
     from mipgen.compare.changes import Report
     from mipgen.compare.ignored import Entry
     from mipgen.emit.build import Output
@@ -306,14 +307,35 @@ class Unreadable(Failure):
 
 
 def audit(options: Namespace) -> int:
-    from mipgen.audit import devices, manuals, sdk, sdk_2014, tables, witnesses
-    from mipgen.read.problems import nearest
+    from mipgen.audit import witnesses
 
     if not options.manual and options.sdk is None and options.witness is None:
         raise Failure("nothing to compare with; give --witness FOLDER, --manual ID=FILE or --sdk FOLDER")
     model, _ = _load(options)
+    lines = _audit_manuals(options, model)
+    compared = None
+    if options.sdk is not None:
+        found, compared = _audit_sdk(options, model)
+        lines += found
+    if options.witness is not None and compared is None:
+        if not options.witness.is_dir():
+            raise Failure(f"'{options.witness}': no such folder; write --witness FOLDER")
+        compared = witnesses.audit(model, options.witness)
+        print(compared.summary())
+    lines += compared.lines() if compared else []
+    print("".join(f"{line}\n" for line in lines), end="")
+    if lines and options.witness is not None:
+        print("correct the specification, or list a difference on purpose, with its reason, in accepted.yaml")
+    print(f"{len(lines)} findings")
+    return 1 if lines else 0
+
+
+def _audit_manuals(options: Namespace, model: Model) -> list[str]:
+    from mipgen.audit import manuals, tables
+    from mipgen.read.problems import nearest
+
     known = [x.id for x in model.protocol.manuals]
-    findings = []
+    lines: list[str] = []
     for argument in options.manual:
         manual, _, file = argument.partition("=")
         if manual not in known:
@@ -323,35 +345,26 @@ def audit(options: Namespace) -> int:
         if options.extract:
             _extract(options, manual, tables.extract(manual, Path(file)), f"--manual {manual}=FILE")
         else:
-            findings += manuals.audit(model, manual, Path(file))
-    if options.sdk is not None:
-        if not options.sdk.is_dir():
-            raise Failure(f"'{options.sdk}': no such folder; write --sdk FOLDER")
-        findings += devices.audit(model, options.sdk)
-    lines = [str(finding) for finding in findings]
-    revision = None
-    reader = next((x for x in (sdk, sdk_2014) if options.sdk is not None and x.is_working_copy(options.sdk)), None)
-    if options.sdk is not None and reader is not None:
-        revision = reader.extract(options.sdk)
-        if options.extract:
-            _extract(options, reader.NAME, revision, "--sdk FOLDER")
-            revision = None
-    elif options.sdk is not None and (options.sdk / devices.WITNESS).is_file():
-        revision = witnesses.read(options.sdk / devices.WITNESS)
-    if revision is not None:
-        folder, name = options.witness or _specs(options)[0] / "witness", reader.NAME if reader else sdk.NAME
-        lines += witnesses.audit(model, folder, revision, name).lines()
-    elif options.witness is not None:
-        if not options.witness.is_dir():
-            raise Failure(f"'{options.witness}': no such folder; write --witness FOLDER")
-        report = witnesses.audit(model, options.witness)
-        lines += report.lines()
-        print(report.summary())
-    print("".join(f"{line}\n" for line in lines), end="")
-    if lines and options.witness is not None:
-        print("correct the specification, or list a difference on purpose, with its reason, in accepted.yaml")
-    print(f"{len(lines)} findings")
-    return 1 if lines else 0
+            lines += map(str, manuals.audit(model, manual, Path(file)))
+    return lines
+
+
+def _audit_sdk(options: Namespace, model: Model) -> tuple[list[str], WitnessReport | None]:
+    """The devices that an SDK names, and its layouts, if they can be read and are not to be written."""
+    from mipgen.audit import devices, sdk, sdk_2014, witnesses
+
+    if not options.sdk.is_dir():
+        raise Failure(f"'{options.sdk}': no such folder; write --sdk FOLDER")
+    lines = [str(finding) for finding in devices.audit(model, options.sdk)]
+    reader = next((x for x in (sdk, sdk_2014) if x.is_working_copy(options.sdk)), None)
+    if reader is None and not (options.sdk / devices.WITNESS).is_file():
+        return lines, None
+    revision = reader.extract(options.sdk) if reader else witnesses.read(options.sdk / devices.WITNESS)
+    if reader and options.extract:
+        _extract(options, reader.NAME, revision, "--sdk FOLDER")
+        return lines, None
+    folder, name = options.witness or _specs(options)[0] / "witness", reader.NAME if reader else sdk.NAME
+    return lines, witnesses.audit(model, folder, revision, name)
 
 
 def _extract(options: Namespace, name: str, facts: dict[str, Any], arguments: str) -> None:

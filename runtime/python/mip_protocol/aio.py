@@ -22,9 +22,19 @@ from types import TracebackType
 from typing import Any, cast, overload
 
 from ._session import session
-from .baud import CHANGE, LISTEN, USUAL, Ping
+from .baud import USUAL, changing
 from .client import Outcome, check_seconds
-from .conversation import CAPACITY, Arrival, Conversation, News, Ticket, responses
+from .conversation import (
+    CAPACITY,
+    Arrival,
+    AtPort,
+    Conversation,
+    Dialog,
+    News,
+    T,
+    Ticket,
+    responses,
+)
 from .device import (
     CLOSED_MEANWHILE,
     F1,
@@ -70,15 +80,12 @@ OnEnd = Callable[[BaseException], object]
 # cancellation that comes in the same turn of the event loop as the result.
 
 
-class Device:
+class Device(AtPort):
     """A device on an open port. An `async with` statement closes it at the end.
 
     One that is dropped without being closed is closed, with a ResourceWarning. A task that waits for
     it can be cancelled at any time; a command that is being written is then written whole.
     """
-
-    _closed = True  # until there is a port
-    _url = ""  # of a port that `open_port` has opened
 
     def __init__(
         self,
@@ -100,14 +107,13 @@ class Device:
         self._writing = asyncio.Lock()
         self._written: asyncio.Future[None] | None = None  # the latest packet
         self._opening = asyncio.Lock()
-        self._closes = 0
-        self._end: PortClosed | None = None
         self._again: Callable[[int], Coroutine[Any, Any, Any]] | None = None
         self._start(port)
 
     def _start(self, port: Any) -> None:
         kind = Streams if isinstance(port, tuple) else Threaded
         self._link: Streams | Threaded = kind(port, self._loop)
+        self._port = self._link.port
         self._link.start(weakly(self._receive), weakly(self._lose))
         self._closed = False
 
@@ -115,9 +121,6 @@ class Device:
         if not self._closed and not sys.is_finalizing():
             warn_unclosed(self)
             self._link.abandon()
-
-    def __repr__(self) -> str:
-        return f"<Device at {self._url or 'a port'}{', closed' * self._closed}>"
 
     async def __aenter__(self) -> Device:
         return self
@@ -178,41 +181,6 @@ class Device:
                 if time.monotonic() >= end:
                     raise
                 await asyncio.sleep(0.1)
-
-    # ----------------------------------------------------------------- what is known
-
-    @property
-    def closed(self) -> bool:
-        """Is the port closed or lost? Data already received can still be read."""
-        return self._end is not None
-
-    @property
-    def dropped(self) -> int:
-        """The number of packets dropped because they were not read in time."""
-        return self._talk.dropped
-
-    @property
-    def skipped(self) -> int:
-        """The number of bytes that are not part of a packet."""
-        return self._talk.skipped
-
-    @property
-    def waiting(self) -> int:
-        """The number of packets that can be read without waiting."""
-        return len(self._talk.arrivals)
-
-    @property
-    def baud(self) -> int | None:
-        """The baud rate of the port; None if it has none."""
-        return getattr(self._link.port, "baudrate", None)
-
-    @baud.setter
-    def baud(self, rate: int) -> None:
-        """Changes the rate of the port, not that of the device; see `change_baud`. Raises ValueError if the port
-        has none; what the port raises if it cannot have this one."""
-        if self.baud is None:
-            raise ValueError("the port has no baud rate")
-        self._link.port.baudrate = rate
 
     # ----------------------------------------------------------------- commands
 
@@ -321,10 +289,6 @@ class Device:
             else:
                 await asyncio.wait((self._answered,), timeout=left)
 
-    def _must_be_open(self) -> None:
-        if self._end is not None:
-            raise PortClosed(self._end.detail) from self._end.__cause__
-
     # ----------------------------------------------------------------- data
 
     async def __aiter__(self) -> AsyncIterator[Arrival]:
@@ -386,54 +350,35 @@ class Device:
         self, rates: Mapping[type[Field], float], *, set: int | None = None
     ) -> dict[type[Field], float]:
         """Like `device.Device.stream`."""
-        commands = steps(session(), rates, set)
-        answer: Any = None
-        refused: Refused | None = None
-        try:
-            while True:
-                command = commands.send(answer) if refused is None else commands.throw(refused)
-                try:
-                    answer, refused = await self.request(command), None
-                except Refused as error:
-                    refused = error
-        except StopIteration as end:
-            return cast("dict[type[Field], float]", end.value)
+        return await self._follow(steps(session(), rates, set))
 
     async def change_baud(self, command: Command, attempts: int = 3) -> int:
         """Like `device.Device.change_baud`."""
-        new, old = getattr(command, "baud", None), self.baud
-        if new is None or old is None:
-            raise ValueError("it takes a command that writes `baud`, and a port with a baud rate")
-        try:
-            await self.request(command)
-        except NoAnswer:  # its answer may have come at the new rate
-            pass
-        await asyncio.sleep(CHANGE)
-        for rate in (new, old):
-            self._link.port.baudrate = rate
-            for _ in range(attempts):
-                if await self._pings():
-                    return rate
-        raise NoAnswer(command)
+        return await self._follow(changing(self, command, attempts))
 
-    async def _pings(self) -> bool:
-        try:
-            await self.request(Ping(), timeout=LISTEN)
-        except Refused:  # a device that answers
-            return True
-        except NoAnswer:
-            return False
-        return True
+    async def _follow(self, dialog: Dialog[T]) -> T:
+        answer: Any = None
+        failed: NoAnswer | Refused | None = None
+        while True:
+            try:
+                step = dialog.throw(failed) if failed else dialog.send(answer)
+            except StopIteration as end:
+                return cast(T, end.value)
+            answer = failed = None
+            try:
+                if step.command is None:
+                    await asyncio.sleep(step.seconds or 0)
+                else:
+                    answer = await self.request(step.command, step.seconds)
+            except (NoAnswer, Refused) as error:
+                failed = error
 
     # ----------------------------------------------------------------- what comes
 
     def _receive(self, data: bytes, monotonic: float, clock: float) -> None:
         if data and self._on_bytes is not None:
             self._on_bytes(data)
-        if data:
-            self._wake(self._talk.receive(data, monotonic, clock))
-        else:
-            self._wake(self._talk.idle(monotonic, clock))
+        self._wake(self._talk.receive(data, monotonic, clock))
 
     def _lose(self, error: BaseException) -> None:
         self._end = self._end or lost(error)

@@ -1,14 +1,15 @@
 """Starts the data of a device at rates in Hz: what is asked and sent, without a port.
 
-`steps` is for `device.Device.stream` and its twin in `aio`.
+`steps` is for `Device.stream`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Generator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
+from .conversation import Dialog, Step
 from .errors import EncodeError, NoSuchRate, Refused
 from .field import Command, Field
 
@@ -43,21 +44,20 @@ class Session:
 
 def steps(
     session: Session | None, rates: Mapping[type[Field], float], set: int | None
-) -> Generator[Command[Any], Any, dict[type[Field], float]]:
-    """The commands, one after the other; takes the response of each, or Refused, and returns the
-    rates."""
+) -> Dialog[dict[type[Field], float]]:
+    """The commands that start data at these rates, which are returned."""
     if session is None:
         raise NotImplementedError("the specification of this package names no commands for it")
     number = set_of(rates, set)
     older = None
     try:
-        base = session.rate((yield session.base_rate(number)))
+        base = session.rate((yield Step(session.base_rate(number))))
     except Refused as refused:
         older = session.older.get(number)
         if older is None:
             raise
         try:
-            base = older.rate((yield older.base_rate()))
+            base = older.rate((yield Step(older.base_rate())))
         except Refused:  # the device does not have this set
             raise refused from None
     decimations = {kind: decimation(base, rate) for kind, rate in rates.items()}
@@ -68,9 +68,9 @@ def steps(
     # Fields that all sets share come first: they are repeated in each packet of a long message.
     kinds = sorted(decimations, key=lambda kind: not isinstance(kind.SETS, range))
     items = [session.item(kind.DESCRIPTOR, decimations[kind]) for kind in kinds]
-    yield session.format(number, items) if older is None else older.format(items)
-    yield session.stream(number if older is None else older.stream, True)
-    yield session.resume()
+    yield Step(session.format(number, items) if older is None else older.format(items))
+    yield Step(session.stream(number if older is None else older.stream, True))
+    yield Step(session.resume())
     return nearest
 
 

@@ -608,9 +608,12 @@ static const char *encode(struct output *out, struct arena *arena, const struct 
     uint8_t number;
     uint8_t *buffer = (uint8_t *)arena_take(arena, MIP_MAX_PACKET);
     struct mip_builder builder;
-    if (set == NULL || fields == NULL || fields->kind != JSON_LIST || get_number(set, MIP_SCALAR_U8, &number) != NULL ||
-        mip_builder_start(&builder, buffer, MIP_MAX_PACKET, number) != MIP_OK) {
+    if (set == NULL || fields == NULL || fields->kind != JSON_LIST || get_number(set, MIP_SCALAR_U8, &number) != NULL) {
         return REQUEST;
+    }
+    const mip_error started = mip_builder_start(&builder, buffer, MIP_MAX_PACKET, number);
+    if (started != MIP_OK) {
+        return mip_error_name(started);
     }
     for (const struct json *field = fields->first; field != NULL; field = field->next) {
         const char *error = add_field(arena, field, &builder, number);

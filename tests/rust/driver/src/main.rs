@@ -115,8 +115,9 @@ fn from_value(value: &Value) -> Json {
 // ----------------------------------------------------------------------------------------- encode
 
 fn encode(request: &Json) -> Answer {
-    let set = request.get("set").and_then(Json::integer).filter(|set| (1..=254_u8).contains(set));
-    let set = set.ok_or("request")?;
+    let set = request.get("set").and_then(Json::integer).ok_or("request")?;
+    // A builder of a set that no packet has accepts no field; of several mistakes the first one is told.
+    PacketBuilder::new(set).push_raw(0, &[]).map_err(encode_error)?;
     let mut packet = PacketBuilder::new(set);
     for field in request.get("fields").and_then(Json::array).ok_or("request")? {
         let descriptor = field.get("descriptor").map(Json::integer::<u8>);
@@ -186,7 +187,7 @@ fn encode_error(error: EncodeError) -> &'static str {
         EncodeErrorKind::Count => "count",
         EncodeErrorKind::Tag => "tag",
         EncodeErrorKind::Length => "length",
-        EncodeErrorKind::Set => "unknown",
+        EncodeErrorKind::Set => "set",
         _ => "request",
     }
 }

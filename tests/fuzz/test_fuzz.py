@@ -1,0 +1,66 @@
+"""What `make fuzz` does beside libFuzzer: languages are compared, and executions counted."""
+
+from __future__ import annotations
+
+import random
+from typing import Any
+
+import counts
+import differential
+import pytest
+from support import SEED, Driver, heavy, rounds
+
+
+class Wrong(Driver):
+    """Sees one packet fewer in a stream with this byte, and ends at a packet with the other one."""
+
+    def ask(self, requests: list[dict[str, Any]]) -> list[dict[str, Any]]:
+        assert not any("fe" in r.get("packet", "") for r in requests)
+        return [{"packets": [] if "ee" in r.get("stream", "") else [r]} for r in requests]
+
+
+class Right(Driver):
+    def ask(self, requests: list[dict[str, Any]]) -> list[dict[str, Any]]:
+        return [{"packets": [r]} for r in requests]
+
+
+RIGHT, WRONG = Right("c", [], {}), Wrong("python", [], {})
+PARSE = [{"op": "parse", "stream": s, "chunk": 1} for s in ("11" * 90, "22" * 70 + "ee" + "33" * 40)]
+
+
+def test_a_difference_is_shown_and_small() -> None:
+    differential.different(PARSE[:1], [(d, differential.of(d, PARSE[:1])) for d in (RIGHT, WRONG)])
+    with pytest.raises(SystemExit, match=r'^\{"op": "parse", "stream": "ee", "chunk": 1\}\nc: .*\npython: '):
+        differential.different(PARSE, [(d, differential.of(d, PARSE)) for d in (RIGHT, WRONG)])
+
+
+def test_the_request_that_ends_a_driver_is_found() -> None:
+    packets = [{"op": "decode", "packet": p} for p in ("01", "02", "fe", "03")]
+    given = differential.of(WRONG, packets)
+    assert ["ended" in a for a in given] == [False, False, True, False]
+
+
+def test_what_a_driver_does_not_offer_is_not_asked() -> None:
+    given = differential.of(Right("cpp", [], {}), [*PARSE, {"op": "client", "steps": []}])
+    assert [a is None for a in given] == [False, False, True]
+
+
+@heavy("the drivers of all languages")
+def test_all_languages_give_the_same_answers(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(differential, "BATCH", rounds(300, 4000))
+    assert differential.Session(str(SEED)).run(0.01) >= 300
+
+
+def test_inputs_become_requests() -> None:
+    chance = random.Random(SEED)
+    stream = differential.changed(chance, b"\x05\x00ue\x80\x00", [b"abc"], 8)
+    assert len(stream) <= 8
+    assert differential.request("parser", b"\x05\x00ue") == {"op": "parse", "stream": "7565", "chunk": 5}
+    asked = differential.request("fields", bytes.fromhex("00011f00"))
+    assert asked and asked["packet"].startswith("75650102021f")
+    assert differential.request("fields", bytes.fromhex("00ff1f00")) is None
+
+
+def test_the_table_is_that_of_the_counts() -> None:
+    page = counts.PAGE.read_text("utf-8")
+    assert counts.page(page) == page
