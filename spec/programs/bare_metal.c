@@ -82,14 +82,14 @@ static const struct mip_handler handlers[] = {
 static bool configure(struct mip_device *device) {
     static const struct mip_descriptor_rate fields[] = {{MIP_SENSOR_SCALED_ACCEL_DESCRIPTOR, 10}};
     return mip_succeeded(mip_call_base_set_idle(device)) &&
-           mip_succeeded(mip_call_3dm_message_format_write(device, MIP_SENSOR_SET, 1, fields)) &&
+           mip_succeeded(mip_call_3dm_message_format_write(device, MIP_SENSOR_SET, MIP_ARRAY(fields))) &&
            mip_succeeded(mip_call_3dm_data_stream_control_write(device, MIP_SENSOR_SET, true)) &&
            mip_succeeded(mip_call_base_resume(device));
 }
 
 int main(void) {
     static struct mip_device device;
-    mip_device_init(&device, &port, handlers, 1);
+    mip_device_init(&device, &port, MIP_ARRAY(handlers));
     for (;;) {
         while (!configure(&device)) {
             /* It is still starting, or nothing is connected. */

@@ -16,7 +16,7 @@ static const struct mip_handler handlers[] = {
 bool run(const struct mip_port *port) { /* with read, write and now */
     struct mip_device device;
     struct mip_3dm_pps_source_control_response pps;
-    mip_device_init(&device, port, handlers, sizeof(handlers) / sizeof(handlers[0]));
+    mip_device_init(&device, port, MIP_ARRAY(handlers));
 
     struct mip_result result = mip_call_3dm_pps_source_control_read(&device, &pps);
     if (mip_succeeded(result) && pps.source != MIP_3DM_PPS_SOURCE_GPIO) {

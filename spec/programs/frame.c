@@ -29,7 +29,7 @@ int main(int argc, char **argv) {
         fprintf(stderr, "%s: %s\n", name, line.error);
         return 1;
     }
-    mip_device_init(&device, &line.port, NULL, 0);
+    mip_device_init(&device, &line.port, 0, NULL);
     struct mip_result result = mip_device_connect(&device, mip_line_set_baud, &info);
     const int failed = mip_succeeded(result) ? told("command", run(&device)) : told("connect", result);
     mip_line_close(&line);

@@ -38,10 +38,10 @@ int main(int argc, char **argv) {
         fprintf(stderr, "%s: %s\n", name, line.error);
         return 1;
     }
-    mip_device_init(&device, &line.port, handlers, 1);
+    mip_device_init(&device, &line.port, MIP_ARRAY(handlers));
     struct mip_result result = mip_device_connect(&device, mip_line_set_baud, &info);
     if (mip_succeeded(result)) {
-        result = mip_device_stream(&device, SET, rates, 1);
+        result = mip_device_stream(&device, SET, MIP_ARRAY(rates));
     }
     if (!mip_succeeded(result)) {
         fprintf(stderr, "%s %s\n", mip_outcome_name(result.outcome), mip_result_reason(result));

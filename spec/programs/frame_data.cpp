@@ -35,7 +35,7 @@ int main(int argc, char **argv) {
     mip_rate rates[] = {{DESCRIPTOR, 1, 0}}; // 1 Hz
     mip::result<> result = mip_device_connect(&device.c(), mip_line_set_baud, &info);
     if (result) {
-        result = mip_device_stream(&device.c(), SET, rates, 1);
+        result = mip_device_stream(&device.c(), SET, MIP_ARRAY(rates));
     }
     if (!result) {
         std::cerr << result << '\n';

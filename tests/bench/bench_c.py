@@ -196,6 +196,46 @@ def sizes() -> list[Row]:
     ]  # fmt: skip
 
 
+# --------------------------------------------------------------------------- by source
+
+BY_SOURCE = ROOT / "spec/programs/bench_c_sources.md"
+#: The sources that programs link most often.
+PARTS = ("core", "parser", "codec", "program", "value", "stream", "client", "device", "connect")
+FUNCTION = re.compile(r"^[A-Za-z_][^;{}#=]*?\b(\w+)\([^;{}]*\)\s*\{\n(.*?)^\}", re.S | re.M)
+
+
+def complexity(source: str) -> tuple[int, str]:
+    """The largest cyclomatic complexity of a function, which is one more than its decisions, and the function."""
+    code = re.sub(r"/\*.*?\*/|//[^\n]*|^#.*?$|\"(?:\\.|[^\"\\])*\"|'(?:\\.|[^'\\])*'", "", source, flags=re.S | re.M)
+    return max(
+        (1 + len(re.findall(r"\b(?:if|for|while|case)\b|&&|\|\||\?", body)), name)
+        for name, body in FUNCTION.findall(code)
+    )
+
+
+def by_source() -> str:
+    """What each source takes on a Cortex-M4 before anything is left out, and its largest function, as Markdown."""
+    BUILD.mkdir(parents=True, exist_ok=True)
+    rows, totals = [], [0, 0]
+    for name in PARTS:
+        sizes, stack = [], 0
+        for level in ("-O2", "-Os"):
+            made = BUILD / f"{name}{level}.o"
+            flags = [flag for flag in ARM if flag != "-Os"]
+            run("arm-none-eabi-gcc", *flags, level, "-fstack-usage", f"-I{SOURCES}", "-c", SOURCES / f"mip/{name}.c",
+                "-o", made)  # fmt: skip
+            code, data = run("arm-none-eabi-size", made).splitlines()[1].split()[:2]
+            sizes.append(int(code) + int(data))
+            stack = max(int(line.split("\t")[1]) for line in made.with_suffix(".su").read_text("utf-8").splitlines())
+        most, function = complexity((SOURCES / f"mip/{name}.c").read_text("utf-8"))
+        totals = [a + b for a, b in zip(totals, sizes, strict=True)]
+        decisions = str(most) if most <= 10 else f"{most} (`{function}`)"
+        rows.append([f"`{name}.c`", *(f"{size} B" for size in sizes), f"{stack} B", decisions])
+    rows.append(["all", *(f"{size} B" for size in totals), "", ""])
+    heads = ["Source", "Size, `-O2`", "Size, `-Os`", "Stack, `-Os`", "Complexity"]
+    return f"{version('arm-none-eabi-gcc')}, for a Cortex-M4.\n\n" + table(heads, rows)
+
+
 # --------------------------------------------------------------------------- report
 
 
@@ -235,4 +275,5 @@ def write_readme() -> None:
         needs = " and ".join(missing)
         raise SystemExit(f"bench: the README needs {needs} (Debian: apt-get install valgrind gcc-arm-none-eabi)")
     README.write_text(report(readme=True), "utf-8")
-    print(f"{README.relative_to(ROOT)} is written; now: make generate golden")
+    BY_SOURCE.write_text(by_source(), "utf-8")
+    print(f"{README.relative_to(ROOT)} and {BY_SOURCE.name} are written; now: make generate golden")

@@ -157,7 +157,7 @@ def test_every_call(spec: str, tmp_path: Path) -> None:
     functions = sum(max(1, len(f.functions)) for f in of.fields if f.role == m.COMMAND)
     assert {name for name, _ in found} == wanted and len(wanted) >= functions
     headers = "".join(f'#include "mip/{names.module(x.name)}_commands.h"\n' for x in of.families if calls.commands(x))
-    checks = ["mip_device_init(&device, &port, NULL, 0);", *(c for _, c in found)]
+    checks = ["mip_device_init(&device, &port, 0, NULL);", *(c for _, c in found)]
     program = written(tmp_path / "calls.c", of, checks, f"{headers}{PORT}")
     run(build(tmp_path, "cc", spec, program, *SANITIZE))
 
@@ -189,6 +189,23 @@ def test_the_compiler_sees_a_set_in_place_of_true(call: str, arguments: str, goo
     )
     command = [need("cc"), *WARNINGS, "-O1", include("real"), "-c", str(program), "-o", str(tmp_path / "o")]
     assert (subprocess.run(command, capture_output=True).returncode == 0) == good
+
+
+@pytest.mark.parametrize("cc", ["gcc", "clang"])
+@pytest.mark.parametrize("call", ["mip_3dm_message_format_write(c, {})", "mip_call_3dm_message_format_write(d, {})"])
+def test_the_compiler_sees_a_count_above_the_array(call: str, cc: str, tmp_path: Path) -> None:
+    """A constant count, if the compiler optimizes; MIP_ARRAY has none that could be wrong, and takes no pointer."""
+    program = tmp_path / "count.c"
+    types = "struct mip_device *d, struct mip_3dm_message_format *c, const struct mip_descriptor_rate *p, uint8_t x"
+    array = "const struct mip_descriptor_rate a[] = {{4, 1}, {5, 1}, {6, 1}};"
+    good = {"3, a": True, "x, a": True, "4, p": True, "MIP_ARRAY(a)": True, "4, a": False, "MIP_ARRAY(p)": False}
+    for arguments, compiles in good.items():
+        program.write_text(
+            f'#include "mip/3dm_commands.h"\nvoid f({types});\nvoid f({types}) {{ {array}\n'
+            f"(void)d, (void)c, (void)x, (void)p, (void)a; (void){call.format(f'0x80, {arguments}')}; }}\n"
+        )
+        command = [need(cc), *WARNINGS, "-O1", include("real"), "-c", str(program), "-o", str(tmp_path / "o")]
+        assert (subprocess.run(command, capture_output=True).returncode == 0) == compiles, arguments
 
 
 #: Entries of a table of handlers, and whether they compile.
@@ -289,7 +306,8 @@ def ran(program: Path, *arguments: str) -> tuple[int, str, str]:
 
 def test_the_examples_are_these() -> None:
     assert {p.name for p in EXAMPLES.iterdir()} == {
-        "stream.c", "bare_metal.c", "arduino", "autopilot.cpp", "log.cpp", "node.cpp"
+        "stream.c", "bare_metal.c", "arduino", "arduino_cpp", "autopilot.cpp", "log.c", "log.cpp",
+        "node.cpp"
     }  # fmt: skip
     headers = set(re.findall(r"#include <(.*)>", (EXAMPLES / "bare_metal.c").read_text("utf-8")))
     assert headers == set()  # nothing of the C library

@@ -14,7 +14,7 @@ from pathlib import Path
 import pytest
 from mipgen import model as m
 from mipgen.facts import describe
-from mipgen.targets.c import calls, members, names
+from mipgen.targets.c import calls, cpp, members, names
 from mipgen.targets.c.comments import ELSEWHERE, Comments, comment, reference
 from support import ROOT, SPECS, heavy, model, need
 
@@ -250,6 +250,12 @@ def test_doxygen_has_nothing_to_complain_of(spec: str, tmp_path: Path) -> None:
     assert "Packets in a stream" in (folder / "html/index.html").read_text("utf-8")
     page = (folder / "html/core_8h.html").read_text("utf-8")
     assert all(name in page for name in ("mip_parser_flush", "mip_get_16", "MIP_ERROR_TRUNCATED"))
+    shutil.rmtree(folder / "html")
+    done = subprocess.run([need("doxygen"), "Doxyfile.cpp"], cwd=folder, capture_output=True, text=True)
+    assert (done.returncode, done.stdout + done.stderr) == (0, "")
+    pages = "".join(p.read_text("utf-8") for p in (folder / "html_cpp").glob("group__*.html"))
+    with_commands = [x for x in model(spec).families if calls.commands(x)]
+    assert all(f"mip_1_1{cpp.namespace(x.name).replace('_', '__')}_1_1" in pages for x in with_commands)
     header = folder / "src/mip/core.h"  # it would complain
     header.write_text(header.read_text("utf-8").replace("/** Reads a number of 16 bits, high byte first. */", ""))
     done = subprocess.run([need("doxygen")], cwd=folder, capture_output=True, text=True)

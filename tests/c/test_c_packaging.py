@@ -334,6 +334,21 @@ def test_arduino_manifest() -> None:
     assert first == ARDUINO.read_text("utf-8").splitlines()[1]
 
 
+@heavy("Arduino and a compiler for Arm")
+def test_arduino_in_cpp(project: Path, tmp_path: Path) -> None:
+    """A sketch in C++17 for a 32-bit board, by the same builder, with a core of our own: no such core is packaged."""
+    build = tmp_path / "build"
+    build.mkdir()
+    done = run(
+        need("arduino-builder"), "-compile", "-hardware", "/usr/share/arduino-builder",
+        "-hardware", PACKAGES / "arduino/hardware", "-tools", "/usr/bin", "-libraries", project,
+        "-fqbn", "test:arm:board", "-build-path", build, "-warnings", "all",
+        folder("real") / "examples/arduino_cpp/arduino_cpp.ino",
+    )  # fmt: skip
+    assert re.search(r"Sketch uses \d+ bytes", done)
+    assert (build / "arduino_cpp.ino.hex").is_file()
+
+
 @heavy("Arduino")
 def test_arduino(project: Path, tmp_path: Path) -> None:
     """A sketch for an Arduino Uno, by the builder of Arduino's IDE."""

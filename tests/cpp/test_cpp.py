@@ -95,18 +95,20 @@ def test_what_must_not_compile(name: str, tmp_path: Path) -> None:
 def test_readme_shows_programs_that_compile(tmp_path: Path) -> None:
     section = (folder("real") / "README.md").read_text("utf-8").partition("\n## C++17\n")[2].partition("\n## ")[0]
     blocks = re.findall(r"```cpp\n(.*?)```", section, re.S)
-    assert len(blocks) == 2
+    assert len(blocks) == 3
     program = tmp_path / "blocks.cpp"
     includes = "".join(line + "\n" for block in blocks for line in re.findall("^#include.*", block, re.M))
     outside = (
         "static void show(const float *) {}\nstatic void report(std::string_view, std::string_view) {}\n"
-        "static void report(unsigned, unsigned) {}\n"
+        "static void report(unsigned, unsigned) {}\nstatic std::uint32_t milliseconds() { return 0; }\n"
+        "static void transmit(mip::bytes) {}\nstatic std::size_t receive(std::uint8_t *, std::size_t) { return 0; }\n"
     )
     outside += (
         "struct Port {\n  std::optional<std::size_t> read(mip::span<std::uint8_t>) { return 0; }\n"
         "  bool write(mip::bytes) { return true; }\n  std::uint32_t now() { return 0; }\n};\n"
     )
-    used = "int main() {\n  Port port;\n  mip::builder b(1);\n  return run(port) && ask(b);\n}\n"
+    used = "int main() {\n  Port port;\n  mip::builder b(1);\n  mip::client c;\n  return run(port) && ask(b) &&"
+    used += " set_pps_source(c, {});\n}\n"
     bodies = "".join(re.sub("^#include.*\n", "", block, flags=re.M) for block in blocks)
     program.write_text(f"{includes}{outside}{bodies}{used}")
     assert (done := checked(program, "g++", "-std=c++17", *BARE)).returncode == 0, done.stderr
@@ -139,7 +141,8 @@ def test_the_autopilot_needs_nothing_of_the_system() -> None:
     assert done.returncode == 0, done.stderr
 
 
-def test_the_log_reader_reads_a_log(tmp_path: Path) -> None:
+@pytest.mark.parametrize("source", ["log.cpp", "log.c"])
+def test_the_log_reader_reads_a_log(source: str, tmp_path: Path) -> None:
     of, log = model("real"), tmp_path / "log.bin"
     fields = {name: of.field(f"filter_data.{name}") for name in ("timestamp", "llh_position")}
     data = {
@@ -149,11 +152,18 @@ def test_the_log_reader_reads_a_log(tmp_path: Path) -> None:
     parts = [(f.descriptor, data[name]) for name, f in fields.items() if f]
     packet = codec.build(of, 0x82, parts)
     log.write_bytes(b"$GPGGA\r\n" + packet + b"ue" + packet)
-    program = built(tmp_path, EXAMPLES / "log.cpp")
+    if source == "log.c":
+        library = archive("real", "cc", *SANITIZED)
+        program = compiled(tmp_path / "log", "real", "cc", EXAMPLES / source, "-std=c99", *SANITIZE, library=library)
+        line, heading = "12.500,48.500000000,11.250000000\n", "time,latitude,longitude\n"
+        summary = "2 x filter_data.llh_position\n2 x filter_data.timestamp\n"
+    else:
+        program = built(tmp_path, EXAMPLES / source)
+        line, heading = "12.5,48.5,11.25,valid\n", "time,latitude,longitude,flags\n"
+        summary = "2 x llh_position\n2 x timestamp\n"
     done = subprocess.run([program, log], capture_output=True, text=True)
-    line = "12.5,48.5,11.25,valid\n"
-    assert (done.returncode, done.stdout) == (0, f"time,latitude,longitude,flags\n{line}{line}"), done.stderr
-    assert "2 x llh_position\n2 x timestamp\n10 bytes are not part of a packet\n" in done.stderr
+    assert (done.returncode, done.stdout) == (0, f"{heading}{line}{line}"), done.stderr
+    assert f"{summary}10 bytes are not part of a packet\n" in done.stderr
     assert subprocess.run([program], capture_output=True).returncode == 2
 
 

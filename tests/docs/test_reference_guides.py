@@ -236,7 +236,7 @@ def test_guides_in_c(manual: Manual, generated: Path, tmp_path: Path) -> None:
             f'done = mip_succeeded({play[0]}(device)); if (done) printf("%s done\\n", name); }}'
         )
     source = tmp_path / "guides.c"
-    begin = "mip_device_init(device, &port, NULL, 0);"
+    begin = "mip_device_init(device, &port, 0, NULL);"
     source.write_text(
         "\n".join([*sorted(includes), C_HEAD, *functions, "int main(void) {", begin, *calls, "return 0; }"]), "utf-8"
     )

@@ -130,7 +130,7 @@ def test_by_the_names_of_the_vendor(manual: Manual) -> None:
 
 
 @pytest.mark.parametrize(
-    "name", ["descriptors", "names", "types", "units", "vendor", "c", "python", "rust", "javascript"]
+    "name", ["descriptors", "names", "types", "units", "vendor", "c", "cpp", "python", "rust", "javascript"]
 )
 def test_size_and_links(manual: Manual, name: str) -> None:
     """A page is no larger than a browser shows at once; it can be reached from the start and the navigation."""
@@ -155,8 +155,12 @@ def symbols(manual: Manual, language: str) -> dict[str, tuple[str, list[str]]]:
 def test_every_type_and_field_has_symbols(manual: Manual) -> None:
     of = manual.model
     every = [*manual.fields, *of.all_types, of.protocol.function_selector]
-    absent = {"c": m.Vector, "javascript": (m.Vector, m.Struct)}  # arrays and objects have no name in programs
-    for language in ("c", "python", "rust", "javascript"):
+    absent = {
+        "c": m.Vector,
+        "cpp": m.Vector,
+        "javascript": (m.Vector, m.Struct),
+    }  # arrays and objects have no name in programs
+    for language in ("c", "cpp", "python", "rust", "javascript"):
         shown = [to for to, _ in symbols(manual, language).values()]
         wanted = [anchor(t) for t in every if not isinstance(t, absent.get(language, ()))]
         assert sorted(shown) == sorted(wanted), language
@@ -191,6 +195,22 @@ def test_symbols_of_c(spec: str) -> None:
     of_sets = {f"MIP_{s.name.upper()}_SET" for s in manual.model.sets}
     of_core = {"MIP_BARRIER_SET", "MIP_BARRIER_DESCRIPTOR"}  # which a firmware may define
     assert listed(manual, "c") == {name for name in declared - of_sets - of_core if not name.endswith("_H")}
+
+
+@pytest.mark.parametrize("spec", ["invented", pytest.param("real", marks=heavy("g++"))])
+def test_symbols_of_cpp(spec: str, tmp_path: Path) -> None:
+    """Programs can use each: types, functions of fields, values of enumerations."""
+    uses = []
+    for name, (_, others) in symbols(manual_of(spec), "cpp").items():
+        uses.append(f"static_assert(sizeof({name}) > 0);")
+        uses += [f"static_assert(sizeof({f'{name}{{}}.{x}' if x.endswith('()') else x}) > 0);" for x in others]
+    program = tmp_path / "symbols.cpp"
+    program.write_text('#include "mip/mip.hpp"\n' + "\n".join(uses) + "\n")
+    source = SPECS[spec][1] / "c/src"
+    done = subprocess.run(
+        [need("g++"), "-std=c++17", "-fsyntax-only", f"-I{source}", program], capture_output=True, text=True
+    )
+    assert done.returncode == 0 and len(uses) > 50, done.stderr[-2000:]
 
 
 LOOK_UP = """

@@ -185,7 +185,7 @@ def test_programs_in_c(manual: Manual, generated: Path, tmp_path: Path) -> None:
         run_ = " ".join(f'done = false; {name}({x}); if (done) printf("%s done\\n", name);' for x in given)
         calls[-1] = f'{{ name = "{f.full_name}"; {calls[-1]} {run_} }}'
     source = tmp_path / "programs.c"
-    begin_ = "mip_device_init(device, &port, NULL, 0);"
+    begin_ = "mip_device_init(device, &port, 0, NULL);"
     source.write_text(
         "\n".join([*sorted(includes), C_HEAD, *functions, "int main(void) {", begin_, *calls, "return 0; }"]), "utf-8"
     )

@@ -36,13 +36,13 @@ int main(int argc, char **argv) {
         fprintf(stderr, "%s: %s\n", name, line.error);
         return 1;
     }
-    mip_device_init(&device, &line.port, handlers, sizeof(handlers) / sizeof(handlers[0]));
+    mip_device_init(&device, &line.port, MIP_ARRAY(handlers));
     struct mip_result result = mip_device_connect(&device, mip_line_set_baud, &info);
     if (!mip_succeeded(result)) {
         return failed("connect", result);
     }
     printf("%s\n", info.device_info.model_name);
-    result = mip_device_stream(&device, MIP_SENSOR_SET, rates, sizeof(rates) / sizeof(rates[0]));
+    result = mip_device_stream(&device, MIP_SENSOR_SET, MIP_ARRAY(rates));
     if (!mip_succeeded(result)) {
         return failed("stream", result); /* rates[0].nearest says which rate the device has */
     }

@@ -41,7 +41,7 @@ def parameters(model: m.Model) -> list[str]:
 
 def constants(model: m.Model) -> list[str]:
     """The names of all values and bits."""
-    return sorted({x.name for t in (model.protocol.function_selector, *model.all_types) for x in _parts(t)})
+    return sorted({x.name for t in (model.protocol.function_selector, *model.all_types) for x in parts(t)})
 
 
 def tags(model: m.Model) -> list[str]:
@@ -49,7 +49,7 @@ def tags(model: m.Model) -> list[str]:
     return sorted({c.tag.name for r in records(model) for p in r.parameters for c in p.cases})
 
 
-def _parts(t: m.Type) -> Iterable[m.EnumValue | m.Bits]:
+def parts(t: m.Type) -> Iterable[m.EnumValue | m.Bits]:
     return t.values if isinstance(t, m.Enum) else t.bits if isinstance(t, m.Bitfield) else ()
 
 

@@ -35,11 +35,11 @@ int main(void) {
         {&mip_sensor_gps_timestamp_codec, MIP_ANY_SET, on_stamp, NULL},
     };
     static const struct mip_descriptor_rate fields[] = {{0x04, 10}, {0x05, 10}, {0x12, 10}};
-    mip_device_init(&device, &port, handlers, 3);
+    mip_device_init(&device, &port, MIP_ARRAY(handlers));
     while (!mip_succeeded(mip_call_base_ping(&device))) {
     }
     (void)mip_succeeded(mip_call_base_set_idle(&device));
-    (void)mip_succeeded(mip_call_3dm_message_format_write(&device, MIP_SENSOR_SET, 3, fields));
+    (void)mip_succeeded(mip_call_3dm_message_format_write(&device, MIP_SENSOR_SET, MIP_ARRAY(fields)));
     (void)mip_succeeded(mip_call_3dm_data_stream_control_write(&device, MIP_SENSOR_SET, true));
     (void)mip_succeeded(mip_call_base_resume(&device));
     for (;;) {

@@ -136,7 +136,7 @@ static void start(uint32_t baud) {
     fake.base_rate = 1000;
     fake.fastest = 10000000;
     fake.reads_left = fake.writes_left = 10000;
-    mip_device_init(&device, &port, NULL, 0);
+    mip_device_init(&device, &port, 0, NULL);
 }
 
 static enum mip_outcome found(bool (*set_baud)(void *user, uint32_t baud)) {
@@ -227,7 +227,7 @@ static bool has(uint32_t base, float wanted, unsigned decimation, float nearest)
     start(115200);
     fake.base_rate = base;
     rate.wanted = wanted;
-    const struct mip_result result = mip_device_stream(&device, 0x80, &rate, 1);
+    const struct mip_result result = mip_device_stream(&device, 0x80, 1, &rate);
     CHECK(memcmp(&rate.nearest, &nearest, sizeof(nearest)) == 0 && rate.descriptor == 0x04);
     if (result.outcome == MIP_NO_SUCH_RATE) {
         CHECK(fake.count == 1); /* nothing was changed */
@@ -252,18 +252,18 @@ static void streams(void) {
     /* Several: one that cannot be had is told, and nothing is changed; with the nearest, it works. */
     struct mip_rate rates[84] = {{0xD3, 100, 0}, {0x04, 100, 0}, {0x05, 70, 0}};
     start(115200);
-    CHECK(mip_device_stream(&device, 0x80, rates, 3).outcome == MIP_NO_SUCH_RATE && fake.count == 1);
+    CHECK(mip_device_stream(&device, 0x80, 3, rates).outcome == MIP_NO_SUCH_RATE && fake.count == 1);
     CHECK(rates[0].nearest >= rates[0].wanted && rates[1].nearest >= rates[1].wanted);
     CHECK(rates[2].nearest > 71 && rates[2].nearest < 72);
     rates[2].wanted = rates[2].nearest;
-    CHECK(mip_device_stream(&device, 0x80, rates, 3).outcome == MIP_ACKNOWLEDGED);
+    CHECK(mip_device_stream(&device, 0x80, 3, rates).outcome == MIP_ACKNOWLEDGED);
     CHECK(fake.format_size == 12 && mip_get_16(fake.format + 10) == 14);
 
     /* As many as fit, and one more. */
     start(115200);
-    CHECK(mip_device_stream(&device, 0x80, rates, 83).outcome == MIP_NO_SUCH_RATE || fake.count > 1);
+    CHECK(mip_device_stream(&device, 0x80, 83, rates).outcome == MIP_NO_SUCH_RATE || fake.count > 1);
     start(115200);
-    const struct mip_result many = mip_device_stream(&device, 0x80, rates, 84);
+    const struct mip_result many = mip_device_stream(&device, 0x80, 84, rates);
     CHECK(many.outcome == MIP_NOT_SENT && many.error == MIP_ERROR_COUNT && fake.count == 0);
 
     /* Each command may fail, or need patience. */
@@ -271,15 +271,15 @@ static void streams(void) {
     for (unsigned i = 0; i < 4; i++) {
         start(115200);
         fake.refuse = commands[i];
-        CHECK(mip_device_stream(&device, 0x80, rates, 2).outcome == MIP_REFUSED);
+        CHECK(mip_device_stream(&device, 0x80, 2, rates).outcome == MIP_REFUSED);
         CHECK(fake.count == (i == 0 ? 2 : i + 1)); /* it may be an older device */
         start(115200);
         fake.lose = 2;
         fake.lose_of = commands[i];
-        CHECK(mip_device_stream(&device, 0x80, rates, 2).outcome == MIP_ACKNOWLEDGED && fake.count == 6);
+        CHECK(mip_device_stream(&device, 0x80, 2, rates).outcome == MIP_ACKNOWLEDGED && fake.count == 6);
         start(115200);
         fake.reads_left = i + 1;
-        CHECK(mip_device_stream(&device, 0x80, rates, 2).outcome == MIP_CLOSED);
+        CHECK(mip_device_stream(&device, 0x80, 2, rates).outcome == MIP_CLOSED);
     }
 }
 
@@ -293,7 +293,7 @@ static void older(void) {
     for (unsigned i = 0; i < 2; i++) {
         start(115200);
         fake.older = true;
-        CHECK(mip_device_stream(&device, sets[i].set, rates, 1).outcome == MIP_ACKNOWLEDGED && fake.count == 5);
+        CHECK(mip_device_stream(&device, sets[i].set, 1, rates).outcome == MIP_ACKNOWLEDGED && fake.count == 5);
         CHECK(memcmp(fake.commands, sets[i].commands, sizeof(sets[i].commands)) == 0);
         CHECK(fake.format_size == 5 && memcmp(fake.format, "\x01\x01\x05\x00\x0A", 5) == 0);
         CHECK(fake.stream == (i == 0 ? 1 : 3));
@@ -301,10 +301,10 @@ static void older(void) {
     /* A set that it does not have, and one for which there is no older command: the first answer. */
     start(115200);
     fake.older = true;
-    CHECK(mip_device_stream(&device, 0x81, rates, 1).outcome == MIP_REFUSED && fake.count == 2);
+    CHECK(mip_device_stream(&device, 0x81, 1, rates).outcome == MIP_REFUSED && fake.count == 2);
     start(115200);
     fake.older = true;
-    CHECK(mip_device_stream(&device, 0xA0, rates, 1).outcome == MIP_REFUSED && fake.count == 1);
+    CHECK(mip_device_stream(&device, 0xA0, 1, rates).outcome == MIP_REFUSED && fake.count == 1);
 }
 
 static void retries(void) {

@@ -83,7 +83,7 @@ static void fresh_line(struct line *l, uint32_t start) {
 
 static void fresh(const struct mip_handler *handlers, size_t count) {
     fresh_line(&line, 5000);
-    mip_device_init(&device, &port, handlers, count);
+    mip_device_init(&device, &port, count, handlers);
 }
 
 /* These bytes come after a while. */
@@ -372,7 +372,7 @@ static void busy(void) {
     const struct mip_handler call_other = {&mip_measurements_accel_codec, MIP_ANY_SET, call_again, &second};
     fresh(&call_other, 1);
     fresh_line(&other, 77);
-    mip_device_init(&second, &other_port, NULL, 0);
+    mip_device_init(&second, &other_port, 0, NULL);
     packet_comes(&other, 30, 0x01, SETTINGS, sizeof(SETTINGS) - 1);
     COMES(0, 0x80, ACCEL);
     COMES(0, 0x01, PONG);
@@ -468,7 +468,7 @@ static void handlers(void) {
     COMES(0, 0x0C, "\x04\xF1\x10\0");
     COMES(0, 0x80, "\x04\xF1\x10\0"); /* of a data set, it is something else */
     CHECK(mip_device_poll(&device) && seen.count == 2 && device.parser.skipped == 0);
-    mip_device_init(&device, &port, NULL, 3); /* none, whatever their number */
+    mip_device_init(&device, &port, 3, NULL); /* none, whatever their number */
     COMES(0, 0x80, ACCEL);
     CHECK(mip_device_poll(&device) && line.next == line.count);
 }

@@ -44,9 +44,9 @@ static const struct mip_handler handlers[] = {
 
 void start(void) {
     const struct mip_descriptor_rate fields[] = {{MIP_SENSOR_SCALED_ACCEL_DESCRIPTOR, 10}, {MIP_SENSOR_SCALED_GYRO_DESCRIPTOR, 10}};
-    mip_device_init(&device, &uart, handlers, 3);
+    mip_device_init(&device, &uart, MIP_ARRAY(handlers));
     if (mip_succeeded(mip_call_base_ping(&device)) &&
-        mip_succeeded(mip_call_3dm_message_format_write(&device, MIP_SENSOR_SET, 2, fields)) &&
+        mip_succeeded(mip_call_3dm_message_format_write(&device, MIP_SENSOR_SET, MIP_ARRAY(fields))) &&
         mip_succeeded(mip_call_3dm_data_stream_control_write(&device, MIP_SENSOR_SET, true))) {
         while (mip_device_poll(&device)) {
         }

@@ -236,6 +236,8 @@ void calls() {
     CHECK((port.written == std::vector<std::uint8_t>{0x75, 0x65, 0x01, 0x02, 0x02, 0x01, 0xE0, 0xC6})); // of a manual
     const mip::result<pps_source_control_response> read = device.call(read_pps_source_control{});
     CHECK(read && read->source() == pps_source::gpio && (*read).source() == pps_source::gpio);
+    const mip::result<> &any = read; // whatever its response
+    CHECK(any && any.outcome() == mip::outcome::acknowledged);
     const auto refused = device.call(write_pps_source_control{pps_source::gpio});
     CHECK(!refused && refused.outcome() == mip::outcome::refused);
     CHECK(refused.code() == mip::ack_code::invalid_parameter);
@@ -296,6 +298,62 @@ void handlers() {
     CHECK(!small.poll()); // there is no room for a second one
 }
 
+void client_without_a_port() {
+    using namespace mip::mip_3dm;
+    const auto ok = mip::ack_code::ok;
+    pps_source_control_response gpio = {};
+    gpio.c_type::source = MIP_3DM_PPS_SOURCE_GPIO;
+    mip::client client;
+    mip::request pps(read_pps_source_control{});
+    mip::request stream(write_data_stream_control{mip::sensor_set, true});
+    mip::request ping(mip::base::ping{});
+    CHECK(!pps.waiting() && pps.result().outcome() == mip::outcome::not_sent);
+
+    // Two commands of one packet, the same as a builder makes, and no barrier.
+    const mip::bytes both = client.send(0, pps, stream);
+    mip::builder builder(mip::mip_3dm_set);
+    CHECK(builder.add(pps.command) == MIP_OK && builder.add(stream.command) == MIP_OK);
+    const mip::packet made = builder.finish();
+    CHECK(both.size() == made.size && std::memcmp(both.data(), made.bytes, made.size) == 0 && pps.waiting());
+    auto coming = answer(0x0C, MIP_3DM_PPS_SOURCE_CONTROL_DESCRIPTOR, ok, gpio);
+    const auto last = answer(0x0C, MIP_3DM_DATA_STREAM_CONTROL_DESCRIPTOR, mip::ack_code::invalid_parameter);
+    coming.insert(coming.end(), ACCEL, ACCEL + sizeof(ACCEL));
+    coming.insert(coming.end(), last.begin(), last.end());
+    int values = 0, others = 0;
+    for (const std::uint8_t &byte : coming) {
+        client.receive({&byte, 1}, 10, [&](const scaled_accel &) { values++; }, [&](const mip::field &) { others++; });
+    }
+    CHECK(values == 1 && others == 0 && !pps.waiting() && !stream.waiting());
+    CHECK(pps.result() && pps.result()->source() == pps_source::gpio);
+    CHECK(shown(stream.result()) == "refused, invalid_parameter");
+
+    // Without an answer in time; then a barrier is in front, and behind its answer comes that of the next.
+    CHECK(client.send(20, ping).size() == 8);
+    client.timeout(300);
+    client.receive({}, 1019);
+    CHECK(ping.waiting());
+    client.receive({}, 1020);
+    CHECK(ping.result().outcome() == mip::outcome::timed_out);
+    CHECK(client.send(1030, stream).size() > 13);
+    client.receive(answer(0x0C, MIP_3DM_DATA_STREAM_CONTROL_DESCRIPTOR, ok), 1040); // late: it is not for this one
+    CHECK(stream.waiting());
+    client.receive({}, 1330);
+    CHECK(stream.result().outcome() == mip::outcome::timed_out);
+
+    // One that does not fit: nothing is sent, and nothing of it waits.
+    const std::vector<mip::descriptor_rate> many(300);
+    mip::request format(write_message_format{mip::sensor_set, many});
+    CHECK(client.send(2000, pps, format).empty() && !pps.waiting() && !format.waiting());
+    CHECK(format.result().error() == MIP_ERROR_COUNT && client.c().waiting == nullptr);
+    // Of another set than the first.
+    CHECK(client.send(2000, ping, pps).empty() && pps.result().error() == MIP_ERROR_SET);
+    {
+        mip::request<mip_base_get_device_info> gone; // a structure of C
+        CHECK(!client.send(3000, gone).empty() && client.c().waiting != nullptr);
+    }
+    CHECK(client.c().waiting == nullptr);
+}
+
 } // namespace
 
 int main() {
@@ -308,5 +366,6 @@ int main() {
     layouts_of_one_descriptor();
     calls();
     handlers();
+    client_without_a_port();
     return 0;
 }

@@ -33,9 +33,9 @@ int main(int argc, char **argv) {
     if (!mip_line_open(&line, argv[1], 115200)) {
         return fprintf(stderr, "%s\n", line.error);
     }
-    mip_device_init(&device, &line.port, handlers, 1);
+    mip_device_init(&device, &line.port, MIP_ARRAY(handlers));
     if (!mip_succeeded(mip_device_connect(&device, NULL, &info)) ||
-        !mip_succeeded(mip_device_stream(&device, MIP_SENSOR_SET, rates, 1))) {
+        !mip_succeeded(mip_device_stream(&device, MIP_SENSOR_SET, MIP_ARRAY(rates)))) {
         return fprintf(stderr, "it does not start\n");
     }
     while (reopened < wanted) {

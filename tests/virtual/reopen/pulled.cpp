@@ -21,7 +21,7 @@ int main(int argc, char **argv) {
     mip_base_get_device_info_response info;
     mip_rate rates[] = {{MIP_SENSOR_SCALED_ACCEL_DESCRIPTOR, 100, 0}};
     if (!mip_succeeded(mip_device_connect(&device.c(), nullptr, &info)) ||
-        !mip_succeeded(mip_device_stream(&device.c(), MIP_SENSOR_SET, rates, 1))) {
+        !mip_succeeded(mip_device_stream(&device.c(), MIP_SENSOR_SET, MIP_ARRAY(rates)))) {
         return std::fprintf(stderr, "it does not start\n");
     }
     while (reopened < wanted) {

@@ -8,7 +8,7 @@
  *     if (!mip_line_open(&line, "/dev/ttyACM0", 115200)) {
  *         puts(line.error);
  *     }
- *     mip_device_init(&device, &line.port, handlers, count);
+ *     mip_device_init(&device, &line.port, count, handlers);
  */
 #ifndef MIP_LINE_H
 #define MIP_LINE_H

@@ -204,6 +204,9 @@ inline constexpr std::uint8_t mip_3dm_set = MIP_3DM_SET;
 
 namespace mip_3dm {
 
+/** @addtogroup mip_3dm
+ * @{ */
+
 using ::mip::operator|;
 using ::mip::operator&;
 using ::mip::operator^;
@@ -819,6 +822,8 @@ using device_status_basic_gx3_response = ::mip_3dm_device_status_basic_gx3_respo
  * mip_3dm_device_status_diagnostic_gx3_response.
  */
 using device_status_diagnostic_gx3_response = ::mip_3dm_device_status_diagnostic_gx3_response;
+
+/** @} */
 
 } // namespace mip_3dm
 

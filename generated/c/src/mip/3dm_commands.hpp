@@ -72,6 +72,9 @@ MIP_COMMAND_OF(mip_3dm_device_status, void)
 
 namespace mip_3dm {
 
+/** @addtogroup mip_3dm
+ * @{ */
+
 /** Poll IMU Data. See mip_call_3dm_poll_imu_data. */
 struct poll_imu_data {
     bool suppress_ack;
@@ -2261,6 +2264,8 @@ struct for_device_status_diagnostic_gx3_response {
         return ::mip_call_for_3dm_device_status_diagnostic_gx3_response(device_, model_number, to_);
     }
 };
+
+/** @} */
 
 } // namespace mip_3dm
 

@@ -33,6 +33,9 @@ inline constexpr std::uint8_t aiding_set = MIP_AIDING_SET;
 
 namespace aiding {
 
+/** @addtogroup mip_aiding
+ * @{ */
+
 using ::mip::operator|;
 using ::mip::operator&;
 using ::mip::operator^;
@@ -114,6 +117,8 @@ struct echo_control_response_ : ::mip_aiding_echo_control_response {
 };
 /** Echo control response. See struct mip_aiding_echo_control_response. */
 using echo_control_response = echo_control_response_;
+
+/** @} */
 
 } // namespace aiding
 

@@ -25,6 +25,9 @@ MIP_COMMAND_OF(mip_aiding_pressure, void)
 
 namespace aiding {
 
+/** @addtogroup mip_aiding
+ * @{ */
+
 /** Frame configuration: write. See mip_call_aiding_frame_config_write. */
 struct write_frame_config {
     uint8_t frame_id;
@@ -318,6 +321,8 @@ struct pressure {
         return ::mip_aiding_pressure_make(to_, &time, frame_id, pressure, uncertainty, valid_flags);
     }
 };
+
+/** @} */
 
 } // namespace aiding
 

@@ -46,6 +46,9 @@ inline constexpr std::uint8_t base_set = MIP_BASE_SET;
 
 namespace base {
 
+/** @addtogroup mip_base
+ * @{ */
+
 using ::mip::operator|;
 using ::mip::operator&;
 using ::mip::operator^;
@@ -108,6 +111,8 @@ using gps_time_update_week_number_response = ::mip_base_gps_time_update_week_num
 
 /** GPS time update, time of week. See struct mip_base_gps_time_update_tow_response. */
 using gps_time_update_tow_response = ::mip_base_gps_time_update_tow_response;
+
+/** @} */
 
 } // namespace base
 

@@ -25,6 +25,9 @@ MIP_COMMAND_OF(mip_base_soft_reset, void)
 
 namespace base {
 
+/** @addtogroup mip_base
+ * @{ */
+
 /** Ping. See mip_call_base_ping. */
 struct ping : fixed_command<::mip_base_ping, void> {};
 
@@ -197,6 +200,8 @@ struct apply_gps_time_update {
 
 /** Reset device. See mip_call_base_soft_reset. */
 struct soft_reset : fixed_command<::mip_base_soft_reset, void> {};
+
+/** @} */
 
 } // namespace base
 

@@ -209,7 +209,7 @@ static struct mip_result resume(struct mip_device *device, void *shared) {
 }
 
 struct mip_result mip_device_stream(struct mip_device *device, uint8_t descriptor_set,
-                                    struct mip_rate *rates, uint8_t count) {
+                                    uint8_t count, struct mip_rate *rates) {
     static step *const steps[] = {base_rate, divide, format, stream, resume};
     struct plan plan;
     if (count > sizeof(plan.fields) / sizeof(plan.fields[0])) {

@@ -5,7 +5,7 @@
  *
  *     struct mip_device device;
  *     struct mip_base_get_device_info_response identity;
- *     mip_device_init(&device, &port, handlers, count);
+ *     mip_device_init(&device, &port, count, handlers);
  *     result = mip_device_connect(&device, set_baud, &identity);
  *
  * Optional: what a program does not call is not linked.
@@ -77,7 +77,7 @@ struct mip_rate {
  * MIP_ERROR_COUNT. Commands that are not answered are repeated.
  */
 MIP_API struct mip_result mip_device_stream(struct mip_device *device, uint8_t descriptor_set,
-                                            struct mip_rate *rates, uint8_t count);
+                                            uint8_t count, struct mip_rate *rates);
 
 #ifdef __cplusplus
 }

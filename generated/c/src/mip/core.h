@@ -588,6 +588,28 @@ static inline mip_bool mip_truth(mip_bool value) {
     return value;
 }
 
+#ifdef MIP_REFUSED_BY_COMPILER
+/** Is declared only: a call of it is an error. */
+void mip_array_has_fewer_elements(void)
+    MIP_REFUSED_BY_COMPILER("the array has fewer elements: use MIP_ARRAY(array)");
+#endif
+
+/** An array in place of its number of elements and its address, which are two arguments. */
+#define MIP_ARRAY(array) (sizeof(array) / sizeof((array)[0])), (array)
+
+/** Returns how many bytes so many elements take. Optimizing compilers refuse a constant count that
+ * is larger than the array. */
+static inline size_t mip_counted(size_t count, const void *items, size_t size) {
+#ifdef MIP_REFUSED_BY_COMPILER
+    if (__builtin_constant_p(count) && __builtin_object_size(items, 0) < count * size) {
+        mip_array_has_fewer_elements();
+    }
+#else
+    (void)items;
+#endif
+    return count * size;
+}
+
 /** Copies as many bytes as there is room for. */
 MIP_API void mip_copy(void *to, size_t room, const void *from, size_t size);
 /** Copies a string, cuts what is too long, and fills the rest with spaces; `room` counts the

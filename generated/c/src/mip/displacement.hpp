@@ -24,6 +24,9 @@ inline constexpr std::uint8_t displacement_set = MIP_DISPLACEMENT_SET;
 
 namespace displacement {
 
+/** @addtogroup mip_displacement
+ * @{ */
+
 using ::mip::operator|;
 using ::mip::operator&;
 using ::mip::operator^;
@@ -44,6 +47,8 @@ using get_calibration_response = ::mip_displacement_get_calibration_response;
 
 /** Displacement Output Data Rate response. See struct mip_displacement_output_rate_response. */
 using output_rate_response = ::mip_displacement_output_rate_response;
+
+/** @} */
 
 } // namespace displacement
 

@@ -17,6 +17,9 @@ MIP_COMMAND_OF(mip_displacement_device_time, void)
 
 namespace displacement {
 
+/** @addtogroup mip_displacement
+ * @{ */
+
 /** Get Analog to Displacement Calibration. See mip_call_displacement_get_calibration. */
 struct get_calibration : fixed_command<::mip_displacement_get_calibration,
                                        ::mip::displacement::get_calibration_response> {};
@@ -39,6 +42,8 @@ struct write_device_time {
         return ::mip_displacement_device_time_write(to_, time);
     }
 };
+
+/** @} */
 
 } // namespace displacement
 

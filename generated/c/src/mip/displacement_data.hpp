@@ -22,6 +22,9 @@ inline constexpr std::uint8_t displacement_data_set = MIP_DISPLACEMENT_DATA_SET;
 
 namespace displacement_data {
 
+/** @addtogroup mip_displacement_data
+ * @{ */
+
 using ::mip::operator|;
 using ::mip::operator&;
 using ::mip::operator^;
@@ -56,6 +59,8 @@ struct timestamp_ : ::mip_displacement_data_timestamp {
 };
 /** Displacement Device Timestamp. See struct mip_displacement_data_timestamp. */
 using timestamp = timestamp_;
+
+/** @} */
 
 } // namespace displacement_data
 

@@ -210,6 +210,9 @@ inline constexpr std::uint8_t filter_set = MIP_FILTER_SET;
 
 namespace filter {
 
+/** @addtogroup mip_filter
+ * @{ */
+
 using ::mip::operator|;
 using ::mip::operator&;
 using ::mip::operator^;
@@ -760,6 +763,8 @@ using wheeled_vehicle_constraint_control_response =
  */
 using gnss_antenna_calibration_control_response =
     ::mip_filter_gnss_antenna_calibration_control_response;
+
+/** @} */
 
 } // namespace filter
 

@@ -86,6 +86,9 @@ MIP_COMMAND_OF(mip_filter_gnss_antenna_calibration_control,
 
 namespace filter {
 
+/** @addtogroup mip_filter
+ * @{ */
+
 /** Reset navigation filter. See mip_call_filter_reset. */
 struct reset : fixed_command<::mip_filter_reset, void> {};
 
@@ -1932,6 +1935,8 @@ struct load_gnss_antenna_calibration_control
 struct default_gnss_antenna_calibration_control
     : fixed_command<::mip_filter_gnss_antenna_calibration_control, void,
                     MIP_FUNCTION_SELECTOR_DEFAULT> {};
+
+/** @} */
 
 } // namespace filter
 

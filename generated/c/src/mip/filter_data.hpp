@@ -126,6 +126,9 @@ inline constexpr std::uint8_t filter_data_set = MIP_FILTER_DATA_SET;
 
 namespace filter_data {
 
+/** @addtogroup mip_filter_data
+ * @{ */
+
 using ::mip::operator|;
 using ::mip::operator&;
 using ::mip::operator^;
@@ -872,6 +875,8 @@ using aiding_frame_config_error = ::mip_filter_data_aiding_frame_config_error;
  */
 using aiding_frame_config_error_uncertainty =
     ::mip_filter_data_aiding_frame_config_error_uncertainty;
+
+/** @} */
 
 } // namespace filter_data
 

@@ -31,6 +31,9 @@ inline constexpr std::uint8_t gnss_set = MIP_GNSS_SET;
 
 namespace gnss {
 
+/** @addtogroup mip_gnss
+ * @{ */
+
 using ::mip::operator|;
 using ::mip::operator&;
 using ::mip::operator^;
@@ -176,6 +179,8 @@ struct spartn_config_response_ : ::mip_gnss_spartn_config_response {
 };
 /** SPARTN configuration response. See struct mip_gnss_spartn_config_response. */
 using spartn_config_response = spartn_config_response_;
+
+/** @} */
 
 } // namespace gnss
 

@@ -20,6 +20,9 @@ MIP_COMMAND_OF(mip_gnss_spartn_config, ::mip::gnss::spartn_config_response)
 
 namespace gnss {
 
+/** @addtogroup mip_gnss
+ * @{ */
+
 /** Receiver info. See mip_call_gnss_receiver_info. */
 struct receiver_info
     : fixed_command<::mip_gnss_receiver_info, ::mip::gnss::receiver_info_response> {};
@@ -182,6 +185,8 @@ struct load_spartn_config
 /** SPARTN configuration: default. See mip_call_gnss_spartn_config_default. */
 struct default_spartn_config
     : fixed_command<::mip_gnss_spartn_config, void, MIP_FUNCTION_SELECTOR_DEFAULT> {};
+
+/** @} */
 
 } // namespace gnss
 

@@ -57,6 +57,9 @@ inline constexpr std::uint8_t gnss_external_2_set = MIP_GNSS_EXTERNAL_2_SET;
 
 namespace gnss_data {
 
+/** @addtogroup mip_gnss_data
+ * @{ */
+
 using ::mip::operator|;
 using ::mip::operator&;
 using ::mip::operator^;
@@ -927,6 +930,8 @@ struct beidou_iono_correction_ : ::mip_gnss_data_beidou_iono_correction {
 };
 /** BeiDou ionospheric correction. See struct mip_gnss_data_beidou_iono_correction. */
 using beidou_iono_correction = beidou_iono_correction_;
+
+/** @} */
 
 } // namespace gnss_data
 

@@ -12,6 +12,7 @@
 #include "mip/aiding_commands.hpp"
 #include "mip/base.hpp"
 #include "mip/base_commands.hpp"
+#include "mip/client.hpp"
 #include "mip/core.hpp"
 #include "mip/device.hpp"
 #include "mip/displacement.hpp"

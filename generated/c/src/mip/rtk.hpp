@@ -44,6 +44,9 @@ inline constexpr std::uint8_t rtk_set = MIP_RTK_SET;
 
 namespace rtk {
 
+/** @addtogroup mip_rtk
+ * @{ */
+
 using ::mip::operator|;
 using ::mip::operator&;
 using ::mip::operator^;
@@ -172,6 +175,8 @@ struct service_status_response_ : ::mip_rtk_service_status_response {
 };
 /** Service status response. See struct mip_rtk_service_status_response. */
 using service_status_response = service_status_response_;
+
+/** @} */
 
 } // namespace rtk
 

@@ -26,6 +26,9 @@ MIP_COMMAND_OF(mip_rtk_modem_hard_reset, void)
 
 namespace rtk {
 
+/** @addtogroup mip_rtk
+ * @{ */
+
 /** Get status flags. See mip_call_rtk_get_status_flags. */
 struct get_status_flags
     : fixed_command<::mip_rtk_get_status_flags, ::mip::rtk::get_status_flags_response> {};
@@ -123,6 +126,8 @@ struct led_control {
 
 /** Modem hard reset. See mip_call_rtk_modem_hard_reset. */
 struct modem_hard_reset : fixed_command<::mip_rtk_modem_hard_reset, void> {};
+
+/** @} */
 
 } // namespace rtk
 

@@ -46,6 +46,9 @@ inline constexpr std::uint8_t sensor_set = MIP_SENSOR_SET;
 
 namespace sensor {
 
+/** @addtogroup mip_sensor
+ * @{ */
+
 using ::mip::operator|;
 using ::mip::operator&;
 using ::mip::operator^;
@@ -175,6 +178,8 @@ struct odometer_ : ::mip_sensor_odometer {
 };
 /** Odometer data. See struct mip_sensor_odometer. */
 using odometer = odometer_;
+
+/** @} */
 
 } // namespace sensor
 

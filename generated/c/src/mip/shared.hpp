@@ -29,6 +29,9 @@ inline constexpr std::uint8_t shared_set = MIP_SHARED_SET;
 
 namespace shared {
 
+/** @addtogroup mip_shared
+ * @{ */
+
 using ::mip::operator|;
 using ::mip::operator&;
 using ::mip::operator^;
@@ -111,6 +114,8 @@ struct external_time_delta_ : ::mip_shared_external_time_delta {
 };
 /** External time delta. See struct mip_shared_external_time_delta. */
 using external_time_delta = external_time_delta_;
+
+/** @} */
 
 } // namespace shared
 

@@ -22,6 +22,9 @@ inline constexpr std::uint8_t system_set = MIP_SYSTEM_SET;
 
 namespace system {
 
+/** @addtogroup mip_system
+ * @{ */
+
 using ::mip::operator|;
 using ::mip::operator&;
 using ::mip::operator^;
@@ -79,6 +82,8 @@ struct comm_mode_response_ : ::mip_system_comm_mode_response {
 };
 /** Communication mode response. See struct mip_system_comm_mode_response. */
 using comm_mode_response = comm_mode_response_;
+
+/** @} */
 
 } // namespace system
 

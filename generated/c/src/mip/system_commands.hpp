@@ -16,6 +16,9 @@ MIP_COMMAND_OF(mip_system_comm_mode, ::mip::system::comm_mode_response)
 
 namespace system {
 
+/** @addtogroup mip_system
+ * @{ */
+
 /** Interface control: write. See mip_call_system_interface_control_write. */
 struct write_interface_control {
     ::mip::comm_interface port;
@@ -125,6 +128,8 @@ struct load_comm_mode : fixed_command<::mip_system_comm_mode, void, MIP_FUNCTION
 /** Communication mode: default. See mip_call_system_comm_mode_default. */
 struct default_comm_mode
     : fixed_command<::mip_system_comm_mode, void, MIP_FUNCTION_SELECTOR_DEFAULT> {};
+
+/** @} */
 
 } // namespace system
 

@@ -23,6 +23,9 @@ inline constexpr std::uint8_t system_data_set = MIP_SYSTEM_DATA_SET;
 
 namespace system_data {
 
+/** @addtogroup mip_system_data
+ * @{ */
+
 using ::mip::operator|;
 using ::mip::operator&;
 using ::mip::operator^;
@@ -63,6 +66,8 @@ using gpio_state = gpio_state_;
 
 /** GPIO analog value. See struct mip_system_data_gpio_analog_value. */
 using gpio_analog_value = ::mip_system_data_gpio_analog_value;
+
+/** @} */
 
 } // namespace system_data
 

@@ -20,7 +20,16 @@ from .identifiers import identifiers
 from .names import GRAMMAR
 
 #: Programs for several kinds of systems. Arduino's IDE wants each in a folder of its name.
-EXAMPLES = ("stream.c", "bare_metal.c", "node.cpp", "autopilot.cpp", "log.cpp", "arduino/arduino.ino")
+EXAMPLES = (
+    "stream.c",
+    "bare_metal.c",
+    "node.cpp",
+    "autopilot.cpp",
+    "log.cpp",
+    "log.c",
+    "arduino/arduino.ino",
+    "arduino_cpp/arduino_cpp.ino",
+)
 
 
 def files(model: m.Model) -> Iterator[File]:
@@ -38,8 +47,9 @@ def files(model: m.Model) -> Iterator[File]:
         if example := model.program(name.rpartition("/")[2]):
             yield File(f"examples/{name}", "verbatim.j2", {"text": example})
     shown = {name: model.program(f"{name}.c").rstrip() for name in ("device", "client", "present", "receivers")}
-    shown |= {name: model.program(f"{name}.cpp").rstrip() for name in ("cpp", "cpp_stream")}
+    shown |= {name: model.program(f"{name}.cpp").rstrip() for name in ("cpp", "cpp_stream", "cpp_client")}
     shown |= {"vendor_sdk": model.program("vendor_sdk.md").rstrip(), "bench": model.program("bench_c.md").rstrip()}
+    shown["by_source"] = model.program("bench_c_sources.md").rstrip()
     shown["bench_peer"] = model.program("bench_c_peer.md").rstrip()
     session = calls.session(model)
     shown["first"] = model.program("stream.c").partition("*/\n")[2].rstrip() if session else ""
@@ -115,7 +125,15 @@ def packages(model: m.Model, made: list[File]) -> Iterator[File]:
         ),
     }
     yield File("cmake/sources.cmake", "sources.cmake.j2", facts)
-    manifests = ("meson.build", "library.json", "library.properties", "idf_component.yml", "conanfile.py", "Doxyfile")
+    manifests = (
+        "meson.build",
+        "library.json",
+        "library.properties",
+        "idf_component.yml",
+        "conanfile.py",
+        "Doxyfile",
+        "Doxyfile.cpp",
+    )
     for path in (*manifests, "vcpkg/vcpkg.json", "cmake/mip.pc.in", "zephyr/Kconfig"):
         yield File(path, f"{path.rpartition('/')[2]}.j2", facts)
 
@@ -139,7 +157,7 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "type": names.type_name,
         "c_type": names.c_type,
         "field": names.field_name,
-        "record": names.record_name,
+        "record": names.symbol,
         "bare": names.bare,
         "union": names.union_name,
         "constant": names.constant,
@@ -151,7 +169,6 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "several": lambda f: len(f.occurrences) > 1,
         "belongs": literals.belongs,
         "is_struct": names.is_struct,
-        "spec_name": names.spec_name,
         # literals
         "hex": literals.hexadecimal,
         "number": literals.number,

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from mipgen import model as m
-from mipgen.emit.symbols import Symbols, constants, others, parameters, things
+from mipgen.emit.symbols import Symbols, constants, others, parameters, parts, things
 
 from . import calls, cpp, names
 from .cpp_snippets import Programs as CppPrograms
@@ -15,12 +15,10 @@ from .identifiers import of_field, of_type
 from .members import constructors
 from .snippets import Programs
 
-__all__ = ["CppPrograms", "Programs", "cpp_symbol", "cpp_writing", "symbol", "symbols", "writing"]
+__all__ = ["CppPrograms", "Programs", "cpp_symbol", "cpp_symbols", "cpp_writing", "symbol", "symbols", "writing"]
 
 
-def symbol(thing: m.Type | m.Field) -> str:
-    """The type of a field, or a type."""
-    return names.field_name(thing) if isinstance(thing, m.Field) else names.type_name(thing)
+symbol = names.symbol
 
 
 def cpp_symbol(thing: m.Type | m.Field) -> str:
@@ -42,6 +40,25 @@ def symbols(model: m.Model) -> Iterator[Symbols]:
             others = [i.name for i in of_type(x) if i.scope == "C" and (typed or i.name != symbol(x))]
             name = symbol(x) if typed else f"{symbol(x)}_name"
         yield Symbols(x, name, tuple(n for n in others if n != name))
+
+
+def cpp_symbols(model: m.Model) -> Iterator[Symbols]:
+    """The same in C++: of a command the structures that are sent, of other fields the functions that return values."""
+    for x in things(model):
+        if isinstance(x, m.Vector):
+            continue
+        others = [cpp.word(v.name) for v in parts(x)] if not isinstance(x, m.Field) else []
+        name = cpp.qualified(x)
+        if isinstance(x, m.Field) and x.role == m.COMMAND:
+            scope = name.rpartition("::")[0]
+            name, *others = [f"{scope}::{c.name}" for c in cpp.commands(x, model)] or [name]
+        elif isinstance(x, m.Field):
+            others = [f"{a.name}()" for a in cpp.accessors(x)]
+        elif cpp.in_bytes(x):
+            others = [f"{name}_bits::{other}" for other in others]
+        elif not isinstance(x, m.Struct):
+            others = [f"{name}::{other}" for other in others]
+        yield Symbols(x, name, tuple(others))
 
 
 def writing(model: m.Model) -> dict[str, Any]:

@@ -30,7 +30,10 @@ def bare(thing: m.Type | m.Field) -> str:
 
 def qualified(thing: m.Type | m.Field) -> str:
     """The same as it is written anywhere."""
-    inside = thing.family if isinstance(thing, m.Field) else getattr(thing, "owner", None)
+    if isinstance(thing, m.Field):
+        inside = thing.family if thing.set else None  # the acknowledge is of no set
+    else:
+        inside = getattr(thing, "owner", None)
     return f"mip::{namespace(inside)}::{bare(thing)}" if inside else f"mip::{bare(thing)}"
 
 

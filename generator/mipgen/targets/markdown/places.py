@@ -41,6 +41,7 @@ INDEXES = {
     "units": "By unit",
     "vendor": "By the vendor's names",
     "c": "Symbols in C",
+    "cpp": "Symbols in C++",
     "python": "Symbols in Python",
     "rust": "Symbols in Rust",
     "javascript": "Symbols in JavaScript",

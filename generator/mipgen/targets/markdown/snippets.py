@@ -36,7 +36,7 @@ class Language:
 
 LANGUAGES = (
     Language("C", "c", "c", c.Programs, c.symbols),
-    Language("C++", "cpp", "cpp", c.CppPrograms),
+    Language("C++", "cpp", "cpp", c.CppPrograms, c.cpp_symbols),
     Language("Python", "python", "py", python.Programs, python.symbols),
     Language("Rust", "rust", "rs", rust.Programs, rust.symbols),
     Language("JavaScript", "javascript", "mjs", javascript.Programs, javascript.symbols),

@@ -506,24 +506,24 @@ template <class R, class C, class T, class... More> T first_parameter(R (C::*)(T
 template <class R, class C, class T, class... More> T first_parameter(R (C::*)(T, More...));
 template <class R, class T, class... More> T first_parameter(R (*)(T, More...));
 
-template <class F, class = void> struct handled {
-    using type = decltype(first_parameter(&F::operator()));
+template <class Handler, class = void> struct handled {
+    using type = decltype(first_parameter(&Handler::operator()));
 };
-template <class F>
-struct handled<F, std::enable_if_t<std::is_function_v<std::remove_pointer_t<F>>>> {
-    using type = decltype(first_parameter(std::declval<F>()));
+template <class Handler>
+struct handled<Handler, std::enable_if_t<std::is_function_v<std::remove_pointer_t<Handler>>>> {
+    using type = decltype(first_parameter(std::declval<Handler>()));
 };
 /** The type that a handler's first parameter names. */
-template <class F>
+template <class Handler>
 using handled_by =
-    std::remove_cv_t<std::remove_reference_t<typename handled<std::decay_t<F>>::type>>;
+    std::remove_cv_t<std::remove_reference_t<typename handled<std::decay_t<Handler>>::type>>;
 
 /** Calls a handler with as much as it takes: the value, the field, the time. */
-template <class F, class T, class... More>
-void call(F &handler, const T &value, const field &from, More... more) {
-    if constexpr (std::is_invocable_v<F &, const T &, const field &, More...>) {
+template <class Handler, class T, class... More>
+void call(Handler &handler, const T &value, const field &from, More... more) {
+    if constexpr (std::is_invocable_v<Handler &, const T &, const field &, More...>) {
         handler(value, from, more...);
-    } else if constexpr (std::is_invocable_v<F &, const T &, const field &>) {
+    } else if constexpr (std::is_invocable_v<Handler &, const T &, const field &>) {
         handler(value, from);
     } else {
         handler(value);
@@ -531,8 +531,8 @@ void call(F &handler, const T &value, const field &from, More... more) {
 }
 
 /** Calls a handler if it is for this field. */
-template <class F> bool offer(const field &from, std::uint16_t key, F &handler) {
-    using T = handled_by<F>;
+template <class Handler> bool offer(const field &from, std::uint16_t key, Handler &handler) {
+    using T = handled_by<Handler>;
     if constexpr (std::is_same_v<T, field>) {
         (void)key;
         handler(from);
@@ -562,7 +562,7 @@ template <class F> bool offer(const field &from, std::uint16_t key, F &handler) 
  * not for an earlier one. True if any was called.
  */
 template <class... Handlers> bool dispatch(const field &from, Handlers &&...handlers) {
-    const std::uint16_t key = from.key();
+    [[maybe_unused]] const std::uint16_t key = from.key();
     return (detail::offer(from, key, handlers) || ...);
 }
 
@@ -576,6 +576,24 @@ template <class... Handlers> void dispatch(const packet &from, Handlers &&...han
 /* ---------------------------------------------------------------------------------------- builder
  */
 
+namespace detail {
+
+/** The structure of C that is sent for a value: its own, or that which a command fills. */
+template <class T, class = void> struct sent {
+    using structure = c_type<T>;
+    static const structure *fill(const T &value, structure *) {
+        return &value;
+    }
+};
+template <class T> struct sent<T, std::void_t<typename T::command>> {
+    using structure = typename T::command;
+    static const structure *fill(const T &value, structure *room) {
+        return value.fill(room);
+    }
+};
+
+} // namespace detail
+
 /** Builds a packet. */
 class builder {
   public:
@@ -588,14 +606,9 @@ class builder {
     /** Adds a field, or a command such as `write_...{}`. What is refused leaves the packet as it
      * was. */
     template <class T> [[nodiscard]] mip_error add(const T &value) {
-        if constexpr (is_command<T>::value) {
-            typename T::command command;
-            const typename T::command *filled = value.fill(&command);
-            return mip_encode(&traits<typename T::command>::codec(), filled, &builder_);
-        } else {
-            const c_type<T> &from = value;
-            return mip_encode(&traits<T>::codec(), &from, &builder_);
-        }
+        typename detail::sent<T>::structure room;
+        return mip_encode(&traits<decltype(room)>::codec(), detail::sent<T>::fill(value, &room),
+                          &builder_);
     }
     /** Adds a field from its bytes. */
     [[nodiscard]] mip_error add(std::uint8_t descriptor, bytes data) {
@@ -611,9 +624,6 @@ class builder {
     }
 
   private:
-    template <class T, class = void> struct is_command : std::false_type {};
-    template <class T> struct is_command<T, std::void_t<typename T::command>> : std::true_type {};
-
     mip_builder builder_;
     std::uint8_t buffer_[MIP_MAX_PACKET];
 };

@@ -3,8 +3,8 @@
 
 #include <string.h>
 
-void mip_device_init(struct mip_device *device, const struct mip_port *port,
-                     const struct mip_handler *handlers, size_t handler_count) {
+void mip_device_init(struct mip_device *device, const struct mip_port *port, size_t handler_count,
+                     const struct mip_handler *handlers) {
     memset(device, 0, sizeof(*device)); /* so its parser, too, is at the beginning of a stream */
     device->port = *port;
     device->handlers = handlers;

@@ -5,7 +5,7 @@
  * The caller gives three functions: read, write, and a clock. Then a call of mip/..._commands.h
  * sends a command, waits for its answer, and returns the outcome:
  *
- *     mip_device_init(&device, &port, handlers, sizeof(handlers) / sizeof(handlers[0]));
+ *     mip_device_init(&device, &port, MIP_ARRAY(handlers));
  *     if (mip_succeeded(mip_call_3dm_..._read(&device, &response))) { ... }
  *     while (mip_device_poll(&device)) { ... }
  *
@@ -205,7 +205,7 @@ MIP_API const char *mip_result_reason(struct mip_result result);
  * or NULL if there are none. Nothing is sent or read.
  */
 MIP_API void mip_device_init(struct mip_device *device, const struct mip_port *port,
-                             const struct mip_handler *handlers, size_t handler_count);
+                             size_t handler_count, const struct mip_handler *handlers);
 
 /**
  * Reads once, at most as many bytes as the longest packet has, and calls the handlers of the fields

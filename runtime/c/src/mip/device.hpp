@@ -43,13 +43,10 @@ inline std::string_view to_string(outcome value) {
     return mip_outcome_name(static_cast<enum mip_outcome>(value));
 }
 
-/** The outcome of a command, and the response of one that has a response: `if (r) { r->... }`. */
-template <class Response = void> class result;
-
-/** The outcome of a command without a response. */
-template <> class [[nodiscard]] result<void> {
+/** What all results have. */
+class [[nodiscard]] basic_result {
   public:
-    result(const mip_result &of) : result_(of) {
+    basic_result(const mip_result &of) : result_(of) {
     }
     /** Has the command been carried out, as far as is known? */
     explicit operator bool() const {
@@ -75,10 +72,11 @@ template <> class [[nodiscard]] result<void> {
     mip_result result_;
 };
 
-/** The outcome of a command with a response, which is zeroed if there is none. */
-template <class Response> class [[nodiscard]] result : public result<void> {
+/** The outcome of a command and its response, which is zeroed if there is none:
+ * `if (r) { r->... }`. */
+template <class Response = void> class [[nodiscard]] result : public basic_result {
   public:
-    result(const mip_result &of, const Response &response) : result<void>(of), response_(response) {
+    result(const mip_result &of, const Response &response) : basic_result(of), response_(response) {
     }
     const Response &operator*() const {
         return response_;
@@ -89,6 +87,14 @@ template <class Response> class [[nodiscard]] result : public result<void> {
 
   private:
     Response response_;
+};
+
+/** The outcome of a command without a response, or of any command. */
+template <> class [[nodiscard]] result<void> : public basic_result {
+  public:
+    using basic_result::basic_result;
+    result(const basic_result &of) : basic_result(of) {
+    }
 };
 
 /** Writes "refused, unknown_command" to a stream such as std::ostream. */
@@ -116,6 +122,18 @@ template <class Command> struct exchange;
             return ::type##_command;           \
         }                                      \
     };
+
+namespace detail {
+
+/** The response of a command, which may be a structure of C. */
+template <class T, class = void> struct answer {
+    using type = typename exchange<T>::response;
+};
+template <class T> struct answer<T, std::void_t<typename T::command>> {
+    using type = typename T::response;
+};
+
+} // namespace detail
 
 /** A command whose data is always the same: nothing, or the function selector. */
 template <class Command, class Response, std::uint8_t... Function> struct fixed_command {
@@ -190,7 +208,7 @@ template <MIP_PORT_TYPE Port> mip_port port_of(Port &port) {
 template <std::size_t Handlers = 8> class device {
   public:
     explicit device(const mip_port &port) {
-        mip_device_init(&device_, &port, entries_, 0);
+        mip_device_init(&device_, &port, 0, entries_);
     }
     template <MIP_PORT_TYPE Port, class = std::enable_if_t<!std::is_same_v<Port, mip_port>>>
     explicit device(Port &port) : device(port_of(port)) {
@@ -206,14 +224,15 @@ template <std::size_t Handlers = 8> class device {
      * The device keeps a copy, so a lambda may capture at most two pointers, such as `[this]` or
      * `[&a, &b]`. If there is no room for it, poll returns false from then on.
      */
-    template <MIP_LAYOUT_TYPE T, class F> void on(F handler) {
+    template <MIP_LAYOUT_TYPE T, class Handler> void on(Handler handler) {
         on<T>(MIP_ANY_SET, handler);
     }
     /** The same for one of the descriptor sets in which the type occurs. */
-    template <MIP_LAYOUT_TYPE T, class F> void on(std::uint8_t descriptor_set, F handler) {
-        static_assert(std::is_invocable_v<F &, const T &> ||
-                          std::is_invocable_v<F &, const T &, const field &> ||
-                          std::is_invocable_v<F &, const T &, const field &, std::uint32_t>,
+    template <MIP_LAYOUT_TYPE T, class Handler>
+    void on(std::uint8_t descriptor_set, Handler handler) {
+        static_assert(std::is_invocable_v<Handler &, const T &> ||
+                          std::is_invocable_v<Handler &, const T &, const field &> ||
+                          std::is_invocable_v<Handler &, const T &, const field &, std::uint32_t>,
                       "a handler takes the value, and perhaps the field and the time");
         add(&traits<T>::codec(), descriptor_set, handler,
             [](void *user, const mip_field *from, std::uint32_t arrived) {
@@ -221,18 +240,18 @@ template <std::size_t Handlers = 8> class device {
                 c_type<T> &to = value;
                 if (mip_decode_only(&traits<T>::codec(), traits<T>::descriptor, &to, sizeof(to),
                                     from) == MIP_OK) {
-                    detail::call(*std::launder(static_cast<F *>(user)), value, field(*from),
+                    detail::call(*std::launder(static_cast<Handler *>(user)), value, field(*from),
                                  arrived);
                 }
             });
     }
     /** Calls a handler with each field that no earlier one is for: `(const field &from)`, perhaps
      * with the time. */
-    template <class F> void on_other(F handler) {
+    template <class Handler> void on_other(Handler handler) {
         add(MIP_ANY_FIELD, MIP_ANY_SET, handler,
             [](void *user, const mip_field *from, std::uint32_t arrived) {
-                F &call = *std::launder(static_cast<F *>(user));
-                if constexpr (std::is_invocable_v<F &, const field &, std::uint32_t>) {
+                Handler &call = *std::launder(static_cast<Handler *>(user));
+                if constexpr (std::is_invocable_v<Handler &, const field &, std::uint32_t>) {
                     call(field(*from), arrived);
                 } else {
                     (void)arrived;
@@ -292,14 +311,15 @@ template <std::size_t Handlers = 8> class device {
         unsigned char bytes[2 * sizeof(void *)];
     };
 
-    template <class F>
-    void add(const mip_codec *type, std::uint8_t descriptor_set, const F &handler,
+    template <class Handler>
+    void add(const mip_codec *type, std::uint8_t descriptor_set, const Handler &handler,
              void (*handle)(void *, const mip_field *, std::uint32_t)) {
-        static_assert(std::is_trivially_copyable_v<F> && std::is_trivially_destructible_v<F> &&
-                          sizeof(F) <= sizeof(room) && alignof(F) <= alignof(room),
+        static_assert(std::is_trivially_copyable_v<Handler> &&
+                          std::is_trivially_destructible_v<Handler> &&
+                          sizeof(Handler) <= sizeof(room) && alignof(Handler) <= alignof(room),
                       "a handler captures too much: capture a reference, or use std::ref");
         if (void *at = enter(type, descriptor_set, handle)) {
-            new (at) F(handler);
+            new (at) Handler(handler);
         }
     }
     /** The part of it that all handlers share; returns the place of what they capture. */

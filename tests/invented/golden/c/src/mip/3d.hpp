@@ -17,6 +17,9 @@ inline constexpr std::uint8_t mip_3d_set = MIP_3D_SET;
 
 namespace mip_3d {
 
+/** @addtogroup mip_3d
+ * @{ */
+
 using ::mip::operator|;
 using ::mip::operator&;
 using ::mip::operator^;
@@ -28,6 +31,8 @@ using ::mip::operator<<;
 using ::mip::get;
 using ::mip::has;
 using ::mip::to_string;
+
+/** @} */
 
 } // namespace mip_3d
 

@@ -15,6 +15,9 @@ MIP_COMMAND_OF(mip_3d_default, void)
 
 namespace mip_3d {
 
+/** @addtogroup mip_3d
+ * @{ */
+
 /** Default. See mip_call_3d_default. */
 struct default_ {
     uint8_t class_;
@@ -32,6 +35,8 @@ struct default_ {
         return ::mip_3d_default_make(to_, class_, type, register_, self, present);
     }
 };
+
+/** @} */
 
 } // namespace mip_3d
 

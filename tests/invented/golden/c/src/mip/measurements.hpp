@@ -31,6 +31,9 @@ inline constexpr std::uint8_t copy_set = MIP_COPY_SET;
 
 namespace measurements {
 
+/** @addtogroup mip_measurements
+ * @{ */
+
 using ::mip::operator|;
 using ::mip::operator&;
 using ::mip::operator^;
@@ -133,6 +136,8 @@ using gust = gust_;
 
 /** Breeze. See struct mip_measurements_breeze. */
 using breeze = ::mip_measurements_breeze;
+
+/** @} */
 
 } // namespace measurements
 

@@ -8,6 +8,7 @@
 
 #include "mip/3d.hpp"
 #include "mip/3d_commands.hpp"
+#include "mip/client.hpp"
 #include "mip/core.hpp"
 #include "mip/device.hpp"
 #include "mip/measurements.hpp"

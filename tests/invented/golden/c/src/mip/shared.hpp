@@ -17,6 +17,9 @@ inline constexpr std::uint8_t shared_set = MIP_SHARED_SET;
 
 namespace shared {
 
+/** @addtogroup mip_shared
+ * @{ */
+
 using ::mip::operator|;
 using ::mip::operator&;
 using ::mip::operator^;
@@ -37,6 +40,8 @@ struct timestamp_ : ::mip_shared_timestamp {
 };
 /** Timestamp. See struct mip_shared_timestamp. */
 using timestamp = timestamp_;
+
+/** @} */
 
 } // namespace shared
 

@@ -1033,7 +1033,7 @@ static inline struct mip_tools_formats *mip_tools_formats_make(
     command->num_segments = num_segments;
     command->checkpoint = checkpoint;
     mip_copy(command->segments, sizeof(command->segments), segments,
-             num_segments * sizeof(segments[0]));
+             mip_counted(num_segments, segments, sizeof(segments[0])));
     return command;
 }
 
@@ -1233,7 +1233,8 @@ static inline struct mip_tools_list *mip_tools_list_write(struct mip_tools_list 
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_WRITE;
     command->count = count;
-    mip_copy(command->items, sizeof(command->items), items, count * sizeof(items[0]));
+    mip_copy(command->items, sizeof(command->items), items,
+             mip_counted(count, items, sizeof(items[0])));
     return command;
 }
 /** Send the current setting back in a response. Fills the structure and returns its address. */
@@ -1697,7 +1698,7 @@ static inline struct mip_tools_poll *mip_tools_poll_make(struct mip_tools_poll *
     command->first = first;
     command->count = count;
     mip_copy(command->descriptors, sizeof(command->descriptors), descriptors,
-             count * sizeof(descriptors[0]));
+             mip_counted(count, descriptors, sizeof(descriptors[0])));
     return command;
 }
 

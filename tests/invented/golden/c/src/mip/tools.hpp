@@ -47,6 +47,9 @@ inline constexpr std::uint8_t tools_set = MIP_TOOLS_SET;
 
 namespace tools {
 
+/** @addtogroup mip_tools
+ * @{ */
+
 using ::mip::operator|;
 using ::mip::operator&;
 using ::mip::operator^;
@@ -230,6 +233,8 @@ struct readings_response_ : ::mip_tools_readings_response {
 };
 /** Readings response. See struct mip_tools_readings_response. */
 using readings_response = readings_response_;
+
+/** @} */
 
 } // namespace tools
 

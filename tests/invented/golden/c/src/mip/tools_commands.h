@@ -644,11 +644,12 @@ static inline mip_error mip_send_tools_list(struct mip_client *client, struct mi
  * - count: Number of items. The number of elements of items. Required for write.
  * - items: The items. Required for write.
  */
-static inline struct mip_result mip_call_tools_list_write(struct mip_device *device, uint8_t count,
-                                                          const uint16_t items[]) {
+MIP_INLINE struct mip_result mip_call_tools_list_write(struct mip_device *device, uint8_t count,
+                                                       const uint16_t items[]) {
     uint8_t data[MIP_MAX_FIELD_DATA];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
     mip_put_8(data + 1, (uint8_t)count);
+    (void)mip_counted(count, items, sizeof(items[0]));
     for (size_t i = 0; i < count && i < 125; i++) {
         mip_put_16(data + 2 + 2 * i, (uint16_t)items[i]);
     }
@@ -856,13 +857,14 @@ static inline mip_error mip_send_tools_poll(struct mip_client *client, struct mi
  * - count: Number of fields. The number of elements of descriptors.
  * - descriptors: Field descriptors. Refers to fields of descriptor_set.
  */
-static inline struct mip_result mip_call_tools_poll(struct mip_device *device,
-                                                    uint8_t descriptor_set, uint8_t first,
-                                                    uint8_t count, const uint8_t descriptors[]) {
+MIP_INLINE struct mip_result mip_call_tools_poll(struct mip_device *device, uint8_t descriptor_set,
+                                                 uint8_t first, uint8_t count,
+                                                 const uint8_t descriptors[]) {
     uint8_t data[MIP_MAX_FIELD_DATA];
     mip_put_8(data, (uint8_t)descriptor_set);
     mip_put_8(data + 1, (uint8_t)first);
     mip_put_8(data + 2, (uint8_t)count);
+    (void)mip_counted(count, descriptors, sizeof(descriptors[0]));
     for (size_t i = 0; i < count && i < 250; i++) {
         mip_put_8(data + 3 + 1 * i, (uint8_t)descriptors[i]);
     }

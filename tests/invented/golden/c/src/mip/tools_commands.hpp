@@ -28,6 +28,9 @@ MIP_COMMAND_OF(mip_tools_poll, void)
 
 namespace tools {
 
+/** @addtogroup mip_tools
+ * @{ */
+
 /** Ping. See mip_call_tools_ping. */
 struct ping : fixed_command<::mip_tools_ping, void> {};
 
@@ -428,6 +431,8 @@ struct poll {
                                      descriptors.data());
     }
 };
+
+/** @} */
 
 } // namespace tools
 

@@ -1,0 +1,171 @@
+/**
+ * @file
+ * The command client in C++17, without input, output or a clock: for your own event loop.
+ */
+#ifndef MIP_CLIENT_HPP
+#define MIP_CLIENT_HPP
+
+#include "mip/device.hpp"
+
+namespace mip {
+
+class client;
+
+/**
+ * A command, and its answer: `mip::request ping(mip::base::ping{})`. It can be sent again. The
+ * client, which holds its address while it waits, must outlive it.
+ */
+template <class Command> class request {
+  public:
+    using response = typename detail::answer<Command>::type;
+
+    explicit request(const Command &of = {}) : command(of) {
+    }
+    request(const request &) = delete;
+    request &operator=(const request &) = delete;
+    ~request() {
+        cancel();
+    }
+
+    /** Is it to be answered yet? */
+    bool waiting() const {
+        return client_ != nullptr && request_.state == MIP_REQUEST_WAITING;
+    }
+    /** How it went: not_sent before and while it waits, closed if it was cancelled. */
+    mip::result<response> result() const {
+        const mip_result of = {static_cast<mip_outcome>(request_.state), request_.code,
+                               error_ != MIP_OK ? error_ : request_.error, request_.responded};
+        if constexpr (std::is_void_v<response>) {
+            return of;
+        } else {
+            return {of, response_};
+        }
+    }
+    /** Stops waiting. */
+    void cancel() {
+        if (client_ != nullptr) {
+            mip_client_cancel(client_, &request_);
+        }
+    }
+
+    /** What is sent. */
+    Command command;
+
+  private:
+    friend client;
+    using structure = typename detail::sent<Command>::structure;
+    struct nothing {};
+
+    bool add(mip_client &to, mip_builder &packet, std::uint32_t now) {
+        structure room;
+        const structure *value = detail::sent<Command>::fill(command, &room);
+        const mip_codec *codec = nullptr;
+        void *answer = nullptr;
+        if constexpr (!std::is_void_v<response>) {
+            codec = &traits<response>::codec();
+            answer = static_cast<c_type<response> *>(&response_);
+        }
+        client_ = &to;
+        error_ = static_cast<std::uint8_t>(mip_client_send(
+            &to, &request_, &packet, &exchange<structure>::command(), value, codec, answer, now));
+        return error_ == MIP_OK;
+    }
+    void forget() {
+        cancel();
+        client_ = nullptr;
+        request_ = {};
+    }
+
+    mip_client *client_ = nullptr;
+    mip_request request_ = {};
+    std::uint8_t error_ = MIP_OK;
+    std::conditional_t<std::is_void_v<response>, nothing, response> response_ = {};
+};
+
+/**
+ * Sends commands in packets that you write, and finds their answers in the bytes that you read. The
+ * time is in milliseconds, and may wrap around.
+ */
+class client {
+  public:
+    client() {
+        mip_client_init(&client_);
+        mip_parser_init(&parser_);
+    }
+    client(const client &) = delete;
+    client &operator=(const client &) = delete;
+
+    /**
+     * Makes a packet of commands of one descriptor set: the bytes to write, which lie in the client
+     * until the next call. They begin with a barrier if the answer to an earlier command may still
+     * come. Requests that still wait are cancelled first. Empty if a command is refused: nothing is
+     * sent, and the result of that request has the error.
+     */
+    template <class... Commands>
+    [[nodiscard]] bytes send(std::uint32_t now, request<Commands> &...requests) {
+        (requests.forget(), ...);
+        const mip_client before = client_;
+        const std::size_t barrier = mip_client_barrier(&client_, bytes_);
+        mip_builder packet;
+        (void)mip_builder_start(&packet, bytes_ + barrier, MIP_MAX_PACKET, set(requests...));
+        if (!(requests.add(client_, packet, now) && ...)) {
+            (requests.forget(), ...);
+            client_.missed = before.missed;
+            client_.behind = before.behind;
+            return {};
+        }
+        return {bytes_, barrier + mip_builder_finish(&packet).size};
+    }
+
+    /**
+     * Takes bytes as they arrive, in any pieces, and none to pass the time only: requests are
+     * answered or time out. All other fields go to the handlers, as in mip::dispatch.
+     */
+    template <class... Handlers>
+    void receive(bytes piece, std::uint32_t now, Handlers &&...handlers) {
+        const std::uint8_t *at = piece.data();
+        std::size_t left = piece.size();
+        packet found;
+        while (mip_parser_next(&parser_, &at, &left, &found) ||
+               mip_client_poll(&client_, &parser_, now, &found)) {
+            mip_walk walk = mip_walk_packet(&found);
+            mip_request *answered;
+            field each;
+            if (mip_client_passes(&client_, &found)) {
+                continue;
+            }
+            while (mip_client_next(&client_, &walk, &answered, &each)) {
+                if (answered == nullptr) {
+                    dispatch(each, handlers...);
+                }
+            }
+        }
+    }
+
+    /** Milliseconds that the device may take to answer. */
+    void timeout(std::uint32_t milliseconds) {
+        client_.timeout = milliseconds;
+    }
+    /** The client of C, for what has no name here. */
+    mip_client &c() {
+        return client_;
+    }
+    /** The parser of the bytes received. */
+    mip_parser &parser() {
+        return parser_;
+    }
+
+  private:
+    template <class First, class... More>
+    static std::uint8_t set(const request<First> &, const request<More> &...) {
+        return exchange<typename detail::sent<First>::structure>::answers().descriptor_set;
+    }
+
+    mip_client client_;
+    mip_parser parser_;
+    std::uint8_t bytes_[MIP_MAX_BARRIER + MIP_MAX_PACKET];
+};
+
+} // namespace mip
+
+#endif
