@@ -498,7 +498,7 @@ mip_3dm_poll_imu_data_make(struct mip_3dm_poll_imu_data *command, mip_bool suppr
     command->suppress_ack = mip_truth(suppress_ack);
     command->num_descriptors = num_descriptors;
     mip_copy(command->descriptors, sizeof(command->descriptors), descriptors,
-             num_descriptors * sizeof(descriptors[0]));
+             mip_counted(num_descriptors, descriptors, sizeof(descriptors[0])));
     return command;
 }
 
@@ -566,7 +566,7 @@ static inline struct mip_3dm_poll_gnss_data *mip_3dm_poll_gnss_data_make(
     command->suppress_ack = mip_truth(suppress_ack);
     command->num_descriptors = num_descriptors;
     mip_copy(command->descriptors, sizeof(command->descriptors), descriptors,
-             num_descriptors * sizeof(descriptors[0]));
+             mip_counted(num_descriptors, descriptors, sizeof(descriptors[0])));
     return command;
 }
 
@@ -630,7 +630,7 @@ static inline struct mip_3dm_poll_filter_data *mip_3dm_poll_filter_data_make(
     command->suppress_ack = mip_truth(suppress_ack);
     command->num_descriptors = num_descriptors;
     mip_copy(command->descriptors, sizeof(command->descriptors), descriptors,
-             num_descriptors * sizeof(descriptors[0]));
+             mip_counted(num_descriptors, descriptors, sizeof(descriptors[0])));
     return command;
 }
 
@@ -694,7 +694,7 @@ mip_3dm_poll_nmea_data_make(struct mip_3dm_poll_nmea_data *command, mip_bool sup
     command->suppress_ack = mip_truth(suppress_ack);
     command->count = count;
     mip_copy(command->format_entries, sizeof(command->format_entries), format_entries,
-             count * sizeof(format_entries[0]));
+             mip_counted(count, format_entries, sizeof(format_entries[0])));
     return command;
 }
 
@@ -906,7 +906,7 @@ static inline struct mip_3dm_imu_message_format *mip_3dm_imu_message_format_writ
     command->function = MIP_FUNCTION_SELECTOR_WRITE;
     command->num_descriptors = num_descriptors;
     mip_copy(command->descriptors, sizeof(command->descriptors), descriptors,
-             num_descriptors * sizeof(descriptors[0]));
+             mip_counted(num_descriptors, descriptors, sizeof(descriptors[0])));
     return command;
 }
 /** Return the current setting in a response. Fills the structure and returns its address. */
@@ -1040,7 +1040,7 @@ static inline struct mip_3dm_gnss_message_format *mip_3dm_gnss_message_format_wr
     command->function = MIP_FUNCTION_SELECTOR_WRITE;
     command->num_descriptors = num_descriptors;
     mip_copy(command->descriptors, sizeof(command->descriptors), descriptors,
-             num_descriptors * sizeof(descriptors[0]));
+             mip_counted(num_descriptors, descriptors, sizeof(descriptors[0])));
     return command;
 }
 /** Return the current setting in a response. Fills the structure and returns its address. */
@@ -1176,7 +1176,7 @@ static inline struct mip_3dm_filter_message_format *mip_3dm_filter_message_forma
     command->function = MIP_FUNCTION_SELECTOR_WRITE;
     command->num_descriptors = num_descriptors;
     mip_copy(command->descriptors, sizeof(command->descriptors), descriptors,
-             num_descriptors * sizeof(descriptors[0]));
+             mip_counted(num_descriptors, descriptors, sizeof(descriptors[0])));
     return command;
 }
 /** Return the current setting in a response. Fills the structure and returns its address. */
@@ -1380,7 +1380,7 @@ mip_3dm_nmea_message_format_write(struct mip_3dm_nmea_message_format *command, u
     command->function = MIP_FUNCTION_SELECTOR_WRITE;
     command->count = count;
     mip_copy(command->format_entries, sizeof(command->format_entries), format_entries,
-             count * sizeof(format_entries[0]));
+             mip_counted(count, format_entries, sizeof(format_entries[0])));
     return command;
 }
 /** Return the current setting in a response. Fills the structure and returns its address. */
@@ -1515,7 +1515,7 @@ static inline struct mip_3dm_poll_data *mip_3dm_poll_data_make(struct mip_3dm_po
     command->suppress_ack = mip_truth(suppress_ack);
     command->num_descriptors = num_descriptors;
     mip_copy(command->descriptors, sizeof(command->descriptors), descriptors,
-             num_descriptors * sizeof(descriptors[0]));
+             mip_counted(num_descriptors, descriptors, sizeof(descriptors[0])));
     return command;
 }
 
@@ -1670,7 +1670,7 @@ static inline struct mip_3dm_message_format *mip_3dm_message_format_write(
     command->descriptor_set = descriptor_set;
     command->num_descriptors = num_descriptors;
     mip_copy(command->descriptors, sizeof(command->descriptors), descriptors,
-             num_descriptors * sizeof(descriptors[0]));
+             mip_counted(num_descriptors, descriptors, sizeof(descriptors[0])));
     return command;
 }
 /**
@@ -2063,7 +2063,8 @@ static inline struct mip_3dm_raw_rtcm_2_3_message *mip_3dm_raw_rtcm_2_3_message_
     struct mip_3dm_raw_rtcm_2_3_message *command, uint8_t data__count, const uint8_t data_[]) {
     memset(command, 0, sizeof(*command));
     command->data_count = data__count;
-    mip_copy(command->data, sizeof(command->data), data_, data__count * sizeof(data_[0]));
+    mip_copy(command->data, sizeof(command->data), data_,
+             mip_counted(data__count, data_, sizeof(data_[0])));
     return command;
 }
 
@@ -2154,7 +2155,7 @@ static inline struct mip_3dm_constellation_settings *mip_3dm_constellation_setti
     command->max_channels = max_channels;
     command->config_count = config_count;
     mip_copy(command->settings, sizeof(command->settings), settings,
-             config_count * sizeof(settings[0]));
+             mip_counted(config_count, settings, sizeof(settings[0])));
     return command;
 }
 /** Return the current setting in a response. Fills the structure and returns its address. */
@@ -2306,7 +2307,7 @@ static inline struct mip_3dm_gnss_sbas_settings *mip_3dm_gnss_sbas_settings_writ
     command->sbas_options = sbas_options;
     command->num_included_prns = num_included_prns;
     mip_copy(command->included_prns, sizeof(command->included_prns), included_prns,
-             num_included_prns * sizeof(included_prns[0]));
+             mip_counted(num_included_prns, included_prns, sizeof(included_prns[0])));
     return command;
 }
 /** Return the current setting in a response. Fills the structure and returns its address. */
@@ -3073,7 +3074,8 @@ static inline struct mip_3dm_get_event_trigger_status *mip_3dm_get_event_trigger
     memset(command, 0, sizeof(*command));
     command->requested_count = requested_count;
     mip_copy(command->requested_instances, sizeof(command->requested_instances),
-             requested_instances, requested_count * sizeof(requested_instances[0]));
+             requested_instances,
+             mip_counted(requested_count, requested_instances, sizeof(requested_instances[0])));
     return command;
 }
 
@@ -3166,7 +3168,8 @@ mip_3dm_get_event_action_status_make(struct mip_3dm_get_event_action_status *com
     memset(command, 0, sizeof(*command));
     command->requested_count = requested_count;
     mip_copy(command->requested_instances, sizeof(command->requested_instances),
-             requested_instances, requested_count * sizeof(requested_instances[0]));
+             requested_instances,
+             mip_counted(requested_count, requested_instances, sizeof(requested_instances[0])));
     return command;
 }
 

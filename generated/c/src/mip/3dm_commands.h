@@ -255,12 +255,13 @@ static inline mip_error mip_send_3dm_imu_message_format(
  * - num_descriptors: Number of fields. The number of elements of descriptors. Required for write.
  * - descriptors: Fields and decimations. Refers to fields of MIP_SENSOR_SET. Required for write.
  */
-static inline struct mip_result
+MIP_INLINE struct mip_result
 mip_call_3dm_imu_message_format_write(struct mip_device *device, uint8_t num_descriptors,
                                       const struct mip_descriptor_rate descriptors[]) {
     uint8_t data[MIP_MAX_FIELD_DATA];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
     mip_put_8(data + 1, (uint8_t)num_descriptors);
+    (void)mip_counted(num_descriptors, descriptors, sizeof(descriptors[0]));
     for (size_t i = 0; i < num_descriptors && i < 83; i++) {
         mip_put_8(data + 2 + 3 * i, (uint8_t)descriptors[i].descriptor);
         mip_put_16(data + 3 + 3 * i, (uint16_t)descriptors[i].decimation);
@@ -337,12 +338,13 @@ static inline mip_error mip_send_3dm_gnss_message_format(
  *   Required for write.
  * - descriptors: Fields and decimations. Refers to fields of MIP_GNSS_DATA_SET. Required for write.
  */
-static inline struct mip_result
+MIP_INLINE struct mip_result
 mip_call_3dm_gnss_message_format_write(struct mip_device *device, uint8_t num_descriptors,
                                        const struct mip_descriptor_rate descriptors[]) {
     uint8_t data[MIP_MAX_FIELD_DATA];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
     mip_put_8(data + 1, (uint8_t)num_descriptors);
+    (void)mip_counted(num_descriptors, descriptors, sizeof(descriptors[0]));
     for (size_t i = 0; i < num_descriptors && i < 83; i++) {
         mip_put_8(data + 2 + 3 * i, (uint8_t)descriptors[i].descriptor);
         mip_put_16(data + 3 + 3 * i, (uint16_t)descriptors[i].decimation);
@@ -421,12 +423,13 @@ static inline mip_error mip_send_3dm_filter_message_format(
  * - descriptors: Fields and decimations. Refers to fields of MIP_FILTER_DATA_SET. Required for
  *   write.
  */
-static inline struct mip_result
+MIP_INLINE struct mip_result
 mip_call_3dm_filter_message_format_write(struct mip_device *device, uint8_t num_descriptors,
                                          const struct mip_descriptor_rate descriptors[]) {
     uint8_t data[MIP_MAX_FIELD_DATA];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
     mip_put_8(data + 1, (uint8_t)num_descriptors);
+    (void)mip_counted(num_descriptors, descriptors, sizeof(descriptors[0]));
     for (size_t i = 0; i < num_descriptors && i < 83; i++) {
         mip_put_8(data + 2 + 3 * i, (uint8_t)descriptors[i].descriptor);
         mip_put_16(data + 3 + 3 * i, (uint16_t)descriptors[i].decimation);
@@ -534,11 +537,12 @@ static inline mip_error mip_send_3dm_nmea_message_format(
  * - count: Number of sentences. The number of elements of format_entries. Required for write.
  * - format_entries: Sentences to stream. Required for write.
  */
-static inline struct mip_result mip_call_3dm_nmea_message_format_write(
+MIP_INLINE struct mip_result mip_call_3dm_nmea_message_format_write(
     struct mip_device *device, uint8_t count, const struct mip_nmea_message format_entries[]) {
     uint8_t data[MIP_MAX_FIELD_DATA];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
     mip_put_8(data + 1, (uint8_t)count);
+    (void)mip_counted(count, format_entries, sizeof(format_entries[0]));
     for (size_t i = 0; i < count && i < 50; i++) {
         mip_put_8(data + 2 + 5 * i, (uint8_t)format_entries[i].message_id);
         mip_put_8(data + 3 + 5 * i, (uint8_t)format_entries[i].talker_id);
@@ -705,13 +709,14 @@ static inline mip_error mip_send_3dm_message_format(
  * - num_descriptors: Number of fields. The number of elements of descriptors. Required for write.
  * - descriptors: Fields and decimations. Refers to fields of descriptor_set. Required for write.
  */
-static inline struct mip_result mip_call_3dm_message_format_write(
+MIP_INLINE struct mip_result mip_call_3dm_message_format_write(
     struct mip_device *device, uint8_t descriptor_set, uint8_t num_descriptors,
     const struct mip_descriptor_rate descriptors[]) {
     uint8_t data[MIP_MAX_FIELD_DATA];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
     mip_put_8(data + 1, (uint8_t)descriptor_set);
     mip_put_8(data + 2, (uint8_t)num_descriptors);
+    (void)mip_counted(num_descriptors, descriptors, sizeof(descriptors[0]));
     for (size_t i = 0; i < num_descriptors && i < 83; i++) {
         mip_put_8(data + 3 + 3 * i, (uint8_t)descriptors[i].descriptor);
         mip_put_16(data + 4 + 3 * i, (uint16_t)descriptors[i].decimation);
@@ -1016,13 +1021,14 @@ static inline mip_error mip_send_3dm_constellation_settings(
  *   for write.
  * - settings: One entry for each constellation. Required for write.
  */
-static inline struct mip_result mip_call_3dm_constellation_settings_write(
+MIP_INLINE struct mip_result mip_call_3dm_constellation_settings_write(
     struct mip_device *device, uint16_t max_channels, uint8_t config_count,
     const struct mip_3dm_constellation_settings_entry settings[]) {
     uint8_t data[MIP_MAX_FIELD_DATA];
     mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
     mip_put_16(data + 1, (uint16_t)max_channels);
     mip_put_8(data + 3, (uint8_t)config_count);
+    (void)mip_counted(config_count, settings, sizeof(settings[0]));
     for (size_t i = 0; i < config_count && i < 41; i++) {
         mip_put_8(data + 4 + 6 * i, (uint8_t)settings[i].constellation_id);
         mip_put_8(data + 5 + 6 * i, (uint8_t)settings[i].enable);
@@ -1110,7 +1116,7 @@ static inline mip_error mip_send_3dm_gnss_sbas_settings(
  *   included_prns. Required for write.
  * - included_prns: PRN numbers of the SBAS satellites to search for. Required for write.
  */
-static inline struct mip_result mip_call_3dm_gnss_sbas_settings_write(
+MIP_INLINE struct mip_result mip_call_3dm_gnss_sbas_settings_write(
     struct mip_device *device, uint8_t enable_sbas, mip_3dm_sbas_options sbas_options,
     uint8_t num_included_prns, const uint16_t included_prns[]) {
     uint8_t data[MIP_MAX_FIELD_DATA];
@@ -1118,6 +1124,7 @@ static inline struct mip_result mip_call_3dm_gnss_sbas_settings_write(
     mip_put_8(data + 1, (uint8_t)enable_sbas);
     mip_put_16(data + 2, (uint16_t)sbas_options);
     mip_put_8(data + 4, (uint8_t)num_included_prns);
+    (void)mip_counted(num_included_prns, included_prns, sizeof(included_prns[0]));
     for (size_t i = 0; i < num_included_prns && i < 124; i++) {
         mip_put_16(data + 5 + 2 * i, (uint16_t)included_prns[i]);
     }
@@ -1547,11 +1554,12 @@ static inline mip_error mip_send_3dm_get_event_trigger_status(
  *   requested_instances.
  * - requested_instances: Numbers of the triggers to report; none for all.
  */
-static inline struct mip_result mip_call_3dm_get_event_trigger_status(
+MIP_INLINE struct mip_result mip_call_3dm_get_event_trigger_status(
     struct mip_device *device, uint8_t requested_count, const uint8_t requested_instances[],
     struct mip_3dm_get_event_trigger_status_response *response) {
     uint8_t data[MIP_MAX_FIELD_DATA];
     mip_put_8(data, (uint8_t)requested_count);
+    (void)mip_counted(requested_count, requested_instances, sizeof(requested_instances[0]));
     for (size_t i = 0; i < requested_count && i < 252; i++) {
         mip_put_8(data + 1 + 1 * i, (uint8_t)requested_instances[i]);
     }
@@ -1596,11 +1604,12 @@ static inline mip_error mip_send_3dm_get_event_action_status(
  *   requested_instances.
  * - requested_instances: Numbers of the actions to report; none for all.
  */
-static inline struct mip_result mip_call_3dm_get_event_action_status(
+MIP_INLINE struct mip_result mip_call_3dm_get_event_action_status(
     struct mip_device *device, uint8_t requested_count, const uint8_t requested_instances[],
     struct mip_3dm_get_event_action_status_response *response) {
     uint8_t data[MIP_MAX_FIELD_DATA];
     mip_put_8(data, (uint8_t)requested_count);
+    (void)mip_counted(requested_count, requested_instances, sizeof(requested_instances[0]));
     for (size_t i = 0; i < requested_count && i < 252; i++) {
         mip_put_8(data + 1 + 1 * i, (uint8_t)requested_instances[i]);
     }

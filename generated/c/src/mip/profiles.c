@@ -4274,17 +4274,19 @@ static const char *const gx4_imu_incomplete[] = {
 static const struct mip_profile_evidence gx4_imu_evidence[] = {
     {MIP_SUPPORT_PROBABLE, "Used by the vendor's example for this model (MIP SDK of 2014: "
                            "Examples, one for each model)."},
+    {MIP_SUPPORT_PROBABLE, "Supported by devices of the same generation, 3DM-GX4-25."},
 };
 
 static const struct mip_profile_field gx4_imu_fields[] = {
     {0x01, 0x01, "", &gx4_imu_evidence[0]},       {0x01, 0x02, "", &gx4_imu_evidence[0]},
     {0x01, 0x03, "", &gx4_imu_evidence[0]},       {0x01, 0x04, "", &gx4_imu_evidence[0]},
-    {0x01, 0x05, "", &gx4_imu_evidence[0]},       {0x0C, 0x01, "", &gx4_imu_evidence[0]},
-    {0x0C, 0x06, "", &gx4_imu_evidence[0]},       {0x0C, 0x08, "WRSLD", &gx4_imu_evidence[0]},
-    {0x0C, 0x37, "WRSLDA", &gx4_imu_evidence[0]}, {0x0C, 0x38, "WRSLDA", &gx4_imu_evidence[0]},
-    {0x0C, 0x39, "", &gx4_imu_evidence[0]},       {0x0C, 0x3A, "WRSLDA", &gx4_imu_evidence[0]},
-    {0x0C, 0x3B, "WRSLDA", &gx4_imu_evidence[0]}, {0x0C, 0x3E, "WRSLD", &gx4_imu_evidence[0]},
-    {0x0C, 0x64, "", &gx4_imu_evidence[0]},       {0x7F, 0x10, "WRSLD", &gx4_imu_evidence[0]},
+    {0x01, 0x05, "", &gx4_imu_evidence[0]},       {0x01, 0x06, "", &gx4_imu_evidence[1]},
+    {0x0C, 0x01, "", &gx4_imu_evidence[0]},       {0x0C, 0x06, "", &gx4_imu_evidence[0]},
+    {0x0C, 0x08, "WRSLD", &gx4_imu_evidence[0]},  {0x0C, 0x37, "WRSLDA", &gx4_imu_evidence[0]},
+    {0x0C, 0x38, "WRSLDA", &gx4_imu_evidence[0]}, {0x0C, 0x39, "", &gx4_imu_evidence[0]},
+    {0x0C, 0x3A, "WRSLDA", &gx4_imu_evidence[0]}, {0x0C, 0x3B, "WRSLDA", &gx4_imu_evidence[0]},
+    {0x0C, 0x3E, "WRSLD", &gx4_imu_evidence[0]},  {0x0C, 0x64, "", &gx4_imu_evidence[0]},
+    {0x7F, 0x10, "WRSLD", &gx4_imu_evidence[0]},
 };
 
 const struct mip_profile mip_profile_gx4_imu = {
@@ -4296,7 +4298,7 @@ const struct mip_profile mip_profile_gx4_imu = {
     4,    /* generation */
     0,    /* other names */
     1,    /* what is not known */
-    16,   /* fields */
+    17,   /* fields */
     0,    /* refused fields */
     0,    /* fields of some firmware */
     0,    /* base rates */
@@ -5265,16 +5267,18 @@ static const char *const rq1_imu_incomplete[] = {
 static const struct mip_profile_evidence rq1_imu_evidence[] = {
     {MIP_SUPPORT_PROBABLE, "Used by the vendor's example for this model (MIP SDK of 2014: "
                            "Examples, one for each model)."},
+    {MIP_SUPPORT_PROBABLE, "Supported by devices of the same generation, 3DM-GX4-25."},
 };
 
 static const struct mip_profile_field rq1_imu_fields[] = {
     {0x01, 0x01, "", &rq1_imu_evidence[0]},       {0x01, 0x02, "", &rq1_imu_evidence[0]},
     {0x01, 0x03, "", &rq1_imu_evidence[0]},       {0x01, 0x04, "", &rq1_imu_evidence[0]},
-    {0x01, 0x05, "", &rq1_imu_evidence[0]},       {0x0C, 0x01, "", &rq1_imu_evidence[0]},
-    {0x0C, 0x06, "", &rq1_imu_evidence[0]},       {0x0C, 0x08, "WRSLD", &rq1_imu_evidence[0]},
-    {0x0C, 0x37, "WRSLDA", &rq1_imu_evidence[0]}, {0x0C, 0x38, "WRSLDA", &rq1_imu_evidence[0]},
-    {0x0C, 0x39, "", &rq1_imu_evidence[0]},       {0x0C, 0x3E, "WRSLD", &rq1_imu_evidence[0]},
-    {0x0C, 0x64, "", &rq1_imu_evidence[0]},       {0x7F, 0x10, "WRSLD", &rq1_imu_evidence[0]},
+    {0x01, 0x05, "", &rq1_imu_evidence[0]},       {0x01, 0x06, "", &rq1_imu_evidence[1]},
+    {0x0C, 0x01, "", &rq1_imu_evidence[0]},       {0x0C, 0x06, "", &rq1_imu_evidence[0]},
+    {0x0C, 0x08, "WRSLD", &rq1_imu_evidence[0]},  {0x0C, 0x37, "WRSLDA", &rq1_imu_evidence[0]},
+    {0x0C, 0x38, "WRSLDA", &rq1_imu_evidence[0]}, {0x0C, 0x39, "", &rq1_imu_evidence[0]},
+    {0x0C, 0x3E, "WRSLD", &rq1_imu_evidence[0]},  {0x0C, 0x64, "", &rq1_imu_evidence[0]},
+    {0x7F, 0x10, "WRSLD", &rq1_imu_evidence[0]},
 };
 
 const struct mip_profile mip_profile_rq1_imu = {
@@ -5286,7 +5290,7 @@ const struct mip_profile mip_profile_rq1_imu = {
     4,    /* generation */
     0,    /* other names */
     1,    /* what is not known */
-    14,   /* fields */
+    15,   /* fields */
     0,    /* refused fields */
     0,    /* fields of some firmware */
     0,    /* base rates */

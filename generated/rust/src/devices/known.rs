@@ -6891,6 +6891,9 @@ pub static GX4_45: Profile = Profile {
 #[rustfmt::skip]
 const GX4_IMU_1: &Evidence =
     &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MIP SDK of 2014: Examples, one for each model)." };
+#[rustfmt::skip]
+const GX4_IMU_2: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation, 3DM-GX4-25." };
 
 /// 3DM-GX4-IMU
 ///
@@ -6918,6 +6921,7 @@ pub static GX4_IMU: Profile = Profile {
         0x01 0x03 "base.get_device_info" [] GX4_IMU_1;
         0x01 0x04 "base.get_device_descriptors" [] GX4_IMU_1;
         0x01 0x05 "base.built_in_test" [] GX4_IMU_1;
+        0x01 0x06 "base.resume" [] GX4_IMU_2;
         0x0C 0x01 "3dm.poll_imu_data" [] GX4_IMU_1;
         0x0C 0x06 "3dm.get_imu_base_rate" [] GX4_IMU_1;
         0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] GX4_IMU_1;
@@ -8511,6 +8515,9 @@ pub static RQ1_45_ST: Profile = Profile {
 #[rustfmt::skip]
 const RQ1_IMU_1: &Evidence =
     &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MIP SDK of 2014: Examples, one for each model)." };
+#[rustfmt::skip]
+const RQ1_IMU_2: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation, 3DM-GX4-25." };
 
 /// 3DM-RQ1-IMU
 ///
@@ -8538,6 +8545,7 @@ pub static RQ1_IMU: Profile = Profile {
         0x01 0x03 "base.get_device_info" [] RQ1_IMU_1;
         0x01 0x04 "base.get_device_descriptors" [] RQ1_IMU_1;
         0x01 0x05 "base.built_in_test" [] RQ1_IMU_1;
+        0x01 0x06 "base.resume" [] RQ1_IMU_2;
         0x0C 0x01 "3dm.poll_imu_data" [] RQ1_IMU_1;
         0x0C 0x06 "3dm.get_imu_base_rate" [] RQ1_IMU_1;
         0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] RQ1_IMU_1;
