@@ -20,6 +20,7 @@ from typing import Any
 import everything
 import pytest
 from crates import WORK, bare, cargo, crate, passes, project, rendered, specification, without_dependencies, write
+from mipgen import model as m
 from mipgen.emit import output, render
 from mipgen.resolve.load import load_model
 from mipgen.resolve.subset import Selection, select
@@ -228,6 +229,65 @@ def test_nothing_panics(spec: str) -> None:
     folder = project(spec, "panics", target, features="", files={"panics.rs": spoiled.encode()})
     done = cargo(folder, *build)
     assert done.returncode != 0 and "a_panic_can_be_reached" in done.stderr
+
+
+def whole(spec: str) -> str:
+    """The program of `whole.rs`, with each command in each of its functions."""
+    commands = [f for f in specification(spec).fields if f.role == m.COMMAND]
+    types = [everything.path(f) for f in commands]
+    types += [f"mip_protocol::Call<{everything.path(f)}, {x.value}>" for f in commands for x in f.functions]
+    lines = "".join(f"    black_box(command::<{t}> as fn(&{t}, Parts<'_>));\n" for t in types)
+    return (HERE / "whole.rs").read_text("utf-8") + f"\npub fn every_command() {{\n{lines}}}\n"
+
+
+def panics(spec: str, source: str) -> str:
+    """How functions for a microcontroller, all of the crate and of a program, reach a panic, if any does.
+
+    The compiler makes all of them, used or not, with checks for overflow; the linker keeps what they need. What formats
+    is left out, because it is in the library of the language; so are two functions of constants.
+    """
+    target, flags = embedded("thumbv7em-none-eabi"), "-Clink-dead-code -Coverflow-checks -Cpanic=abort"
+    folder = project(spec, "whole", "", features="", files={"src/lib.rs": source.encode()})
+    build, build_flags = WORK / "target-whole", {"RUSTFLAGS": flags, "CARGO_PROFILE_RELEASE_LTO": "off"}
+    passes(folder, "build", "--quiet", "--offline", "--release", "--target", target,
+           CARGO_TARGET_DIR=str(build), **build_flags)  # fmt: skip
+    made = [build / target / "release/libwhole.rlib", *(build / target / "release/deps").glob("libmip_protocol-*.rlib")]
+    names, roots = [], []
+    for readable in ([], ["-C"]):
+        done = subprocess.run([need("nm"), *readable, *made], capture_output=True, text=True)
+        names.append(re.findall(r"^[0-9a-f]{8} T (.*)", done.stdout, re.MULTILINE))
+    for symbol, name in zip(*names, strict=True):
+        ours = re.match(r"<?&?(mip_protocol|whole)::|<.* as mip_protocol::", name)
+        if ours and not re.search(r"fmt::|::debug|registry::(rows|count)\b", name):
+            roots.append(f"-u {symbol}\n")
+    (build / "roots").write_text("".join(roots))
+    assert len(roots) > 50 * len(specification(spec).fields)
+    sysroot = Path(subprocess.run([need("rustc"), "--print", "sysroot"], capture_output=True, text=True).stdout.strip())
+    (linker,) = sysroot.glob("lib/rustlib/*/bin/rust-lld")
+    libraries = [
+        p for name in ("core", "compiler_builtins") for p in sysroot.glob(f"lib/rustlib/{target}/lib/lib{name}-*.rlib")
+    ]
+    done = subprocess.run(
+        [linker, "-flavor", "gnu", "--gc-sections", "--why-live=*panicking*", f"@{build}/roots", *made, *libraries,
+         "-o", build / "linked"], capture_output=True, text=True,
+    )  # fmt: skip
+    assert done.returncode == 0 or "rust_begin_unwind" in done.stderr, done.stderr[-3000:]
+    return (done.stdout + done.stderr)[:6000] if done.returncode else ""
+
+
+@pytest.mark.parametrize(
+    "spec",
+    [
+        pytest.param("invented", marks=heavy(EMBEDDED)),
+        pytest.param("real", marks=nightly("all of Rust for a microcontroller")),
+    ],
+)
+def test_no_function_panics(spec: str) -> None:
+    """Not even one that nobody calls."""
+    assert not panics(spec, whole(spec))
+    if spec == "invented":
+        planted = "\npub fn planted(data: &[u8]) -> u8 {\n    data[0]\n}\n"
+        assert "whole::planted" in panics(spec, whole(spec) + planted)
 
 
 @heavy(LONG)

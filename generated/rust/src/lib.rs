@@ -81,7 +81,7 @@ pub use sets::*;
 pub use bits::Bits;
 pub use client::{Answer, Client, CommandError, Event, Outcome, RequestError, Ticket};
 pub use codec::{Bool, Reader, Union, Wire, Writer};
-pub use error::{DecodeError, DecodeErrorKind, EncodeError, EncodeErrorKind};
+pub use error::{DecodeError, DecodeErrorKind, EncodeError, EncodeErrorKind, Invalid};
 pub use field::{
     Call, Command, Field, OneSet, RawField, Response, ResponseCheck, ResponseOf, Role, Takes,
 };

@@ -36,7 +36,7 @@ pub(crate) trait Number: Copy {
 /// The bits `first` to `last` of a number.
 pub(crate) const fn number_mask(first: u16, last: u16) -> u64 {
     let unused = 63_u16.saturating_sub(last.saturating_sub(first));
-    (u64::MAX >> unused) << first
+    (u64::MAX >> unused).wrapping_shl(first as u32)
 }
 
 /// The bits `first` to `last` of bytes.
@@ -183,13 +183,13 @@ macro_rules! numbers {
 
             #[inline]
             fn get(self, first: u16, last: u16) -> u64 {
-                (u64::from(self) & number_mask(first, last)) >> first
+                (u64::from(self) & number_mask(first, last)).wrapping_shr(first.into())
             }
 
             #[inline]
             fn set(&mut self, first: u16, last: u16, value: u64) {
                 let mask = number_mask(first, last);
-                let bits = (u64::from(*self) & !mask) | ((value << first) & mask);
+                let bits = (u64::from(*self) & !mask) | (value.wrapping_shl(first.into()) & mask);
                 *self = Self::from_bits(bits);
             }
         }

@@ -213,9 +213,8 @@ impl<V: Visitor> fmt::Debug for Own<V> {
 /// place of those that the registry lists for the same descriptor.
 ///
 /// ```
-/// use mip_protocol::error::{EncodeErrorKind, Invalid};
 /// use mip_protocol::registry::{visit_with, Listed, Own, Visitor};
-/// use mip_protocol::{Field, RawField, Reader, Wire, Writer};
+/// use mip_protocol::{EncodeErrorKind, Field, Invalid, RawField, Reader, Wire, Writer};
 ///
 /// /// What a device of your own sends.
 /// struct Wind {
