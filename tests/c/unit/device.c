@@ -241,7 +241,7 @@ static void no_answers(void) {
 
     /* What does not fit is not sent. */
     const unsigned writes = line.writes;
-    static const struct mip_segment segments[25];
+    static const struct mip_segment segments[255];
     struct mip_result r = mip_call_tools_formats(&device, false, 255, 0, segments);
     CHECK(is(r, MIP_NOT_SENT, 0, MIP_ERROR_COUNT) && line.writes == writes && device.client.waiting == NULL);
     CHECK(strcmp(mip_result_reason(r), "count") == 0);
