@@ -453,7 +453,7 @@ def parameter_checks(record: m.Field | m.Struct, table: str) -> Iterator[str]:
         for k, v in enumerate(p.readings):
             assert v.type is not None
             found = f"{at}.readings[{k}]"
-            yield f'CHECK(strcmp({found}.names->name, "{names.spec_name(v.type)}") == 0);'
+            yield f'CHECK(strcmp({found}.names->name, "{v.type.full_name}") == 0);'
             if v.by_device:
                 yield f'CHECK(strcmp({found}.device, "{v.key}") == 0);'
             else:
@@ -500,7 +500,7 @@ def device_checks(d: m.Device, of: m.Model) -> Iterator[str]:
     yield f"CHECK({name}.reading_count == {len(readings)});"
     for v in readings:
         assert v.variant.type is not None
-        yield f'CHECK(strcmp(mip_profile_reading_of(&{name}, "{v.path}"), "{names.spec_name(v.variant.type)}") == 0);'
+        yield f'CHECK(strcmp(mip_profile_reading_of(&{name}, "{v.path}"), "{v.variant.type.full_name}") == 0);'
     yield f"CHECK({name}.ack_code_count == {len(d.ack_codes)});"
     for i, code in enumerate(d.ack_codes):
         yield f"CHECK({name}.ack_codes[{i}] == {code});"

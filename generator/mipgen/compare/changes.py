@@ -139,7 +139,7 @@ def _places(model: m.Model) -> dict[str, m.Position | None]:
     places: dict[str, m.Position | None] = {s.name: s.position for s in model.sets}
     places |= {x.name: x.position for x in model.families} | {d.id: d.position for d in model.devices}
     for t in model.all_types:
-        name = _spec_name(t)
+        name = t.full_name
         places[name] = getattr(t, "position", None)
         members: Sequence[Any] = getattr(t, "values", None) or getattr(t, "bits", None) or ()
         if isinstance(t, m.Struct):
@@ -404,7 +404,7 @@ def _type_name(e: m.Scalar | m.Type | None) -> str:
 
 def _types(old: m.Model, new: m.Model) -> Iterator[Change]:
     """The values, bits and members of types of the same name."""
-    theirs, ours = ({_spec_name(t): t for t in model.all_types} for model in (old, new))
+    theirs, ours = ({t.full_name: t for t in model.all_types} for model in (old, new))
     for name, t in theirs.items():
         if name not in ours:
             yield Change("source", "removed", name, "removed")
@@ -412,11 +412,6 @@ def _types(old: m.Model, new: m.Model) -> Iterator[Change]:
             yield from _type(name, t, ours[name])
     for name in ours.keys() - theirs.keys():
         yield Change("compatible", "added", name, "added")
-
-
-def _spec_name(t: m.Type) -> str:
-    owner = None if isinstance(t, m.Vector) else t.owner
-    return f"{owner}.{t.name}" if owner else t.name
 
 
 def _type(name: str, old: m.Type, new: m.Type) -> Iterator[Change]:

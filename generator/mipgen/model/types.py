@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Literal, Protocol
 
 from mipgen.read.position import Position
 
@@ -57,8 +57,24 @@ class EnumValue:
     position: Position | None = field(default=None, compare=False)
 
 
+class _Owned(Protocol):
+    @property
+    def name(self) -> str: ...
+    @property
+    def owner(self) -> str | None: ...
+
+
+class _Type:
+    __slots__ = ()
+
+    @property
+    def full_name(self: _Owned) -> str:
+        """The name after that of the set or family that defines it, if one does: "sensor.status"."""
+        return f"{self.owner}.{self.name}" if self.owner else self.name
+
+
 @dataclass(frozen=True, slots=True)
-class Enum:
+class Enum(_Type):
     """An open enumeration: unnamed values may be received and are preserved."""
 
     name: str
@@ -101,7 +117,7 @@ class Bits:
 
 
 @dataclass(frozen=True, slots=True)
-class Bitfield:
+class Bitfield(_Type):
     """Named bits of an unsigned scalar, or of `size` bytes, least significant byte first."""
 
     name: str
@@ -125,7 +141,7 @@ class Bitfield:
 
 
 @dataclass(frozen=True, slots=True)
-class Vector:
+class Vector(_Type):
     """A fixed array whose elements have names: vector3f is (x, y, z), quatf is (w, x, y, z)."""
 
     name: str
@@ -148,7 +164,7 @@ class Vector:
 
 
 @dataclass(frozen=True, slots=True)
-class Struct:
+class Struct(_Type):
     """A named group of parameters, used inside fields."""
 
     name: str

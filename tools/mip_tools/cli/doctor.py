@@ -53,22 +53,22 @@ def run(options: argparse.Namespace) -> int:
         patient = Patient(options.input, options)
         with signals.handled(signals.interrupt):
             patient.watch(options.duration, rates)
-        found = _examined(patient.pieces, device or patient.model)
+        examined = _examined(patient.pieces, device or patient.model)
         patient.line(options.duration)
-        patient.rates(rates if patient.pieces else {}, found)
-        said = patient.findings + (findings.of(found) if found.packets else [])
+        patient.rates(rates if patient.pieces else {}, examined)
+        said = patient.findings + (findings.of(examined) if examined.packets else [])
     elif rates:
         raise Misuse(f"{options.input} is not a port; rates are for devices")
     else:
-        found = _examined(inputs.pieces(options.input), device)
-        said = findings.of(found)
+        examined = _examined(inputs.pieces(options.input), device)
+        said = findings.of(examined)
     if options.html:
         with outputs.whole(options.html) as out:
-            out.write(report.page(options.input, found, said).encode())
+            out.write(report.page(options.input, examined, said).encode())
     if options.json:
         print(json.dumps({"input": options.input, "findings": [dataclasses.asdict(f) for f in said]}, indent=2))
     else:
-        _print(options.input, found, said)
+        _print(options.input, examined, said)
     return 1 if any(f.cause not in _NOTES for f in said) else 0
 
 
@@ -82,9 +82,9 @@ def _examined(pieces: Iterable[Piece], device: str | None) -> Examined:
     return examination.end()
 
 
-def _print(name: str, found: Examined, said: list[Finding]) -> None:
-    span = findings.duration(found)
-    print(f"{name}: {inputs.counted(found.packets, 'packet')}{f' in {span:.1f} s' if span else ''}")
+def _print(name: str, examined: Examined, said: list[Finding]) -> None:
+    span = findings.duration(examined)
+    print(f"{name}: {inputs.counted(examined.packets, 'packet')}{f' in {span:.1f} s' if span else ''}")
     for f in said:
         print(f"{f.cause}: {f.text}")
         if f.remedy:

@@ -61,41 +61,42 @@ def run(options: argparse.Namespace) -> int:
         return done
     shown = packets = bytes_skipped = 0
     damage = ""
-    for name in options.input if not explain else [""]:
-        for piece in _given(given or b"") if explain else _source(name, options):
-            if piece is None:
-                sys.stdout.flush()  # whoever reads it sees what has arrived
-                continue
-            if piece.packet is None:
-                bytes_skipped += len(piece.data)
-                damage = damage or show.damage(piece.data)
-                if between and options.json:
-                    print(json.dumps({"offset": piece.offset, "skipped": piece.data.hex()}))
-                elif between:
-                    print(f"{piece.offset:08x} {show.skipped(piece.data)}")
-                continue
-            packets += 1
-            fields = show.selected(piece.packet, selection)
-            if not fields and not selection.everything:
-                continue
-            if options.json:
-                print(objects.packet(piece.offset, piece.packet, fields, device, options.raw))
-            else:
-                where = "" if explain else f"{piece.offset:08x} "
-                text = show.line(piece.packet, fields, device)
-                if as_tree:
-                    text = "\n".join(show.tree(piece.packet, fields, device))
-                raw = f"\n  {piece.data.hex(' ')}" if options.raw else ""
-                print(f"{where}{text}{raw}")
-            shown += 1
-            if options.count is not None and shown >= options.count:
-                return 0
+    for piece in _given(given or b"") if explain else _arriving(options):
+        if piece is None:
+            sys.stdout.flush()  # whoever reads it sees what has arrived
+            continue
+        if piece.packet is None:
+            bytes_skipped += len(piece.data)
+            damage = damage or show.damage(piece.data)
+            if between:
+                print(_skipped(piece, options.json))
+            continue
+        packets += 1
+        fields = show.selected(piece.packet, selection)
+        if not fields and not selection.everything:
+            continue
+        if options.json:
+            print(objects.packet(piece.offset, piece.packet, fields, device, options.raw))
+        else:
+            place = "" if explain else f"{piece.offset:08x} "
+            lines = show.tree(piece.packet, fields, device) if as_tree else [show.line(piece.packet, fields, device)]
+            print(place + "\n".join([*lines, *([f"  {piece.data.hex(' ')}"] if options.raw else [])]))
+        shown += 1
+        if options.count is not None and shown >= options.count:
+            return 0
     if not packets:
         count = inputs.counted(bytes_skipped, "byte")
         raise Failure(f"no packet in {count}: {damage or 'packets begin with 75 65'}")
     if not shown:
         _none_shown(packets)
     return 0
+
+
+def _skipped(piece: Piece, as_json: bool) -> str:
+    """The line of bytes outside packets."""
+    if as_json:
+        return json.dumps({"offset": piece.offset, "skipped": piece.data.hex()})
+    return f"{piece.offset:08x} {show.skipped(piece.data)}"
 
 
 def _none_shown(packets: int) -> None:
@@ -128,10 +129,12 @@ def _fast(options: argparse.Namespace, selection: Selection, device: str | None)
     return 0 if packets else None
 
 
-def _source(name: str, options: argparse.Namespace) -> Iterator[Piece | None]:
-    if inputs.is_port(name):
-        return ports.pieces(name, options)
-    return inputs.arriving(name, progress=not sys.stdout.isatty())
+def _arriving(options: argparse.Namespace) -> Iterator[Piece | None]:
+    for name in options.input:
+        if inputs.is_port(name):
+            yield from ports.pieces(name, options)
+        else:
+            yield from inputs.arriving(name, progress=not sys.stdout.isatty())
 
 
 def _check(given: list[str]) -> None:

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 #: What a table has beside the parameters of fields.
 OWN = ("time", "time_own", "packet", "set", "offset")
 #: Bytes of a log whose rows are in memory together.
-PART = 1 << 21
+PART = 1 << 20
 
 
 class Series(NamedTuple):

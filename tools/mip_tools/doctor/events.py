@@ -47,18 +47,18 @@ class Event:
 
 def merged(events: Iterable[Event]) -> list[Event]:
     """Events of one cause that overlap are one. A gap is explained by what else happened in it."""
-    found: list[Event] = []
+    apart: list[Event] = []
     for event in sorted(events, key=lambda e: (_RANK[e.cause], e.begin)):
-        other = next((e for e in found if e.overlaps(event) and (e.cause == event.cause or explains(e, event))), None)
+        other = next((e for e in apart if e.overlaps(event) and (e.cause == event.cause or explains(e, event))), None)
         if other is None:
-            found.append(event)
+            apart.append(event)
         elif other.cause == event.cause:
             other.absorb(event)
         else:
             other.seconds = max(other.seconds, event.seconds)
             other.sets |= event.sets
             other.time = event.time if other.time is None else other.time
-    return sorted(found, key=lambda e: e.begin)
+    return sorted(apart, key=lambda e: e.begin)
 
 
 #: What explains others comes first.

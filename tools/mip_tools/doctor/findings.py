@@ -28,53 +28,59 @@ class Finding:
     details: tuple[str, ...] = ()
 
 
-def of(found: Examined) -> list[Finding]:
+def of(examined: Examined) -> list[Finding]:
     """The findings of a stream, the gravest first."""
-    return [*_nothing(found), *_events(found), *_synchronization(found), *_warnings(found), *_untimed(found)]
+    return [
+        *_nothing(examined),
+        *_events(examined),
+        *_synchronization(examined),
+        *_warnings(examined),
+        *_untimed(examined),
+    ]
 
 
-def _nothing(found: Examined) -> Iterator[Finding]:
-    if not found.packets:
-        if found.sentences:
-            text = f"no packet, but {counted(found.sentences, 'NMEA sentence')}"
+def _nothing(examined: Examined) -> Iterator[Finding]:
+    if not examined.packets:
+        if examined.sentences:
+            text = f"no packet, but {counted(examined.sentences, 'NMEA sentence')}"
             yield Finding(
                 "no packets", text, "the port sends NMEA; MIP is another protocol or another port of the device"
             )
-        elif found.size:
-            yield Finding("no packets", f"no packet in {counted(found.size, 'byte')}", "is the baud rate right?")
+        elif examined.size:
+            yield Finding("no packets", f"no packet in {counted(examined.size, 'byte')}", "is the baud rate right?")
         else:
             yield Finding("no packets", "no bytes")
 
 
-def _events(found: Examined) -> Iterator[Finding]:
+def _events(examined: Examined) -> Iterator[Finding]:
     for cause, meaning in CAUSES.items():
-        own = [e for e in found.events if e.cause == cause]
+        own = [e for e in examined.events if e.cause == cause]
         if own:
             missing = sum(e.seconds for e in own)
             text = counted(len(own), "time")
             text += f", {missing:.3f} s of data are missing" if missing else ""
-            lines = [line(e, found) for e in own[:LISTED]]
+            lines = [line(e, examined) for e in own[:LISTED]]
             more = [f"and {len(own) - LISTED} more"] if len(own) > LISTED else []
             yield Finding(cause, text, meaning, (*lines, *more))
 
 
-def line(event: Event, found: Examined) -> str:
+def line(event: Event, examined: Examined) -> str:
     """An event in a line: when, where, what."""
-    when = "" if event.time is None or found.clock is None else f"{stamp(found.clock, event.time, 3)}, "
+    when = "" if event.time is None or examined.clock is None else f"{stamp(examined.clock, event.time, 3)}, "
     sets = ", ".join(map(show.set_name, sorted(event.sets)))
     gap = [f"{event.seconds:.3f} s missing"] if event.seconds else []
     said = "; ".join([*gap, *event.details])
     return f"{when}byte {event.begin}{f', {sets}' if sets else ''}{f': {said}' if said else ''}"
 
 
-def _synchronization(found: Examined) -> Iterator[Finding]:
-    for number, (bad, all) in sorted(found.unsynchronized.items()):
+def _synchronization(examined: Examined) -> Iterator[Finding]:
+    for number, (bad, all) in sorted(examined.unsynchronized.items()):
         text = f"{show.set_name(number)}: {bad} of {counted(all, 'timestamp')} with a date are not valid"
         yield Finding("not in time sync", text, "the receiver has no time yet, or the device gets no time and pulse")
 
 
-def _warnings(found: Examined) -> Iterator[Finding]:
-    for w in found.warned:
+def _warnings(examined: Examined) -> Iterator[Finding]:
+    for w in examined.warned:
         if not w.last and w.count < _SELDOM * w.total:
             continue
         share = f"in {w.count / w.total:.0%} of {w.field}{', also at the end' if w.last else ', not at the end'}"
@@ -82,8 +88,8 @@ def _warnings(found: Examined) -> Iterator[Finding]:
         notes = [f"affects {', '.join(fields)}"] if fields else []
         notes += [f"see {', '.join(f'`mip fields {c}`' for c in commands)}"] if commands else []
         yield Finding(w.bit, f"set {share}", w.text, tuple(notes))
-    if found.unnamed:
-        names = ", ".join(found.unnamed)
+    if examined.unnamed:
+        names = ", ".join(examined.unnamed)
         yield Finding("unknown device", f"{names}: flags depend on the device", "name it with --device")
 
 
@@ -100,15 +106,15 @@ def _concerned(names: Sequence[str]) -> tuple[list[str], list[str]]:
     return fields, commands
 
 
-def _untimed(found: Examined) -> Iterator[Finding]:
-    for number in found.untimed:
+def _untimed(examined: Examined) -> Iterator[Finding]:
+    for number in examined.untimed:
         text = f"{show.set_name(number)} has no timestamps, so gaps in it cannot be seen"
         yield Finding("no timestamps", text, "add a timestamp to its message format")
 
 
-def duration(found: Examined) -> float:
+def duration(examined: Examined) -> float:
     """Seconds from the first packet to the last, by the clock of the report."""
-    times = [t for spans in found.spans.values() for span in spans for t in span]
+    times = [t for spans in examined.spans.values() for span in spans for t in span]
     return (max(times) - min(times)) / SECOND if times else 0.0
 
 

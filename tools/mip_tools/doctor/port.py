@@ -76,8 +76,8 @@ class Patient:
             return False
         try:
             told = device.request(module("base").GetDeviceInfo())
-            found = identify(told.device_info)
-            self.model = found.id if found is not None else None
+            profile = identify(told.device_info)
+            self.model = profile.id if profile is not None else None
         except Refused:
             pass
         except NoAnswer:
@@ -120,10 +120,10 @@ class Patient:
             text = f"{used:.0%} of {self._baud} Bd are used"
             self._find("line is full", text, "raise the baud rate, or send less: `mip bandwidth`")
 
-    def rates(self, wanted: Mapping[Occurrence, float], found: Examined) -> None:
+    def rates(self, wanted: Mapping[Occurrence, float], examined: Examined) -> None:
         """Are these rates reached, and if not, why?"""
         for one, rate in wanted.items():
-            real = found.rates.get((one.set, one.kind.DESCRIPTOR), 0.0)
+            real = examined.rates.get((one.set, one.kind.DESCRIPTOR), 0.0)
             if real >= _REACHED * rate:
                 continue
             base = self.bases.get(one.set)
@@ -133,7 +133,7 @@ class Patient:
             elif base and abs(base / rate - round(base / rate)) > 1e-9:
                 near = base / max(round(base / rate), 1)
                 remedy = f"rates are {base:g} Hz divided by whole numbers; the nearest is {near:g} Hz"
-            elif any(e.cause == "overload" for e in found.events) or any(
+            elif any(e.cause == "overload" for e in examined.events) or any(
                 f.cause == "line is full" for f in self.findings
             ):
                 remedy = "the line cannot carry it: `mip bandwidth`"

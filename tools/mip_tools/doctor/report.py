@@ -29,9 +29,9 @@ td, th { padding: .15rem .8rem .15rem 0; text-align: left } td + td { text-align
 """
 
 
-def page(name: str, found: Examined, findings: Sequence[Finding]) -> str:
+def page(name: str, examined: Examined, findings: Sequence[Finding]) -> str:
     """A page in HTML that needs no other file."""
-    body = "\n".join(_body(name, found, findings))
+    body = "\n".join(_body(name, examined, findings))
     title = escape(f"mip doctor: {name}")
     return (
         f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><title>{title}</title>'
@@ -39,9 +39,9 @@ def page(name: str, found: Examined, findings: Sequence[Finding]) -> str:
     )
 
 
-def _body(name: str, found: Examined, findings: Sequence[Finding]) -> Iterator[str]:
+def _body(name: str, examined: Examined, findings: Sequence[Finding]) -> Iterator[str]:
     yield f"<h1>{escape(name)}</h1>"
-    yield f"<p>{found.size} bytes, {found.packets} packets</p>"
+    yield f"<p>{examined.size} bytes, {examined.packets} packets</p>"
     yield "<h2>Findings</h2>"
     yield "<ul>" if findings else "<p>Nothing is wrong.</p>"
     for f in findings:
@@ -50,45 +50,45 @@ def _body(name: str, found: Examined, findings: Sequence[Finding]) -> Iterator[s
         yield f"<li><b>{escape(f.cause)}</b>: {escape(f.text)}{more}{f'<ul>{inner}</ul>' if inner else ''}</li>"
     if findings:
         yield "</ul>"
-    if found.spans and found.clock:
+    if examined.spans and examined.clock:
         yield "<h2>Timeline</h2>"
-        yield from _timeline(found)
+        yield from _timeline(examined)
     yield "<h2>Rates</h2><table><tr><th>field</th><th>Hz</th></tr>"
-    for key, rate in sorted(found.rates.items()):
-        yield f"<tr><td>{escape(show.set_name(key[0]))}: {escape(found.names[key])}</td><td>{rate:.4g}</td></tr>"
+    for key, rate in sorted(examined.rates.items()):
+        yield f"<tr><td>{escape(show.set_name(key[0]))}: {escape(examined.names[key])}</td><td>{rate:.4g}</td></tr>"
     yield "</table>"
 
 
-def _timeline(found: Examined) -> Iterator[str]:
-    times = [t for spans in found.spans.values() for span in spans for t in span]
-    times += [e.time for e in found.events if e.time is not None]
+def _timeline(examined: Examined) -> Iterator[str]:
+    times = [t for spans in examined.spans.values() for span in spans for t in span]
+    times += [e.time for e in examined.events if e.time is not None]
     first, last = min(times), max(times)
 
     def x(time: int) -> float:
         return round(_LEFT + (_WIDTH - _LEFT - 10) * (time - first) / max(last - first, 1), 1)
 
-    rows = sorted(found.spans)
+    rows = sorted(examined.spans)
     height = _ROW * (len(rows) + 2)
     yield f'<svg viewBox="0 0 {_WIDTH} {height}" width="100%" role="img" aria-label="timeline" font-size="12">'
     for i, number in enumerate(rows):
         y = _ROW * i + 6
         yield f'<text x="0" y="{y + 11}" fill="currentColor">{escape(show.set_name(number))}</text>'
-        for begin, end in found.spans[number]:
+        for begin, end in examined.spans[number]:
             width = max(x(end) - x(begin), 1)
             yield f'<rect x="{x(begin)}" y="{y}" width="{width:.1f}" height="14" fill="#8fb8de"/>'
-    for e in found.events:
+    for e in examined.events:
         if e.time is not None:
             colour = _COLOURS[e.cause]
             where = f'x1="{x(e.time)}" x2="{x(e.time)}" y1="2" y2="{_ROW * len(rows)}"'
-            said = f"<title>{escape(f'{e.cause}: {line(e, found)}')}</title>"
+            said = f"<title>{escape(f'{e.cause}: {line(e, examined)}')}</title>"
             yield f'<line {where} stroke="{colour}" stroke-width="2">{said}</line>'
-    assert found.clock is not None
+    assert examined.clock is not None
     y = _ROW * (len(rows) + 1) - 8
-    yield f'<text x="{_LEFT}" y="{y}" fill="currentColor">{escape(stamp(found.clock, first, 3))}</text>'
-    until = escape(stamp(found.clock, last, 3))
+    yield f'<text x="{_LEFT}" y="{y}" fill="currentColor">{escape(stamp(examined.clock, first, 3))}</text>'
+    until = escape(stamp(examined.clock, last, 3))
     yield f'<text x="{_WIDTH - 10}" y="{y}" text-anchor="end" fill="currentColor">{until}</text>'
     at = _LEFT
-    for cause in dict.fromkeys(e.cause for e in found.events):
+    for cause in dict.fromkeys(e.cause for e in examined.events):
         yield f'<text x="{at}" y="{y + 18}" fill="{_COLOURS[cause]}">{cause}</text>'
         at += 8 * len(cause) + 20
     yield "</svg>"

@@ -59,8 +59,8 @@ class Rhythm:
         else:
             self._run, self._count, self._began = float(step), 1, before
         if self.usual is not None and abs(step - self.usual) < EQUAL * self.usual:
-            found, self._gaps = self._gaps, []
-            return list(found)
+            gaps, self._gaps = self._gaps, []
+            return list(gaps)
         if self._count >= STEADY:
             old, self.usual, self._gaps = self.usual, self._run, []
             assert self._began is not None

@@ -99,14 +99,14 @@ class Examination:
         """What was found, when there is no more."""
         self._between(True)
         self._started_and_stopped()
-        found = self.result
-        found.events = merged(self._events)
-        found.untimed = [number for number in self._sets if number >= 0x80 and number not in self._timed]
-        found.unsynchronized = {n: (bad, all) for n, (bad, all) in self._invalid.items() if bad}
-        found.rates = {k: SECOND / r.usual for k, r in self._rhythms.items() if r.usual}
-        found.names = dict(self._names)
-        found.warned = list(self._warned())
-        return found
+        result = self.result
+        result.events = merged(self._events)
+        result.untimed = [number for number in self._sets if number >= 0x80 and number not in self._timed]
+        result.unsynchronized = {n: (bad, all) for n, (bad, all) in self._invalid.items() if bad}
+        result.rates = {k: SECOND / r.usual for k, r in self._rhythms.items() if r.usual}
+        result.names = dict(self._names)
+        result.warned = list(self._warned())
+        return result
 
     # ------------------------------------------------------------------ bytes between packets
 
@@ -208,11 +208,11 @@ class Examination:
         rhythm = self._rhythms.get(key)
         if rhythm is None:
             rhythm = self._rhythms[key] = Rhythm()
-        for found in rhythm.add(moment):
-            if isinstance(found, Gap):
-                self._gap(key, found)
+        for change in rhythm.add(moment):
+            if isinstance(change, Gap):
+                self._gap(key, change)
             else:
-                self._changed(key, found)
+                self._changed(key, change)
 
     def _gap(self, key: tuple[int, int], gap: Gap) -> None:
         seconds = (gap.after.time - gap.before.time - gap.usual) / SECOND

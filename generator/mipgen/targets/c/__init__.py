@@ -157,7 +157,7 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "type": names.type_name,
         "c_type": names.c_type,
         "field": names.field_name,
-        "record": names.record_name,
+        "record": names.symbol,
         "bare": names.bare,
         "union": names.union_name,
         "constant": names.constant,
@@ -169,7 +169,6 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "several": lambda f: len(f.occurrences) > 1,
         "belongs": literals.belongs,
         "is_struct": names.is_struct,
-        "spec_name": names.spec_name,
         # literals
         "hex": literals.hexadecimal,
         "number": literals.number,

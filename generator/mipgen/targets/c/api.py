@@ -18,9 +18,7 @@ from .snippets import Programs
 __all__ = ["CppPrograms", "Programs", "cpp_symbol", "cpp_symbols", "cpp_writing", "symbol", "symbols", "writing"]
 
 
-def symbol(thing: m.Type | m.Field) -> str:
-    """The type of a field, or a type."""
-    return names.field_name(thing) if isinstance(thing, m.Field) else names.type_name(thing)
+symbol = names.symbol
 
 
 def cpp_symbol(thing: m.Type | m.Field) -> str:

@@ -13,7 +13,7 @@ from mipgen.lower import extent, memory
 
 from .literals import hexadecimal
 from .members import home
-from .names import member, record_name, type_name
+from .names import member, symbol, type_name
 from .tables import required
 
 #: The most numbers that the first byte of a step can count.
@@ -85,7 +85,7 @@ def program(f: m.Field, layouts: Sequence[m.Field], sizes: range) -> list[str]:
     far = _is_far(f)
     if far:
         steps.append(Step("MIP_FAR", (), 1))
-    base = f"struct {record_name(f)}"
+    base = f"struct {symbol(f)}"
     if f.optional:
         steps.append(_optional(f))
     steps += _steps((p for p in f.always if not (f.optional and p.selector)), base)  # the selector is part of that step

@@ -9,7 +9,7 @@ from mipgen import model as m
 from mipgen.emit.wrapping import Brackets, Expression, after, laid_out
 from mipgen.facts import literals
 from mipgen.facts.literals import Literal
-from mipgen.facts.sample_values import GivenValues, SampleValues, title_of
+from mipgen.facts.sample_values import GivenValues, SampleValues
 from mipgen.lower.memory import members
 
 from . import snippets
@@ -34,14 +34,11 @@ class Programs:
         """A function that sends several commands; it ends with the first one that is not acknowledged."""
         lines = sorted({f'#include "mip/{module(f.family)}_commands.hpp"' for f, _ in steps})
         lines += ["", f"mip::result<> {name}(mip::device<> &device) {{"]
-        for i, (f, given) in enumerate(steps):
-            asked = _call(f, given.call, given, "result = " if i else "mip::result<> result = ", 88)
-            title = f"// {i + 1}: {title_of(f, given)}"
-            body = "\n".join(asked + ([f"// {given.host}"] if given.host else [])).split("\n")
-            if i == 0:
-                lines += [f"    {line}" for line in (title, *body)]
-            else:
-                lines += [f"    if (result) {{ {title}", *(f"        {line}" for line in body), "    }"]
+        calls = [
+            _call(f, given.call, given, "result = " if i else "mip::result<> result = ", 88)
+            for i, (f, given) in enumerate(steps)
+        ]
+        lines += snippets.in_turn(steps, calls, "// {}", "result")
         return "\n".join([*lines, "    return result;", "}"])
 
     def data(self, f: m.Field) -> str:

@@ -19,8 +19,8 @@ from .names import (  # fmt: skip
     macro,
     member,
     module,
-    record_name,
     set_constant,
+    symbol,
     type_name,
     union_name,
 )
@@ -84,7 +84,7 @@ def of_field(f: m.Field) -> Iterator[Identifier]:
 
 
 def _members(record: m.Record) -> Iterator[Identifier]:
-    scope = f"struct {record_name(record)}"
+    scope = f"struct {symbol(record)}"
     for p in members(record):
         yield Identifier(scope, member(p.name), p.name, p.position)
         if p.fills:

@@ -44,12 +44,13 @@ def set_constant(s: m.Set) -> str:
     return f"{macro(f'mip_{s.name}')}_SET"
 
 
-def record_name(record: m.Record) -> str:
-    return field_name(record) if isinstance(record, m.Field) else type_name(record)
+def symbol(thing: m.Type | m.Field) -> str:
+    """The type of a field, or a type."""
+    return field_name(thing) if isinstance(thing, m.Field) else type_name(thing)
 
 
 def union_name(p: m.Parameter, record: m.Record) -> str:
-    return f"{record_name(record)}_{p.name}"
+    return f"{symbol(record)}_{p.name}"
 
 
 def constant(t: m.Enum | m.Bitfield, part: m.EnumValue | m.Bits) -> str:
@@ -63,12 +64,7 @@ def accessor(t: m.Bitfield, verb: str, b: m.Bits) -> str:
 
 def bare(thing: m.Type | m.Field) -> str:
     """A name without the prefix of the library, for what is static in a source."""
-    return (field_name(thing) if isinstance(thing, m.Field) else type_name(thing)).removeprefix("mip_")
-
-
-def spec_name(t: m.Enum | m.Bitfield) -> str:
-    """The name in the specification, after its family if one owns the type."""
-    return f"{t.owner}.{t.name}" if t.owner else t.name
+    return symbol(thing).removeprefix("mip_")
 
 
 def is_enum(e: m.Scalar | m.Type | None) -> bool:

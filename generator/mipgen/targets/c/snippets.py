@@ -33,14 +33,11 @@ class Programs:
         """A function that sends several commands; it ends with the first one that is not acknowledged."""
         needs = sorted({f'#include "mip/{module(f.family)}_commands.h"' for f, _ in steps})
         lines = ['#include "mip/device.h"', *needs, "", f"struct mip_result {name}(struct mip_device *device) {{"]
-        for i, (f, given) in enumerate(steps):
-            asked = _call(f, given.call, given, "result = " if i else "struct mip_result result = ", 88)
-            title = f"/* {i + 1}: {title_of(f, given)} */"
-            body = "\n".join(asked + ([f"/* {given.host} */"] if given.host else [])).split("\n")
-            if i == 0:
-                lines += [f"    {line}" for line in (title, *body)]
-            else:
-                lines += [f"    if (mip_succeeded(result)) {{ {title}", *(f"        {line}" for line in body), "    }"]
+        calls = [
+            _call(f, given.call, given, "result = " if i else "struct mip_result result = ", 88)
+            for i, (f, given) in enumerate(steps)
+        ]
+        lines += in_turn(steps, calls, "/* {} */", "mip_succeeded(result)")
         return "\n".join([*lines, "    return result;", "}"])
 
     def data(self, f: m.Field) -> str:
@@ -55,6 +52,21 @@ class Programs:
             *(["    /* field.descriptor_set is the set in which it came */"] if len(f.occurrences) > 1 else []),
             "}",
         ])  # fmt: skip
+
+
+def in_turn(
+    steps: Sequence[tuple[m.Field, GivenValues]], calls: Sequence[list[str]], remark: str, succeeded: str
+) -> list[str]:
+    """The statements of a function that makes these calls as long as they succeed."""
+    lines: list[str] = []
+    for i, ((f, given), call) in enumerate(zip(steps, calls, strict=True), 1):
+        title = remark.format(f"{i}: {title_of(f, given)}")
+        body = "\n".join(call + ([remark.format(given.host)] if given.host else [])).split("\n")
+        if i == 1:
+            lines += [f"    {line}" for line in (title, *body)]
+        else:
+            lines += [f"    if ({succeeded}) {{ {title}", *(f"        {line}" for line in body), "    }"]
+    return lines
 
 
 def _call(f: m.Field, shown: m.Call, samples: SampleValues, result: str, width: int = 96) -> list[str]:

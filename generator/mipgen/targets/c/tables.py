@@ -11,7 +11,7 @@ from mipgen.lower.memory import members
 
 from . import literals
 from .members import home
-from .names import bare, field_name, member, record_name, union_name
+from .names import bare, field_name, member, symbol, union_name
 
 
 def required(f: m.Field) -> list[int]:
@@ -118,7 +118,7 @@ def _place(p: m.Parameter, record: m.Record, union: m.Parameter | None) -> tuple
     """Where the member and the number of its items are."""
     if not union and p not in members(record):
         return "0, 0", "0"
-    within = f"union {union_name(union, record)}" if union else f"struct {record_name(record)}"
+    within = f"union {union_name(union, record)}" if union else f"struct {symbol(record)}"
     name = (home(p) if union else "") + member(p.name)
     size = "ONE" if p.length is None else "MANY"
     return f"{size}({within}, {name})", f"offsetof({within}, {name}_count)" if p.fills else "0"

@@ -63,7 +63,6 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "member": names.member,
         "module": names.module,
         "namespace": names.namespace,
-        "full_name": lambda t: f"{t.owner}.{t.name}" if t.owner else t.name,
         # layouts
         "bits": blocks.bits,
         "block": blocks.block,

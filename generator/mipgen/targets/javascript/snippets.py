@@ -10,7 +10,8 @@ from mipgen import model as m
 from mipgen.emit.wrapping import Brackets, Expression, after, laid_out
 from mipgen.facts import literals
 from mipgen.facts.literals import Literal
-from mipgen.facts.sample_values import GivenValues, SampleValues, title_of
+from mipgen.facts.sample_values import SampleValues
+from mipgen.facts.snippets import Statements
 from mipgen.lower.calls import constructors
 
 from .members import members
@@ -19,26 +20,13 @@ from .names import class_name, constant, home, member
 WIDTH = 84
 
 
-@dataclass(frozen=True)
-class Programs:
-    samples: SampleValues
-
-    def command(self, f: m.Field) -> str:
-        """Sends it to a device."""
-        program = _Program()
-        return program.text(program.sent(f, self.samples))
-
-    def sequence(self, name: str, steps: Sequence[tuple[m.Field, GivenValues]]) -> str:
-        """Sends several commands; one that is not acknowledged throws an error."""
-        program, lines = _Program(), []
-        for i, (f, given) in enumerate(steps):
-            lines += [f"// {i + 1}: {title_of(f, given)}", *program.sent(f, given)]
-            lines += [f"// {given.host}"] if given.host else []
-        return program.text(lines)
+class Programs(Statements):
+    def program(self) -> _Program:
+        return _Program()
 
     def data(self, f: m.Field) -> str:
         """Takes it from what a device sends."""
-        program = _Program()
+        program = self.program()
         read = [f"value.{member(p.name)}" for p in members(f)]
         shown = laid_out(Brackets("console.log(", read[:3] or ["value"], ");", comma=""), WIDTH)
         return program.text([f"for await (const value of device.fields({program.name(f)})) {{", f"    {shown}", "}"])

@@ -13,8 +13,7 @@ from mipgen.targets.rust import api as rust
 
 def type_name(t: m.Scalar | m.Type) -> str:
     """The name of a type, after the set that owns it."""
-    owner = getattr(t, "owner", None)  # no set owns numbers
-    return f"{owner}.{t.name}" if owner else t.name
+    return t.name if isinstance(t, m.Scalar) else t.full_name
 
 
 def symbols(thing: m.Type | m.Field) -> dict[str, str]:

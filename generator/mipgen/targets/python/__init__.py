@@ -110,7 +110,6 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "parameter_info": partial(info.of_parameter, model=model),
         "enum_info": info.of_enumeration,
         "bits_info": info.of_bitfield,
-        "full_name": lambda t: f"{t.owner}.{t.name}" if t.owner else t.name,
         "quoted": info.code,
         "every_field": info.fields,
         "called": info.called,

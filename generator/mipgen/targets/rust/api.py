@@ -66,11 +66,5 @@ def _unions(model: m.Model) -> dict[str, str]:
         for p in r.parameters:
             if p.union:
                 where = names.home(r)
-                unions[f"{_full_name(r)}.{p.name}"] = f"{where}::{records.union(p.union, where).name}"
+                unions[f"{r.full_name}.{p.name}"] = f"{where}::{records.union(p.union, where).name}"
     return unions
-
-
-def _full_name(r: m.Field | m.Struct) -> str:
-    if isinstance(r, m.Field):
-        return r.full_name
-    return f"{r.owner}.{r.name}" if r.owner else r.name

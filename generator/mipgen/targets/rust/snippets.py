@@ -9,7 +9,8 @@ from mipgen import model as m
 from mipgen.emit.wrapping import Brackets, Expression, laid_out
 from mipgen.facts import literals
 from mipgen.facts.literals import Literal
-from mipgen.facts.sample_values import GivenValues, SampleValues, title_of
+from mipgen.facts.sample_values import SampleValues
+from mipgen.facts.snippets import Statements
 
 from .names import constant, home, path, variant
 from .records import Constructor, Records
@@ -17,33 +18,17 @@ from .records import Constructor, Records
 WIDTH = 84
 
 
-@dataclass(frozen=True)
-class Programs:
-    samples: SampleValues
-
-    def command(self, f: m.Field) -> str:
-        """Sends it to a device."""
-        program = self._program()
-        return program.text(program.sent(f, self.samples))
-
-    def sequence(self, name: str, steps: Sequence[tuple[m.Field, GivenValues]]) -> str:
-        """Sends several commands; one that is not acknowledged returns its error."""
-        program, lines = self._program(), []
-        for i, (f, given) in enumerate(steps):
-            lines += [f"// {i + 1}: {title_of(f, given)}", *program.sent(f, given)]
-            lines += [f"// {given.host}"] if given.host else []
-        return program.text(lines)
+class Programs(Statements):
+    def program(self) -> _Program:
+        return _Program(self.samples.model.derived(Records))
 
     def data(self, f: m.Field) -> str:
         """Takes it from a packet."""
-        program = self._program()
+        program = self.program()
         read = next((f"value.{x.name}" for x in program.records.members(f)), "value")
         # A broken one is an error, as a refused command is.
         search = f"packet.find::<{program.name(f)}>().transpose()?"
         return program.text([f"if let Some(value) = {search} {{", f'    println!("{{:?}}", {read});', "}"])
-
-    def _program(self) -> _Program:
-        return _Program(self.samples.model.derived(Records))
 
 
 @dataclass

@@ -25,7 +25,6 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "string": texts.string,
         "octets": texts.octets,
         "hex": "0x{:02X}".format,
-        "qualified": texts.qualified,
         "plain": names.plain,
         "units": rows.units,
         "item_size": extent.element,

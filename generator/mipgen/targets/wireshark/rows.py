@@ -6,8 +6,6 @@ from dataclasses import dataclass
 
 from mipgen import model as m
 
-from . import texts
-
 Named = m.Enum | m.Bitfield
 
 
@@ -55,7 +53,7 @@ def place(b: m.Bits, t: m.Bitfield) -> Place:
 def types(model: m.Model) -> list[Named]:
     """Every enumeration and bitfield, once."""
     known = [model.protocol.function_selector, model.protocol.ack_code, *model.all_types]
-    return list({texts.qualified(t): t for t in known if isinstance(t, (m.Enum, m.Bitfield))}.values())
+    return list({t.full_name: t for t in known if isinstance(t, (m.Enum, m.Bitfield))}.values())
 
 
 def structs(model: m.Model) -> list[m.Struct]:

@@ -28,11 +28,6 @@ def octets(values: Iterable[int]) -> str:
     return '"' + "".join(f"\\{byte}" for byte in values) + '"'
 
 
-def qualified(t: m.Type) -> str:
-    owner = getattr(t, "owner", None)
-    return f"{owner}.{t.name}" if owner else t.name
-
-
 def field_doc(f: m.Field, model: m.Model) -> str:
     return _plain(describe.prose(f.description, model))
 
